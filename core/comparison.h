@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How far reference data lie from the model: largest and mean errors, the report's percentage, and whether the difference
+// is within the file's own rounding. Everything in the author's units (mm, °, s); errors are model - reference.
+
+#include "core/channel.h"
+#include "core/reference_data.h"
+#include "core/trajectory.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace slidercrank
+{
+
+enum class Verdict {
+    Agrees, ///< at least 95 % of the values within half a rounding step, none beyond ten halves
+    Close,  ///< none beyond a hundred halves
+    Differs
+};
+
+struct ChannelComparison {
+    Channel channel;
+    std::size_t count = 0; ///< instants where both values exist
+    std::size_t missingModel = 0; ///< instants where the file has a value and the model none
+
+    // Absent where there is nothing to compare.
+    std::optional<double> maxAbs;
+    double timeOfMaxAbs = 0.0;
+    std::optional<double> rms;
+
+    /// |model - reference| / |reference| · 100, over the instants where the reference is not zero.
+    std::optional<double> maxPercent;
+    double timeOfMaxPercent = 0.0;
+    std::size_t zeroReference = 0; ///< instants left out of maxPercent
+
+    /// maxAbs as % of the reference's largest magnitude.
+    std::optional<double> percentOfPeak;
+
+    /// The file's rounding step where it is largest; absent when the column gives no hint.
+    std::optional<double> roundingStep;
+
+    Verdict verdict = Verdict::Differs;
+};
+
+/// A file may carry more digits than any double-precision computation can promise. No step is taken to be smaller than this
+/// part of the channel's size (the larger of its peak and its naturalScale()).
+inline constexpr double kArithmeticStep = 1e-12;
+
+/// One channel. `time`, `model` and `reference.values` have one value an instant; NaN means none.
+/// `scale`: naturalScale() of the channel.
+ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
+                                 const ReferenceSeries &reference, double scale);
+
+/// Every series of the file against a trajectory sampled at the file's own instants.
+std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model, const ReferenceData &reference);
+
+} // namespace slidercrank

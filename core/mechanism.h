@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The offset slider-crank: lengths, drive and assembly; the names and order of its 12 coordinates and constraints.
+//
+// Four bodies in the plane: 1 ground, 2 crank, 3 coupler, 4 slider. The crank turns about O2, the origin, at constant
+// speed; A is the crank pin, B the pin of the slider, which moves along the line y = c, parallel to x.
+// Lengths are in mm, angles in rad counted counter-clockwise from x, time in s.
+//
+// Source: A. A. Shabana, "Computational Dynamics", 3rd ed., Wiley 2009, ch. 3 (absolute coordinates);
+//         R. L. Norton, "Design of Machinery", section 4.6 (the two assemblies of the fourbar slider-crank).
+
+#include <Eigen/Core>
+#include <numbers>
+#include <optional>
+
+namespace slidercrank
+{
+
+/// Which of the two assemblies: on Open the slider lies to the right of A (cos θ3 > 0), on Crossed to the left.
+enum class Branch { Open, Crossed };
+
+/// What a person chooses. The defaults are Table 1 of the report.
+struct Parameters {
+    double a = 20.0;                          ///< crank length O2-A, mm, > 0
+    double b = 65.0;                          ///< coupler length A-B, mm, > 0
+    double c = 25.0;                          ///< offset of the slider's line from O2, mm, any sign
+    double omega2 = 2.0 * std::numbers::pi;   ///< crank speed, rad/s, constant, any sign
+    double theta20 = 0.0;                     ///< crank angle at t = 0, rad
+    Branch branch = Branch::Open;             ///< assembly
+
+    friend bool operator==(const Parameters &, const Parameters &) = default;
+};
+
+enum class Parameter { A, B, C, Omega2, Theta20 };
+
+/// No length, speed or angle may exceed this magnitude (in its unit): sums and products of any few stay finite.
+inline constexpr double kLargestParameter = 1e12;
+
+/// The first parameter that cannot be used, and why.
+struct ParameterFault {
+    enum class Reason { NotFinite, TooLarge, NotPositive };
+    Parameter parameter;
+    Reason reason;
+};
+
+std::optional<ParameterFault> findFault(const Parameters &parameters);
+
+/// Parameters that passed findFault(): what every solver takes.
+class Mechanism
+{
+public:
+    Mechanism() = default;                               ///< Table 1
+    explicit Mechanism(const Parameters &parameters);    ///< precondition: !findFault(parameters)
+
+    double a() const { return m_parameters.a; }
+    double b() const { return m_parameters.b; }
+    double c() const { return m_parameters.c; }
+    double omega2() const { return m_parameters.omega2; }
+    double theta20() const { return m_parameters.theta20; }
+    Branch branch() const { return m_parameters.branch; }
+    const Parameters &parameters() const { return m_parameters; }
+
+    friend bool operator==(const Mechanism &, const Mechanism &) = default;
+
+private:
+    Parameters m_parameters;
+};
+
+/// The 12 absolute coordinates, in the order of q: centre of mass (mm) and angle (rad) of each body.
+/// Theta3 is θ³ of the report, the coupler's angle seen from A towards B; a textbook's θ_3 is Theta3 + 180°.
+enum Coordinate : Eigen::Index { R1x, R1y, Theta1, R2x, R2y, Theta2, R3x, R3y, Theta3, R4x, R4y, Theta4 };
+inline constexpr Eigen::Index kCoordinateCount = 12;
+
+/// The 12 constraints, in the order of the rows of C: length rows in mm, angle rows in rad.
+enum Constraint : Eigen::Index {
+    GroundX,         ///< R1x = 0
+    GroundY,         ///< R1y = 0
+    GroundAngle,     ///< θ1 = 0
+    CrankPivotX,     ///< revolute joint at O2
+    CrankPivotY,
+    CrankPinX,       ///< revolute joint at A
+    CrankPinY,
+    SliderPinX,      ///< revolute joint at B
+    SliderPinY,
+    SliderAngle,     ///< prismatic joint: the slider does not turn,
+    SliderLine,      ///< ... and stays on y = c
+    CrankDrive       ///< θ2 = ω2 t + θ20
+};
+
+using Vector12 = Eigen::Matrix<double, kCoordinateCount, 1>;
+using Matrix12 = Eigen::Matrix<double, kCoordinateCount, kCoordinateCount>;
+
+/// How the computation of one instant ended.
+enum class Status {
+    Solved,          ///< position, velocity and acceleration are there
+    Singular,        ///< the coupler stands square to the slider's line (cos θ3 = 0): position only
+    IterationLimit,  ///< Newton-Raphson used up its iterations with the residual above the tolerance: nothing
+    NotAssemblable,  ///< |c - a sin θ2| > b: no position exists
+    NotFinite        ///< the instant, or what follows from it, is not a finite number
+};
+
+/// One instant: coordinates and their first and second time derivatives (mm, rad, s); NaN where they do not exist.
+struct State {
+    Vector12 q;
+    Vector12 qDot;
+    Vector12 qDDot;
+    Status status = Status::Solved;
+};
+
+} // namespace slidercrank

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A simulation's exported motion: a CSV file's bytes → named series in the author's units (mm, °, s), or an error that
+// says line, column and text. Locale-free; nothing throws.
+
+#include "core/channel.h"
+#include "core/rounding.h"
+
+#include <cstddef>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// One column: values at ReferenceData::time, in the author's unit of its channel; NaN where the cell was empty.
+struct ReferenceSeries {
+    Channel channel;
+    std::vector<double> values;
+    Rounding rounding; ///< how the file rounded this column, already in the author's unit
+};
+
+/// A row that could not be read and was left out. Lines and columns count from 1, columns in cells.
+struct SkippedRow {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string text;   ///< the offending cell, shortened
+    std::string reason; ///< a clause: "not a number"
+};
+
+struct ReferenceData {
+    std::vector<double> time; ///< s, strictly increasing
+    std::vector<ReferenceSeries> series;
+    std::vector<SkippedRow> skipped;
+    std::vector<std::string> ignoredColumns; ///< header names that mean no channel
+
+    const ReferenceSeries *find(Channel channel) const;
+};
+
+/// Why nothing sensible could be read. line 0: the file as a whole.
+struct ReadError {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string text;
+    std::string reason; ///< a sentence that says what to do
+};
+
+/// precondition: none; any bytes do.
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {});
+
+} // namespace slidercrank

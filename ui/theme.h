@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Light and dark, and the one table of series colours (told apart by the colour-blind; Okabe and Ito, 2008).
+
+#include <QColor>
+#include <QPalette>
+
+namespace slidercrank
+{
+
+enum class Theme { System, Light, Dark };
+
+/// A Fusion palette; for System that of the platform.
+QPalette paletteFor(Theme theme);
+
+/// What the drawing and the plots use, chosen to stand out against the palette's base colour.
+struct SeriesColours {
+    QColor model;      ///< solid curves, the mechanism's links
+    QColor reference;  ///< dashed curves
+    QColor error;      ///< angle errors
+    QColor errorOther; ///< length errors, drawn in the same axes
+    QColor cursor;     ///< the current instant
+    QColor warning;    ///< forbidden arcs, what cannot be
+    QColor grid;
+    QColor text;
+    QColor background;
+};
+SeriesColours seriesColours(const QPalette &palette);
+
+} // namespace slidercrank
