@@ -6,26 +6,18 @@
 
 #include "core/comparison.h"
 #include "core/mobility.h"
-#include "core/reference_data.h"
 #include "core/trajectory.h"
+#include "ui/reference_file.h"
 
 #include <QObject>
 #include <QString>
 
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <vector>
 
 namespace slidercrank
 {
-
-/// A loaded file and where it came from.
-struct Reference {
-    QString path;  ///< as opened
-    QString name;  ///< file name, for legends and titles
-    ReferenceData data;
-};
 
 /// The mechanism at one instant, by one closed-form evaluation. Lengths mm, angles rad.
 struct Pose {
@@ -92,9 +84,12 @@ signals:
     void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
 
 private:
-    struct Job;
     void recompute();
     void publish(std::shared_ptr<const Result> result);
+
+    /// Runs work() in another thread, then done(its outcome) in this one.
+    template <typename Work, typename Done>
+    void runAside(Work work, Done done);
 
     Parameters m_parameters;
     Sampling m_sampling;
@@ -104,7 +99,7 @@ private:
     std::shared_ptr<const Result> m_result;
     std::stop_source m_computation;
     std::stop_source m_reading;
-    int m_pending = 0;
+    int m_pending = 0; ///< jobs aside
 };
 
 } // namespace slidercrank

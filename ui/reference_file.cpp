@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reference_file.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+namespace slidercrank
+{
+
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop)
+{
+    const auto tr = [](const char *text) { return QCoreApplication::translate("slidercrank::ReferenceFile", text); };
+    const QString shown = QDir::toNativeSeparators(path);
+    QFile file(path);
+    if (QFileInfo(path).isDir()) {
+        return tr("%1 is a folder: choose a CSV file.").arg(shown);
+    }
+    if (!file.open(QIODevice::ReadOnly)) {
+        return tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
+    }
+    const QByteArray bytes = file.readAll();
+    if (file.error() != QFileDevice::NoError) {
+        return tr("%1 cannot be read: %2.").arg(shown, file.errorString());
+    }
+    std::variant<ReferenceData, ReadError> outcome =
+        readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, stop);
+    if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
+        const QString reason = QString::fromStdString(error->reason);
+        if (error->line == 0) {
+            return QStringLiteral("%1: %2").arg(shown, reason);
+        }
+        const QString text = QString::fromStdString(error->text);
+        return error->column == 0 ? tr("%1, line %2: %3").arg(shown).arg(error->line).arg(reason)
+                                  : tr("%1, line %2, column %3 (\"%4\"): %5")
+                                        .arg(shown)
+                                        .arg(error->line)
+                                        .arg(error->column)
+                                        .arg(text, reason);
+    }
+    auto reference = std::make_shared<Reference>();
+    reference->path = path;
+    reference->name = QFileInfo(path).fileName();
+    reference->data = std::move(std::get<ReferenceData>(outcome));
+    return reference;
+}
+
+} // namespace slidercrank

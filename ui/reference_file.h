@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A reference file on disk: opened under its Unicode name, read by the core, and its failure put into one sentence.
+
+#include "core/reference_data.h"
+
+#include <QString>
+
+#include <memory>
+#include <stop_token>
+#include <variant>
+
+namespace slidercrank
+{
+
+/// A loaded file and where it came from.
+struct Reference {
+    QString path; ///< as opened
+    QString name; ///< file name, for legends and titles
+    ReferenceData data;
+};
+
+/// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread.
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {});
+
+} // namespace slidercrank
