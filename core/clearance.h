@@ -24,13 +24,13 @@ public:
 
     /// The clearance at one crank angle. Lengths in units of scale(): multiply by it for mm.
     struct At {
-        double x;      ///< g sin θ2
-        double cosine; ///< cos θ2
-        double sigma;  ///< 1 + x, without cancellation
+        double x;             ///< g sin θ2
+        double cosine;        ///< cos θ2
+        double sigma;         ///< 1 + x, without cancellation
         double sigmaMirrored; ///< 1 - x, without cancellation
-        double p;      ///< b - g h
-        double m;      ///< b + g h
-        double h;      ///< g h = C - a x
+        double p;             ///< b - g h
+        double m;             ///< b + g h
+        double h;             ///< g h = C - a x
         bool assemblable() const { return p >= 0.0 && m >= 0.0; }
     };
     At at(SinCos crank) const;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The exact motion, in closed form, to the last digit that a double holds: also at and beside a toggle, where the coupler
-// stands square to the slider's line, and at any time. It knows nothing of the constraints, so that its agreement with
-// Newton-Raphson is evidence.
+// The exact motion, in closed form, to the last digit that a double holds: also at and beside a toggle, where the
+// coupler stands square to the slider's line, and at any time. It knows nothing of the constraints, so that its
+// agreement with Newton-Raphson is evidence.
 //
 // With ω = ω2 and the names of clearance.h:
 //
@@ -13,8 +13,8 @@
 //     ṡ   = -(g h) θ̇3                   s̈   = -a ω² G / s³
 //     R4x = a cos θ2 + s
 //
-// They are the textbook's (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15) freed of every difference of nearly equal
-// numbers. Lengths in mm, angles in rad, time in s.
+// They are the textbook's (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15) freed of every difference of nearly
+// equal numbers. Lengths in mm, angles in rad, time in s.
 
 #include "core/clearance.h"
 #include "core/mechanism.h"
@@ -25,13 +25,13 @@ namespace slidercrank
 
 /// The six plotted channels at one instant, with what the other thirty follow from.
 struct Motion {
-    double theta2;      ///< rad, not wrapped
-    SinCos crank;       ///< sin θ2, cos θ2
-    double s;           ///< b cos θ3, mm
+    double theta2;                        ///< rad, not wrapped
+    SinCos crank;                         ///< sin θ2, cos θ2
+    double s;                             ///< b cos θ3, mm
     double theta3, theta3Dot, theta3DDot; ///< rad
     double sDot, sDDot;
     double R4x, R4xDot, R4xDDot; ///< mm
-    Status status;      ///< Solved, Singular (derivatives NaN), NotAssemblable or NotFinite (all NaN)
+    Status status;               ///< Solved, Singular (derivatives NaN), NotAssemblable or NotFinite (all NaN)
 };
 
 class ClosedForm

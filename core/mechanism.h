@@ -22,12 +22,12 @@ enum class Branch { Open, Crossed };
 
 /// What a person chooses. The defaults are Table 1 of the report.
 struct Parameters {
-    double a = 20.0;                          ///< crank length O2-A, mm, > 0
-    double b = 65.0;                          ///< coupler length A-B, mm, > 0
-    double c = 25.0;                          ///< offset of the slider's line from O2, mm, any sign
-    double omega2 = 2.0 * std::numbers::pi;   ///< crank speed, rad/s, constant, any sign
-    double theta20 = 0.0;                     ///< crank angle at t = 0, rad
-    Branch branch = Branch::Open;             ///< assembly
+    double a = 20.0;                        ///< crank length O2-A, mm, > 0
+    double b = 65.0;                        ///< coupler length A-B, mm, > 0
+    double c = 25.0;                        ///< offset of the slider's line from O2, mm, any sign
+    double omega2 = 2.0 * std::numbers::pi; ///< crank speed, rad/s, constant, any sign
+    double theta20 = 0.0;                   ///< crank angle at t = 0, rad
+    Branch branch = Branch::Open;           ///< assembly
 
     friend bool operator==(const Parameters &, const Parameters &) = default;
 };
@@ -50,8 +50,8 @@ std::optional<ParameterFault> findFault(const Parameters &parameters);
 class Mechanism
 {
 public:
-    Mechanism() = default;                               ///< Table 1
-    explicit Mechanism(const Parameters &parameters);    ///< precondition: !findFault(parameters)
+    Mechanism() = default;                            ///< Table 1
+    explicit Mechanism(const Parameters &parameters); ///< precondition: !findFault(parameters)
 
     double a() const { return m_parameters.a; }
     double b() const { return m_parameters.b; }
@@ -74,18 +74,18 @@ inline constexpr Eigen::Index kCoordinateCount = 12;
 
 /// The 12 constraints, in the order of the rows of C: length rows in mm, angle rows in rad.
 enum Constraint : Eigen::Index {
-    GroundX,         ///< R1x = 0
-    GroundY,         ///< R1y = 0
-    GroundAngle,     ///< θ1 = 0
-    CrankPivotX,     ///< revolute joint at O2
+    GroundX,     ///< R1x = 0
+    GroundY,     ///< R1y = 0
+    GroundAngle, ///< θ1 = 0
+    CrankPivotX, ///< revolute joint at O2
     CrankPivotY,
-    CrankPinX,       ///< revolute joint at A
+    CrankPinX, ///< revolute joint at A
     CrankPinY,
-    SliderPinX,      ///< revolute joint at B
+    SliderPinX, ///< revolute joint at B
     SliderPinY,
-    SliderAngle,     ///< prismatic joint: the slider does not turn,
-    SliderLine,      ///< ... and stays on y = c
-    CrankDrive       ///< θ2 = ω2 t + θ20
+    SliderAngle, ///< prismatic joint: the slider does not turn,
+    SliderLine,  ///< ... and stays on y = c
+    CrankDrive   ///< θ2 = ω2 t + θ20
 };
 
 using Vector12 = Eigen::Matrix<double, kCoordinateCount, 1>;
@@ -93,11 +93,11 @@ using Matrix12 = Eigen::Matrix<double, kCoordinateCount, kCoordinateCount>;
 
 /// How the computation of one instant ended.
 enum class Status {
-    Solved,          ///< position, velocity and acceleration are there
-    Singular,        ///< the coupler stands square to the slider's line (cos θ3 = 0): position only
-    IterationLimit,  ///< Newton-Raphson used up its iterations with the residual above the tolerance: nothing
-    NotAssemblable,  ///< |c - a sin θ2| > b: no position exists
-    NotFinite        ///< the instant, or what follows from it, is not a finite number
+    Solved,         ///< position, velocity and acceleration are there
+    Singular,       ///< the coupler stands square to the slider's line (cos θ3 = 0): position only
+    IterationLimit, ///< Newton-Raphson used up its iterations with the residual above the tolerance: nothing
+    NotAssemblable, ///< |c - a sin θ2| > b: no position exists
+    NotFinite       ///< the instant, or what follows from it, is not a finite number
 };
 
 /// One instant: coordinates and their first and second time derivatives (mm, rad, s); NaN where they do not exist.

@@ -4,7 +4,8 @@
 // What the mechanism can do at all: turn round or rock, between which crank angles, how far the slider goes.
 // Angles in rad, lengths in mm. Both depend on the branch where the text says so.
 //
-// Source: Grashof's condition for the slider-crank and the dead centres, Norton, "Design of Machinery", 2.13, 3.8, 4.10.
+// Source: Grashof's condition for the slider-crank and the dead centres, Norton, "Design of
+// Machinery", 2.13, 3.8, 4.10.
 
 #include "core/mechanism.h"
 
@@ -15,10 +16,10 @@ namespace slidercrank
 {
 
 enum class Mobility {
-    FullTurn,     ///< b >= a + |c|: the crank turns round
-    Rocker,       ///< the crank swings within one arc, or two
-    Locked,       ///< b = |c| - a: one pose only
-    Impossible    ///< b < |c| - a: no pose at all
+    FullTurn,  ///< b >= a + |c|: the crank turns round
+    Rocker,    ///< the crank swings within one arc, or two
+    Locked,    ///< b = |c| - a: one pose only
+    Impossible ///< b < |c| - a: no pose at all
 };
 
 /// from <= to, from within [-π, π); 2π long when the crank turns round, of length 0 when locked.
@@ -52,8 +53,8 @@ struct MotionLimits {
     std::optional<double> angleInwards;
     std::optional<double> timeRatio;
 
-    /// Largest pressure angle |θ3| of the coupler against the slider's line, measured to the nearer side, and a crank angle where
-    /// it is reached. The transmission angle there is π/2 minus it.
+    /// Largest pressure angle |θ3| of the coupler against the slider's line, measured to the nearer side, and a crank
+    /// angle where it is reached. The transmission angle there is π/2 minus it.
     double largestPressureAngle = 0.0;
     double largestPressureAngleAt = 0.0;
 };

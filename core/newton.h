@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The report's Newton-Raphson: C_q Δq = -C with a dense 12×12 LU, then velocity and acceleration from C_q at the final q.
+// The report's Newton-Raphson: C_q Δq = -C with a dense 12×12 LU, then velocity and acceleration from C_q at the final
+// q.
 //
 // It never leaves the wanted assembly: a warm start whose coupler angle leaves the branch's half turn is started again
 // from afar (assemble), from where Newton's way to the wanted root is monotone. Whether a position exists at all is
@@ -21,8 +22,8 @@ namespace slidercrank
 struct NewtonOptions {
     int maxIterations = 10;
 
-    /// Iterate until ‖C‖ (mm and rad mixed, before the update, as in the report) is at most this. It bounds the residual,
-    /// not the error. 0: until the residual no longer falls.
+    /// Iterate until ‖C‖ (mm and rad mixed, before the update, as in the report) is at most this. It bounds the
+    /// residual, not the error. 0: until the residual no longer falls.
     double tolerance = 1e-8;
 
     friend bool operator==(const NewtonOptions &, const NewtonOptions &) = default;
@@ -32,10 +33,10 @@ struct NewtonOptions {
 inline constexpr int kAssemblyIterations = 60;
 
 struct NewtonResult {
-    Vector12 q = Vector12::Zero(); ///< θ3 within the branch's half turn; the last iterate where not converged
-    int iterations = 0;            ///< linear systems solved, the abandoned warm start's included
+    Vector12 q = Vector12::Zero();     ///< θ3 within the branch's half turn; the last iterate where not converged
+    int iterations = 0;                ///< linear systems solved, the abandoned warm start's included
     Status status = Status::NotFinite; ///< Solved: ‖C‖ ≤ tolerance (or, for 0, no longer falling)
-    bool startedAfar = false;      ///< the start was not (or not any more) the warm one
+    bool startedAfar = false;          ///< the start was not (or not any more) the warm one
 
     /// ‖C‖ before each iteration, then that of the answer; the first kHistory of the last start.
     static constexpr int kHistory = 64;
@@ -53,8 +54,8 @@ NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, 
 /// Velocity and acceleration at a solved position. Status Singular (and NaN) where |cos θ3| < kSingularCosine.
 State differentiate(const Mechanism &mechanism, const Vector12 &q);
 
-/// Below this |cos θ3| (of 1) a double-precision θ3 found by iteration has no correct digit left in its cosine: θ3 is known
-/// to about u/|cos θ3|, and that reaches |cos θ3| at √u = 1.05e-8. Four times that, so that one digit is left.
+/// Below this |cos θ3| (of 1) a double-precision θ3 found by iteration has no correct digit left in its cosine: θ3 is
+/// known to about u/|cos θ3|, and that reaches |cos θ3| at √u = 1.05e-8. Four times that, so that one digit is left.
 inline constexpr double kSingularCosine = 4.2e-8;
 
 } // namespace slidercrank

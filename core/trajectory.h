@@ -39,8 +39,9 @@ struct SolverSettings {
 struct Trajectory {
     std::vector<double> time; ///< s
 
-    /// By indexOf(channel), in the unit of the author's files (mm, °, s); empty where not asked for. What does not exist is
-    /// NaN: everything where the status is NotAssemblable, IterationLimit or NotFinite, derivatives where Singular.
+    /// By indexOf(channel), in the unit of the author's files (mm, °, s); empty where not asked for. What does not
+    /// exist is NaN: everything where the status is NotAssemblable, IterationLimit or NotFinite, derivatives where
+    /// Singular.
     std::array<std::vector<double>, kChannelCount> values;
 
     std::vector<Status> status; ///< one an instant

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The crank angle ω2 t + θ20 to twice the digits of a double, as hi + lo: at t = 1e9 s a single double would already have
-// lost 1e-6 rad, and near a toggle even its last digit matters at ordinary times.
+// The crank angle ω2 t + θ20 to twice the digits of a double, as hi + lo: at t = 1e9 s a single double would already
+// have lost 1e-6 rad, and near a toggle even its last digit matters at ordinary times.
 //
 // Sources: D. E. Knuth, "The Art of Computer Programming" 2, 4.2.2 (TwoSum);
 //          T. J. Dekker, "A floating-point technique for extending the available precision", 1971 (TwoProduct).

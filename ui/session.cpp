@@ -44,8 +44,7 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
         for (const ReferenceSeries &series : request.reference->data.series) {
             channels.set(indexOf(series.channel));
         }
-        result->atReference =
-            sample(request.mechanism, request.reference->data.time, channels, request.solver, stop);
+        result->atReference = sample(request.mechanism, request.reference->data.time, channels, request.solver, stop);
         if (result->atReference.complete) {
             result->comparison = compare(request.mechanism, result->atReference, request.reference->data);
         }
@@ -120,9 +119,7 @@ void Session::setParameters(const Parameters &parameters)
     if (const std::optional<ParameterFault> fault = findFault(parameters)) {
         const QString symbol = symbolOf(fault->parameter);
         switch (fault->reason) {
-        case ParameterFault::Reason::NotFinite:
-            emit problemFound(tr("%1 must be a number.").arg(symbol));
-            break;
+        case ParameterFault::Reason::NotFinite: emit problemFound(tr("%1 must be a number.").arg(symbol)); break;
         case ParameterFault::Reason::TooLarge:
             emit problemFound(tr("%1 must not exceed %2.").arg(symbol, QLocale().toString(kLargestParameter)));
             break;
@@ -198,13 +195,12 @@ void Session::recompute()
         return;
     }
     m_computation = std::stop_source();
-    runAside(
-        [request = std::move(request), stop = m_computation.get_token()] { return compute(request, stop); },
-        [this](const std::shared_ptr<const Result> &result) {
-            if (result) {
-                publish(result);
-            }
-        });
+    runAside([request = std::move(request), stop = m_computation.get_token()] { return compute(request, stop); },
+             [this](const std::shared_ptr<const Result> &result) {
+                 if (result) {
+                     publish(result);
+                 }
+             });
 }
 
 void Session::publish(std::shared_ptr<const Result> result)

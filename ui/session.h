@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one mutable state: what the person chose, the reference data, the current time. Every change recomputes what is on
-// show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else.
+// The one mutable state: what the person chose, the reference data, the current time. Every change recomputes what is
+// on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else.
 
 #include "core/comparison.h"
 #include "core/mobility.h"
@@ -24,8 +24,8 @@ struct Pose {
     double time = 0.0;
     double theta2 = 0.0; ///< not wrapped
     double theta3 = 0.0;
-    double pinX = 0.0, pinY = 0.0; ///< A
-    double sliderX = 0.0;          ///< B, at y = c
+    double pinX = 0.0, pinY = 0.0;  ///< A
+    double sliderX = 0.0;           ///< B, at y = c
     Status status = Status::Solved; ///< Solved or Singular: the pose exists
     bool exists() const { return status == Status::Solved || status == Status::Singular; }
 };

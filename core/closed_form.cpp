@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/closed_form.h"
+
+#include <cmath>
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double cube(double x)
+{
+    return x * x * x;
+}
+
+/// G of s̈ = -a ω² G / s³, that is a b² cos²θ2 + h x s², which cancels where the coupler is steep. There, with h = b - p
+/// and p = ε + aσ, the terms that cancel are
+///     a b² (1 - x²) + 2 b² x p = a b² σ² + 2 b² x ε,
+/// and the mirror image of that (x → -x, p → m, ε → β, σ → σ') where h < 0.
+double accelerationNumerator(const Clearance &lengths, const Clearance::At &at)
+{
+    const double a = lengths.a();
+    const double bSquared = lengths.b() * lengths.b();
+    const double sSquared = at.p * at.m;
+    if (sSquared >= 0.75 * bSquared) {
+        return a * bSquared * at.cosine * at.cosine + at.h * at.x * sSquared;
+    }
+    if (at.h >= 0.0) {
+        return a * bSquared * at.sigma * at.sigma -
+               at.x * (at.p * at.p * (3.0 * lengths.b() - at.p) - 2.0 * bSquared * lengths.epsilon());
+    }
+    return a * bSquared * at.sigmaMirrored * at.sigmaMirrored +
+           at.x * (at.m * at.m * (3.0 * lengths.b() - at.m) - 2.0 * bSquared * lengths.beta());
+}
+
+} // namespace
+
+ClosedForm::ClosedForm(const Mechanism &mechanism)
+    : m_mechanism(mechanism)
+    , m_clearance(mechanism)
+{
+}
+
+Motion ClosedForm::motionAt(double t) const
+{
+    const TwoPart angle = crankAngle(m_mechanism.omega2(), t, m_mechanism.theta20());
+    Motion motion{angle.hi, {kNone, kNone}, kNone, kNone, kNone, kNone,
+                  kNone,    kNone,          kNone, kNone, kNone, Status::Solved};
+    if (!std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
+        motion.status = Status::NotFinite;
+        return motion;
+    }
+    motion.crank = sinCos(angle);
+    const Clearance::At at = m_clearance.at(motion.crank);
+    if (!at.assemblable()) {
+        motion.status = Status::NotAssemblable;
+        return motion;
+    }
+
+    // Lengths in units of the scale, as the clearance has them.
+    const double a = m_clearance.a();
+    const double scale = m_clearance.scale();
+    const double omega = m_mechanism.omega2();
+    const double side = m_clearance.side();
+    const bool open = m_mechanism.branch() == Branch::Open;
+    const double sin2 = motion.crank.sin;
+    const double cos2 = motion.crank.cos;
+
+    const double root = std::sqrt(at.p * at.m);
+    const double s = open ? root : -root;
+    const double steepness = std::atan2(side * at.h, root);
+    motion.theta3 = open ? steepness : std::numbers::pi - steepness;
+    motion.s = scale * s;
+
+    // a cos θ2 + s; where the two would cancel, (s² - a² cos²θ2) / (s - a cos θ2) with the numerator rearranged.
+    double R4x = a * cos2 + s;
+    if (cos2 * s < 0.0) {
+        const double numerator =
+            m_clearance.epsilon() * m_clearance.reach() + 2.0 * a * m_clearance.offset() * at.sigma;
+        R4x = numerator / (s - a * cos2);
+    }
+    motion.R4x = scale * R4x;
+
+    const double sCubed = cube(s);
+    const double theta3Dot = -a * omega * cos2 / s;
+    const double theta3DDot =
+        side * a * omega * omega *
+        (a * m_clearance.offset() * at.sigma * at.sigma + at.x * m_clearance.epsilon() * m_clearance.reach()) / sCubed;
+    const double sDot = -side * at.h * theta3Dot;
+    const double sDDot = -a * omega * omega * accelerationNumerator(m_clearance, at) / sCubed;
+    if (!std::isfinite(theta3Dot) || !std::isfinite(theta3DDot) || !std::isfinite(sDDot)) {
+        motion.status = Status::Singular;
+        return motion;
+    }
+    motion.theta3Dot = theta3Dot;
+    motion.theta3DDot = theta3DDot;
+    motion.sDot = scale * sDot;
+    motion.sDDot = scale * sDDot;
+    motion.R4xDot = scale * (-a * omega * sin2 + sDot);
+    motion.R4xDDot = scale * (-a * omega * omega * cos2 + sDDot);
+    return motion;
+}
+
+// Crank and coupler turn about their ends, the slider translates; the centres of mass lie half way. The coupler's rises
+// by h/2 above A, so R3y = (a sin θ2 + c) / 2.
+State ClosedForm::stateAt(double t) const
+{
+    const Motion motion = motionAt(t);
+    State state;
+    state.status = motion.status;
+    if (motion.status == Status::NotFinite || motion.status == Status::NotAssemblable) {
+        state.q.setConstant(kNone);
+        state.qDot.setConstant(kNone);
+        state.qDDot.setConstant(kNone);
+        return state;
+    }
+    const double omega = m_mechanism.omega2();
+    const double aCos = m_mechanism.a() * motion.crank.cos;
+    const double aSin = m_mechanism.a() * motion.crank.sin;
+    state.q << 0.0, 0.0, 0.0, 0.5 * aCos, 0.5 * aSin, motion.theta2, aCos + 0.5 * motion.s,
+        0.5 * (aSin + m_mechanism.c()), motion.theta3, motion.R4x, m_mechanism.c(), 0.0;
+    if (motion.status == Status::Singular) {
+        state.qDot.setConstant(kNone);
+        state.qDDot.setConstant(kNone);
+        return state;
+    }
+    const double omegaSquared = omega * omega;
+    state.qDot << 0.0, 0.0, 0.0, -0.5 * aSin * omega, 0.5 * aCos * omega, omega, -aSin * omega + 0.5 * motion.sDot,
+        0.5 * aCos * omega, motion.theta3Dot, motion.R4xDot, 0.0, 0.0;
+    state.qDDot << 0.0, 0.0, 0.0, -0.5 * aCos * omegaSquared, -0.5 * aSin * omegaSquared, 0.0,
+        -aCos * omegaSquared + 0.5 * motion.sDDot, -0.5 * aSin * omegaSquared, motion.theta3DDot, motion.R4xDDot, 0.0,
+        0.0;
+    return state;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory.h"
+
+#include "core/closed_form.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Instants between two looks at the stop token.
+constexpr std::size_t kInstantsPerLook = 256;
+
+/// Where the computed instants go: one pointer per wanted channel, with the factor to the author's unit.
+class Columns
+{
+public:
+    Columns(Trajectory &trajectory, const ChannelSet &channels)
+    {
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            if (channels.test(index)) {
+                trajectory.values[index].resize(trajectory.time.size());
+                m_columns[m_count++] = {channelAt(index), trajectory.values[index].data()};
+            }
+        }
+    }
+
+    void put(std::size_t i, const State &state) const
+    {
+        for (std::size_t k = 0; k < m_count; ++k) {
+            const Channel channel = m_columns[k].channel;
+            const Vector12 *derivatives[] = {&state.q, &state.qDot, &state.qDDot};
+            const double value = (*derivatives[static_cast<std::size_t>(channel.order)])[channel.coordinate];
+            m_columns[k].values[i] = inAuthorUnit(channel, value);
+        }
+    }
+
+    /// Only for channels of kPlottedChannels.
+    void put(std::size_t i, const Motion &motion) const
+    {
+        for (std::size_t k = 0; k < m_count; ++k) {
+            const Channel channel = m_columns[k].channel;
+            const bool angle = channel.coordinate == Theta3;
+            double value = kNone;
+            switch (channel.order) {
+            case Order::Position: value = angle ? motion.theta3 : motion.R4x; break;
+            case Order::Velocity: value = angle ? motion.theta3Dot : motion.R4xDot; break;
+            case Order::Acceleration: value = angle ? motion.theta3DDot : motion.R4xDDot; break;
+            }
+            m_columns[k].values[i] = inAuthorUnit(channel, value);
+        }
+    }
+
+private:
+    struct Column {
+        Channel channel;
+        double *values = nullptr;
+    };
+    std::array<Column, kChannelCount> m_columns;
+    std::size_t m_count = 0;
+};
+
+State nothing(Status status)
+{
+    State state;
+    state.q.setConstant(kNone);
+    state.qDot.setConstant(kNone);
+    state.qDDot.setConstant(kNone);
+    state.status = status;
+    return state;
+}
+
+void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const Columns &columns,
+                    Trajectory &trajectory, const std::stop_token &stop)
+{
+    NewtonResult last;
+    for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
+        if (i % kInstantsPerLook == 0 && stop.stop_requested()) {
+            trajectory.complete = false;
+            return;
+        }
+        const double t = trajectory.time[i];
+        const bool warm = last.status == Status::Solved || last.status == Status::IterationLimit;
+        last = warm ? track(mechanism, t, last.q, options) : assemble(mechanism, t, options);
+        trajectory.iterations += last.iterations;
+        trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
+        State state = nothing(last.status);
+        if (last.status == Status::Solved) {
+            state = differentiate(mechanism, last.q);
+            trajectory.largestResidual = std::max(trajectory.largestResidual, last.residual());
+        }
+        trajectory.status[i] = state.status;
+        columns.put(i, state);
+    }
+}
+
+void sampleInClosedForm(const Mechanism &mechanism, bool plottedOnly, const Columns &columns, Trajectory &trajectory,
+                        const std::stop_token &stop)
+{
+    const ClosedForm closedForm(mechanism);
+    for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
+        if (i % kInstantsPerLook == 0 && stop.stop_requested()) {
+            trajectory.complete = false;
+            return;
+        }
+        if (plottedOnly) {
+            const Motion motion = closedForm.motionAt(trajectory.time[i]);
+            trajectory.status[i] = motion.status;
+            columns.put(i, motion);
+        } else {
+            const State state = closedForm.stateAt(trajectory.time[i]);
+            trajectory.status[i] = state.status;
+            columns.put(i, state);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<double> Sampling::instants() const
+{
+    std::vector<double> instants(static_cast<std::size_t>(steps) + 1);
+    for (int i = 0; i <= steps; ++i) {
+        instants[static_cast<std::size_t>(i)] = instant(i);
+    }
+    return instants;
+}
+
+std::size_t Trajectory::count(Status wanted) const
+{
+    return static_cast<std::size_t>(std::count(status.begin(), status.end(), wanted));
+}
+
+Trajectory sample(const Mechanism &mechanism, std::span<const double> instants, const ChannelSet &channels,
+                  const SolverSettings &settings, std::stop_token stop)
+{
+    Trajectory trajectory;
+    trajectory.time.assign(instants.begin(), instants.end());
+    trajectory.status.resize(instants.size());
+    const Columns columns(trajectory, channels);
+    switch (settings.method) {
+    case Method::Newton: sampleByNewton(mechanism, settings.newton, columns, trajectory, stop); break;
+    case Method::ClosedForm: {
+        const bool plottedOnly = (channels & ~plottedChannels()).none();
+        sampleInClosedForm(mechanism, plottedOnly, columns, trajectory, stop);
+        break;
+    }
+    }
+    return trajectory;
+}
+
+} // namespace slidercrank
