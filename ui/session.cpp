@@ -224,22 +224,26 @@ void Session::loadReference(const QString &path)
             emit problemFound(*sentence);
             return;
         }
-        m_reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        emit referenceLoaded(m_reference);
-        recompute();
+        setReference(std::get<std::shared_ptr<const Reference>>(outcome));
     };
     runAside(read, done);
 }
 
-void Session::clearReference()
+void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
     m_reading.request_stop();
-    if (!m_reference) {
+    if (reference == m_reference) {
         return;
     }
-    m_reference = nullptr;
-    emit referenceLoaded(nullptr);
+    m_reference = reference;
+    emit referenceLoaded(m_reference);
     recompute();
+}
+
+void Session::cancel()
+{
+    m_computation.request_stop();
+    m_reading.request_stop();
 }
 
 } // namespace slidercrank

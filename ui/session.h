@@ -72,7 +72,12 @@ public slots:
 
     /// Reads the file off the GUI thread; referenceLoaded or problemFound follows. What is on show stays until then.
     void loadReference(const QString &path);
-    void clearReference();
+
+    /// Takes one that is already read, at once; null: none.
+    void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
+
+    /// Stops what is computed or read aside; what is on show stays.
+    void cancel();
 
 signals:
     void parametersChanged(const slidercrank::Parameters &parameters); ///< the return edge, to the panels

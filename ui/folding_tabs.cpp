@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/folding_tabs.h"
+
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+namespace slidercrank
+{
+
+FoldingTabs::FoldingTabs(QWidget *parent)
+    : QWidget(parent)
+    , m_bar(new QTabBar(this))
+    , m_pages(new QStackedWidget(this))
+{
+    m_bar->setObjectName(QStringLiteral("tabBar"));
+    m_bar->setDrawBase(false);
+    m_bar->setExpanding(false);
+    m_bar->setAccessibleName(tr("Panels; choosing the current one again folds it away"));
+    m_bar->setToolTip(tr("Click the current tab to fold it away or out"));
+
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_bar);
+    column->addWidget(m_pages, 1);
+
+    connect(m_bar, &QTabBar::tabBarClicked, this, [this](int index) {
+        if (index == m_bar->currentIndex()) {
+            setFolded(!isFolded());
+        } else if (index >= 0) {
+            setFolded(false);
+        }
+    });
+    connect(m_bar, &QTabBar::currentChanged, m_pages, &QStackedWidget::setCurrentIndex);
+}
+
+void FoldingTabs::addPage(QWidget *page, const QString &title)
+{
+    m_pages->addWidget(page);
+    m_bar->addTab(title);
+}
+
+void FoldingTabs::setTitle(QWidget *page, const QString &title)
+{
+    m_bar->setTabText(m_pages->indexOf(page), title);
+}
+
+void FoldingTabs::showPage(QWidget *page)
+{
+    m_bar->setCurrentIndex(m_pages->indexOf(page));
+    setFolded(false);
+}
+
+bool FoldingTabs::isFolded() const
+{
+    return m_pages->isHidden();
+}
+
+void FoldingTabs::setFolded(bool folded)
+{
+    if (folded == isFolded()) {
+        return;
+    }
+    m_pages->setHidden(folded);
+    setSizePolicy(QSizePolicy::Preferred, folded ? QSizePolicy::Fixed : QSizePolicy::Preferred);
+    updateGeometry();
+    emit foldedChanged(folded);
+}
+
+} // namespace slidercrank

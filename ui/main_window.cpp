@@ -1,0 +1,523 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include "ui/error_panel.h"
+#include "ui/figure_export.h"
+#include "ui/folding_tabs.h"
+#include "ui/mechanism_view.h"
+#include "ui/message_bar.h"
+#include "ui/newton_panel.h"
+#include "ui/parameter_panel.h"
+#include "ui/plot_grid.h"
+#include "ui/timeline.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QActionGroup>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QSettings>
+#include <QSplitter>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kRecentFiles = 8;
+constexpr int kFoldBelowHeight = 800; // px: under this the nine plots need all the room there is
+constexpr int kBusyShownAfter = 250;  // ms: what is done sooner is not worth a flicker
+
+const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
+
+QStringList recentFiles()
+{
+    return QSettings().value(QStringLiteral("recentReferences")).toStringList();
+}
+
+QString mobilityText(const MotionLimits &limits)
+{
+    switch (limits.mobility) {
+    case Mobility::FullTurn: return MainWindow::tr("crank turns round");
+    case Mobility::Rocker: return MainWindow::tr("crank rocks");
+    case Mobility::Locked: return MainWindow::tr("locked in one pose");
+    case Mobility::Impossible: return MainWindow::tr("cannot be assembled");
+    }
+    return {};
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget *parent)
+    : QMainWindow(parent)
+    , m_session(new Session(this))
+    , m_messageBar(new MessageBar(this))
+    , m_mechanismView(new MechanismView(this))
+    , m_timeline(new Timeline(this))
+    , m_parameterPanel(new ParameterPanel(this))
+    , m_plotGrid(new PlotGrid(this))
+    , m_tabs(new FoldingTabs(this))
+    , m_errorPanel(new ErrorPanel(this))
+    , m_newtonPanel(new NewtonPanel(this))
+    , m_assemblyStatus(new QLabel(this))
+    , m_methodStatus(new QLabel(this))
+    , m_costStatus(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_cancelButton(new QToolButton(this))
+    , m_busyTimer(new QTimer(this))
+{
+    setWindowTitle(tr("Slider-crank"));
+    setWindowIcon(QIcon(QStringLiteral(":/icons/slidercrank.svg")));
+    setAcceptDrops(true);
+    resize(1400, 900);
+    buildLayout();
+    buildMenus();
+    buildStatusBar();
+    connectRooms();
+    qApp->installEventFilter(this);
+
+    m_parameterPanel->setParameters(m_session->parameters());
+    m_timeline->setSampling(m_session->sampling());
+    m_newtonPanel->setSettings(m_session->sampling(), m_session->solver());
+    const std::shared_ptr<const Result> &result = m_session->result();
+    m_mechanismView->setResult(result);
+    m_plotGrid->setResult(result);
+    m_errorPanel->setResult(result);
+    m_newtonPanel->setResult(result);
+    showStatus(result);
+    m_session->setTime(m_session->sampling().start);
+    if (QAbstractButton *play = m_timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
+        play->setFocus();
+    }
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildLayout()
+{
+    auto *left = new QWidget(this);
+    auto *leftColumn = new QVBoxLayout(left);
+    leftColumn->setContentsMargins(6, 6, 3, 6);
+    leftColumn->addWidget(m_mechanismView, 1);
+    leftColumn->addWidget(m_timeline);
+    leftColumn->addWidget(m_parameterPanel);
+    left->setMinimumWidth(340);
+
+    m_tabs->addPage(m_errorPanel, tr("Errors"));
+    m_tabs->addPage(m_newtonPanel, tr("Newton-Raphson"));
+
+    auto *right = new QSplitter(Qt::Vertical, this);
+    right->setObjectName(QStringLiteral("plotsAndTabs"));
+    right->addWidget(m_plotGrid);
+    right->addWidget(m_tabs);
+    right->setStretchFactor(0, 1);
+    right->setStretchFactor(1, 0);
+    right->setChildrenCollapsible(false);
+    right->setSizes({600, 230});
+
+    auto *columns = new QSplitter(Qt::Horizontal, this);
+    columns->setObjectName(QStringLiteral("columns"));
+    columns->addWidget(left);
+    columns->addWidget(right);
+    columns->setStretchFactor(0, 0);
+    columns->setStretchFactor(1, 1);
+    columns->setChildrenCollapsible(false);
+    columns->setSizes({430, 970});
+
+    auto *page = new QWidget(this);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_messageBar);
+    column->addWidget(columns, 1);
+    setCentralWidget(page);
+}
+
+void MainWindow::buildMenus()
+{
+    QMenu *file = menuBar()->addMenu(tr("&File"));
+    file->addAction(tr("&Open reference…"), QKeySequence::Open, this, &MainWindow::chooseReference);
+    m_recentMenu = file->addMenu(tr("Open &recent"));
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    file->addAction(tr("Open the &sample"), this, &MainWindow::openSample);
+    m_closeReferenceAction = file->addAction(tr("&Close reference"), QKeySequence::Close, this,
+                                             [this] { m_session->setReference(nullptr); });
+    m_closeReferenceAction->setEnabled(false);
+    file->addSeparator();
+    file->addAction(tr("Export &figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
+                    [this] { exportFigureTo(chooseExportFile(QStringLiteral("figure.png"))); });
+    QMenu *plotMenu = file->addMenu(tr("Export &plot"));
+    for (const QString &name : m_plotGrid->plotNames()) {
+        const QWidget *plot = m_plotGrid->findChild<QWidget *>(name);
+        plotMenu->addAction(plot ? plot->accessibleName() : name, this,
+                            [this, name] { exportPlotTo(name, chooseExportFile(name + QStringLiteral(".png"))); });
+    }
+    file->addAction(tr("Export &mechanism…"), this,
+                    [this] { exportMechanismTo(chooseExportFile(QStringLiteral("mechanism.png"))); });
+    file->addSeparator();
+    file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+
+    QMenu *edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addAction(tr("&Copy figure"), QKeySequence::Copy, this, &MainWindow::copyFigure);
+    edit->addAction(tr("&Reset parameters to Table 1"), this, [this] { m_session->setParameters(Parameters()); });
+
+    QMenu *view = menuBar()->addMenu(tr("&View"));
+    view->addAction(tr("Show &all of the plots"), QKeySequence(Qt::CTRL | Qt::Key_0), m_plotGrid, &PlotGrid::showAll);
+    QAction *fold = view->addAction(tr("Show the &panels below"), QKeySequence(Qt::Key_F9));
+    fold->setCheckable(true);
+    fold->setChecked(true);
+    connect(fold, &QAction::triggered, this, [this](bool shown) { m_tabs->setFolded(!shown); });
+    connect(m_tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
+    view->addSeparator();
+    auto *themes = new QActionGroup(this);
+    const std::pair<Theme, QString> choices[] = {
+        {Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}};
+    const int chosen = QSettings().value(QStringLiteral("theme"), 0).toInt();
+    for (const auto &[theme, text] : choices) {
+        QAction *action = view->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(static_cast<int>(theme) == chosen);
+        themes->addAction(action);
+        connect(action, &QAction::triggered, this, [this, value = theme] { setTheme(value); });
+    }
+
+    QMenu *playback = menuBar()->addMenu(tr("&Playback"));
+    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), m_timeline, &Timeline::togglePlaying);
+    playback->addAction(tr("Step &forward"), QKeySequence(Qt::Key_Right), m_timeline, &Timeline::stepForward);
+    playback->addAction(tr("Step &back"), QKeySequence(Qt::Key_Left), m_timeline, &Timeline::stepBack);
+    playback->addAction(tr("To the &start"), QKeySequence(Qt::Key_Home), m_timeline, &Timeline::toStart);
+    playback->addAction(tr("To the &end"), QKeySequence(Qt::Key_End), m_timeline, &Timeline::toEnd);
+
+    QMenu *help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("&About"), this, &MainWindow::showAbout);
+}
+
+void MainWindow::buildStatusBar()
+{
+    m_assemblyStatus->setObjectName(QStringLiteral("assemblyStatus"));
+    m_methodStatus->setObjectName(QStringLiteral("methodStatus"));
+    m_costStatus->setObjectName(QStringLiteral("costStatus"));
+    m_progress->setRange(0, 0);
+    m_progress->setMaximumWidth(140);
+    m_progress->setAccessibleName(tr("Computing"));
+    m_cancelButton->setText(tr("Cancel"));
+    for (QWidget *busy : {static_cast<QWidget *>(m_progress), static_cast<QWidget *>(m_cancelButton)}) {
+        statusBar()->addPermanentWidget(busy);
+        busy->hide();
+    }
+    statusBar()->addWidget(m_assemblyStatus);
+    statusBar()->addWidget(m_methodStatus);
+    statusBar()->addWidget(m_costStatus);
+    statusBar()->setSizeGripEnabled(false);
+
+    m_busyTimer->setSingleShot(true);
+    m_busyTimer->setInterval(kBusyShownAfter);
+    connect(m_busyTimer, &QTimer::timeout, this, [this] {
+        m_progress->show();
+        m_cancelButton->show();
+    });
+    connect(m_session, &Session::busyChanged, this, [this](bool busy) {
+        if (busy) {
+            m_busyTimer->start();
+        } else {
+            m_busyTimer->stop();
+            m_progress->hide();
+            m_cancelButton->hide();
+        }
+    });
+    connect(m_cancelButton, &QToolButton::clicked, this, [this] {
+        m_session->cancel();
+        m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Cancelled: what is on show is from before."));
+    });
+}
+
+void MainWindow::connectRooms()
+{
+    connect(m_parameterPanel, &ParameterPanel::edited, m_session, &Session::setParameters);
+    connect(m_newtonPanel, &NewtonPanel::edited, m_session,
+            [this](const Sampling &sampling, const SolverSettings &solver) {
+                m_session->setSolver(solver);
+                m_session->setSampling(sampling);
+            });
+    connect(m_session, &Session::parametersChanged, m_parameterPanel, &ParameterPanel::setParameters);
+    connect(m_session, &Session::settingsChanged, m_newtonPanel, &NewtonPanel::setSettings);
+    connect(m_session, &Session::settingsChanged, m_timeline,
+            [this](const Sampling &sampling) { m_timeline->setSampling(sampling); });
+
+    connect(m_session, &Session::resultChanged, m_mechanismView, &MechanismView::setResult);
+    connect(m_session, &Session::resultChanged, m_plotGrid, &PlotGrid::setResult);
+    connect(m_session, &Session::resultChanged, m_errorPanel, &ErrorPanel::setResult);
+    connect(m_session, &Session::resultChanged, m_newtonPanel, &NewtonPanel::setResult);
+    connect(m_session, &Session::resultChanged, this, &MainWindow::showStatus);
+    connect(m_session, &Session::resultChanged, this, &MainWindow::showAgreement);
+
+    connect(m_session, &Session::timeChanged, m_mechanismView, &MechanismView::setPose);
+    connect(m_session, &Session::timeChanged, m_timeline, &Timeline::setPose);
+    connect(m_session, &Session::timeChanged, m_plotGrid, &PlotGrid::setPose);
+    connect(m_timeline, &Timeline::timeRequested, m_session, &Session::setTime);
+    connect(m_plotGrid, &PlotGrid::timeRequested, m_session, &Session::setTime);
+    connect(m_mechanismView, &MechanismView::timeRequested, m_session, &Session::setTime);
+    connect(m_errorPanel, &ErrorPanel::timeRequested, m_session, &Session::setTime);
+
+    connect(m_plotGrid, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
+    connect(m_plotGrid, &PlotGrid::exportPlotRequested, this, [this](const QString &plotName) {
+        exportPlotTo(plotName, chooseExportFile(plotName + QStringLiteral(".png")));
+    });
+    connect(m_errorPanel, &ErrorPanel::openReferenceRequested, this, &MainWindow::chooseReference);
+    connect(m_errorPanel, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
+    connect(m_session, &Session::problemFound, this,
+            [this](const QString &sentence) { m_messageBar->showMessage(MessageBar::Kind::Problem, sentence); });
+    connect(m_session, &Session::referenceLoaded, this, [this](const std::shared_ptr<const Reference> &reference) {
+        m_closeReferenceAction->setEnabled(reference != nullptr);
+        m_announceReference = reference != nullptr;
+        setWindowTitle(reference ? tr("%1 – Slider-crank").arg(reference->name) : tr("Slider-crank"));
+        m_messageBar->hide();
+        if (reference && reference->path != kSamplePath) {
+            rememberReference(reference->path);
+        }
+    });
+    connect(m_tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
+}
+
+void MainWindow::openReference(const QString &path)
+{
+    m_session->loadReference(path);
+}
+
+void MainWindow::openSample()
+{
+    openReference(kSamplePath);
+}
+
+void MainWindow::chooseReference()
+{
+    const QStringList recent = recentFiles();
+    const QString folder = recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.first()).absolutePath();
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open reference"), folder,
+                                                      tr("Simulation results (*.csv *.txt *.tsv);;All files (*)"));
+    if (!path.isEmpty()) {
+        openReference(path);
+    }
+}
+
+void MainWindow::rememberReference(const QString &path)
+{
+    QStringList recent = recentFiles();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    recent.removeAll(absolute);
+    recent.prepend(absolute);
+    QSettings().setValue(QStringLiteral("recentReferences"), recent.mid(0, kRecentFiles));
+}
+
+void MainWindow::fillRecentMenu()
+{
+    m_recentMenu->clear();
+    for (const QString &path : recentFiles()) {
+        m_recentMenu->addAction(QDir::toNativeSeparators(path), this, [this, path] { openReference(path); });
+    }
+    if (m_recentMenu->isEmpty()) {
+        m_recentMenu->addAction(tr("No file yet"))->setEnabled(false);
+    }
+}
+
+QString MainWindow::chooseExportFile(const QString &proposal)
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    return QFileDialog::getSaveFileName(this, tr("Export"), QDir(folder).filePath(proposal),
+                                        tr("Images and drawings (*.png *.svg *.pdf)"));
+}
+
+void MainWindow::exportTo(const QString &path, const QSize &size,
+                          const std::function<void(QPainter &, const QSize &)> &draw)
+{
+    if (path.isEmpty()) {
+        return; // the person changed their mind
+    }
+    FigureSize figureSize;
+    figureSize.size = size;
+    figureSize.scale = 2.0;
+    if (const std::optional<QString> problem = exportFigure(path, figureSize, windowTitle(), draw)) {
+        m_messageBar->showMessage(MessageBar::Kind::Problem, *problem);
+        return;
+    }
+    m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+}
+
+void MainWindow::exportFigureTo(const QString &path)
+{
+    exportTo(path, m_plotGrid->size(), [this](QPainter &painter, const QSize &size) {
+        m_plotGrid->paintFigure(painter, size, paletteFor(Theme::Light));
+    });
+}
+
+void MainWindow::exportPlotTo(const QString &plotName, const QString &path)
+{
+    exportTo(path, {900, 600}, [this, plotName](QPainter &painter, const QSize &size) {
+        m_plotGrid->paintPlot(painter, plotName, size, paletteFor(Theme::Light));
+    });
+}
+
+void MainWindow::exportMechanismTo(const QString &path)
+{
+    exportTo(path, m_mechanismView->size(), [this](QPainter &painter, const QSize &size) {
+        m_mechanismView->paintMechanism(painter, size, paletteFor(Theme::Light));
+    });
+}
+
+void MainWindow::copyFigure()
+{
+    FigureSize size;
+    size.size = m_plotGrid->size();
+    size.scale = 2.0;
+    copyFigureToClipboard(size, [this](QPainter &painter, const QSize &drawn) {
+        m_plotGrid->paintFigure(painter, drawn, paletteFor(Theme::Light));
+    });
+    m_messageBar->showMessage(MessageBar::Kind::Hint, tr("The figure is in the clipboard."));
+}
+
+void MainWindow::setTheme(Theme theme)
+{
+    QApplication::setPalette(paletteFor(theme));
+    QSettings().setValue(QStringLiteral("theme"), static_cast<int>(theme));
+}
+
+void MainWindow::showStatus(const std::shared_ptr<const Result> &result)
+{
+    const QLocale locale;
+    const Trajectory &trajectory = result->trajectory;
+    const std::size_t samples = trajectory.time.size();
+    const std::size_t missing = trajectory.count(Status::NotAssemblable);
+    const QString branch = result->mechanism.branch() == Branch::Open ? tr("Open assembly") : tr("Crossed assembly");
+    QString assembly = QStringLiteral("%1, %2").arg(branch, mobilityText(result->limits));
+    if (missing > 0 && result->limits.mobility != Mobility::Impossible) {
+        assembly += tr(", no pose at %1 of %2 instants").arg(missing).arg(samples);
+    }
+    m_assemblyStatus->setText(assembly);
+    if (result->solver.method == Method::Newton) {
+        m_methodStatus->setText(tr("Newton-Raphson: at most %1 iterations, residual %2")
+                                    .arg(trajectory.mostIterations)
+                                    .arg(locale.toString(trajectory.largestResidual, 'g', 2)));
+    } else {
+        m_methodStatus->setText(tr("Closed form (exact)"));
+    }
+    m_costStatus->setText(tr("%1 samples computed in %2 ms")
+                              .arg(locale.toString(static_cast<qulonglong>(samples)),
+                                   locale.toString(result->computeSeconds * 1e3, 'g', 2)));
+}
+
+void MainWindow::showAgreement(const std::shared_ptr<const Result> &result)
+{
+    const auto differing =
+        std::count_if(result->comparison.begin(), result->comparison.end(),
+                      [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+    m_tabs->setTitle(m_errorPanel, differing > 0 ? tr("Errors ⚠") : tr("Errors"));
+    if (m_announceReference && result->reference) {
+        m_announceReference = false;
+        announceReference();
+    }
+}
+
+/// Said once, when a file is opened: whether it is of this mechanism at all.
+void MainWindow::announceReference()
+{
+    const Result &result = *m_session->result();
+    const auto worst = std::max_element(result.comparison.begin(), result.comparison.end(),
+                                        [](const ChannelComparison &x, const ChannelComparison &y) {
+                                            return x.percentOfPeak.value_or(0.0) < y.percentOfPeak.value_or(0.0);
+                                        });
+    if (worst == result.comparison.end() || worst->verdict != Verdict::Differs) {
+        return;
+    }
+    if (result.reference->path == kSamplePath) {
+        m_messageBar->showMessage(MessageBar::Kind::Hint,
+                                  tr("The sample is the motion of a mechanism with a coupler of b = 60 mm."),
+                                  tr("Set b = 60 mm"), [this] {
+                                      Parameters parameters;
+                                      parameters.b = 60.0;
+                                      m_session->setParameters(parameters);
+                                  });
+        return;
+    }
+    const QString channel = QString::fromUtf8(nameOf(worst->channel).data());
+    m_messageBar->showMessage(
+        MessageBar::Kind::Problem,
+        tr("%1 belongs to another mechanism than the one on show: %2 is off by %3 % of its peak. "
+           "Compare its lengths with yours.")
+            .arg(result.reference->name, channel, QLocale().toString(worst->percentOfPeak.value_or(0.0), 'g', 3)),
+        tr("Show the errors"), [this] { m_tabs->showPage(m_errorPanel); });
+}
+
+void MainWindow::showAbout()
+{
+    QMessageBox::about(
+        this, tr("About"),
+        tr("<h3>slidercrank %1</h3><p>The motion of an offset slider-crank: computed, shown, and compared "
+           "with a simulation.</p><p>Formulation after A. A. Shabana, <i>Computational Dynamics</i>.</p>"
+           "<p>Free software under the GNU General Public License, version 3 or later.</p>")
+            .arg(QCoreApplication::applicationVersion()));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile()) {
+        event->acceptProposedAction();
+        openReference(urls.first().toLocalFile());
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    if (!m_foldedByHand) {
+        const QSignalBlocker automatic(m_tabs);
+        m_tabs->setFolded(height() < kFoldBelowHeight);
+    }
+}
+
+/// The playback keys (Space, arrows, Home, End) belong to the control that has the focus where it has a use for them.
+bool MainWindow::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        const bool activates = key == Qt::Key_Space && qobject_cast<QAbstractButton *>(watched);
+        const bool moves = (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home || key == Qt::Key_End) &&
+                           (qobject_cast<QAbstractSlider *>(watched) || qobject_cast<QComboBox *>(watched) ||
+                            qobject_cast<QAbstractItemView *>(watched) || watched->inherits("QTabBar"));
+        if (activates || moves) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+} // namespace slidercrank

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Constructs the rooms of the window, lays them out and connects them; no arithmetic.
+
+#include "ui/session.h"
+#include "ui/theme.h"
+
+#include <QMainWindow>
+
+class QAction;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QSplitter;
+class QTimer;
+class QToolButton;
+
+namespace slidercrank
+{
+
+class ErrorPanel;
+class FoldingTabs;
+class MechanismView;
+class MessageBar;
+class NewtonPanel;
+class ParameterPanel;
+class PlotGrid;
+class Timeline;
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    Session &session() { return *m_session; }
+
+public slots:
+    void openReference(const QString &path);
+    void openSample();
+
+    /// Draws to a file (PNG, SVG or PDF by its suffix); a failure is told in the message bar.
+    void exportFigureTo(const QString &path);
+    void exportPlotTo(const QString &plotName, const QString &path);
+    void exportMechanismTo(const QString &path);
+
+    void setTheme(slidercrank::Theme theme);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void buildLayout();
+    void buildMenus();
+    void buildStatusBar();
+    void connectRooms();
+
+    void chooseReference();
+    void exportTo(const QString &path, const QSize &size, const std::function<void(QPainter &, const QSize &)> &draw);
+    QString chooseExportFile(const QString &proposal);
+    void copyFigure();
+
+    void showStatus(const std::shared_ptr<const Result> &result);
+    void showAgreement(const std::shared_ptr<const Result> &result);
+    void announceReference();
+    void rememberReference(const QString &path);
+    void fillRecentMenu();
+    void showAbout();
+
+    Session *m_session;
+    MessageBar *m_messageBar;
+    MechanismView *m_mechanismView;
+    Timeline *m_timeline;
+    ParameterPanel *m_parameterPanel;
+    PlotGrid *m_plotGrid;
+    FoldingTabs *m_tabs;
+    ErrorPanel *m_errorPanel;
+    NewtonPanel *m_newtonPanel;
+    QLabel *m_assemblyStatus;
+    QLabel *m_methodStatus;
+    QLabel *m_costStatus;
+    QProgressBar *m_progress;
+    QToolButton *m_cancelButton;
+    QTimer *m_busyTimer;
+    QMenu *m_recentMenu = nullptr;
+    QAction *m_closeReferenceAction = nullptr;
+    bool m_announceReference = false; ///< the next result is the first with a newly loaded file
+    bool m_foldedByHand = false;      ///< the person chose; a resize no longer does
+};
+
+} // namespace slidercrank
