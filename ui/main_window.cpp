@@ -498,8 +498,8 @@ void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
     if (!m_foldedByHand) {
-        const QSignalBlocker automatic(m_tabs);
         m_tabs->setFolded(height() < kFoldBelowHeight);
+        m_foldedByHand = false;
     }
 }
 

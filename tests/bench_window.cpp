@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the window costs: a slider moved until nine plots are painted, playing, doing nothing, starting, memory. Run
+// with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display.
+
+#include "ui/main_window.h"
+#include "ui/timeline.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QPainter>
+#include <QProcess>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const char *const kPlots[] = {"plot_theta3",       "plot_R4_x",       "plot_error_position",
+                              "plot_theta3_diff",  "plot_R4_x_diff",  "plot_error_velocity",
+                              "plot_theta3_diff2", "plot_R4_x_diff2", "plot_error_acceleration"};
+constexpr int kPlotCount = 9;
+
+/// Sees which of the nine plots have been painted since reset().
+class PaintWatch : public QObject
+{
+public:
+    explicit PaintWatch(QWidget &window)
+    {
+        for (int i = 0; i < kPlotCount; ++i) {
+            m_plots[i] = window.findChild<QWidget *>(QLatin1String(kPlots[i]));
+            m_plots[i]->installEventFilter(this);
+        }
+    }
+
+    void reset() { m_painted = 0; }
+    bool allPainted() const { return m_painted == (1 << kPlotCount) - 1; }
+
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::Paint) {
+            for (int i = 0; i < kPlotCount; ++i) {
+                if (watched == m_plots[i]) {
+                    m_painted |= 1 << i;
+                }
+            }
+        }
+        return false;
+    }
+
+private:
+    QWidget *m_plots[kPlotCount];
+    int m_painted = 0;
+};
+
+void waitUntilPainted(const PaintWatch &watch)
+{
+    while (!watch.allPainted()) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    QCoreApplication::processEvents();
+}
+
+std::unique_ptr<MainWindow> shownWindow()
+{
+    auto window = std::make_unique<MainWindow>();
+    PaintWatch watch(*window);
+    window->show();
+    waitUntilPainted(watch);
+    return window;
+}
+
+void spin(int milliseconds)
+{
+    QEventLoop loop;
+    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+double processorSeconds()
+{
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// The slider of b moves to and fro; from the move to the paint of all nine plots.
+void sliderToNinePlots(benchmark::State &state)
+{
+    const std::unique_ptr<MainWindow> window = shownWindow();
+    Sampling sampling;
+    sampling.steps = static_cast<int>(state.range(0)) - 1;
+    window->session().setSampling(sampling);
+    QCoreApplication::processEvents();
+    auto *slider = window->findChild<QSlider *>(QStringLiteral("slider_b"));
+    PaintWatch watch(*window);
+    const int start = slider->value();
+    int move = 0;
+    for (auto _ : state) {
+        watch.reset();
+        slider->setValue(start + 1 + ++move % 20);
+        waitUntilPainted(watch);
+    }
+}
+BENCHMARK(sliderToNinePlots)->Arg(201)->Arg(20001)->Unit(benchmark::kMillisecond)->MinTime(1.0)->Repetitions(5);
+
+/// Processor share over three seconds, in percent of one core.
+void processorShare(benchmark::State &state)
+{
+    const bool playing = state.range(0) != 0;
+    const std::unique_ptr<MainWindow> window = shownWindow();
+    auto *timeline = window->findChild<Timeline *>();
+    if (playing) {
+        timeline->play();
+    }
+    spin(500);
+    for (auto _ : state) {
+        const double before = processorSeconds();
+        QElapsedTimer clock;
+        clock.start();
+        spin(3000);
+        const double elapsed = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+        state.counters["percent_of_a_core"] = 100.0 * (processorSeconds() - before) / elapsed;
+    }
+}
+BENCHMARK(processorShare)->ArgName("playing")->Arg(1)->Arg(0)->Iterations(1)->Repetitions(3);
+
+/// One frame of playing: pose and nine cursors, painted.
+void playingFrame(benchmark::State &state)
+{
+    const std::unique_ptr<MainWindow> window = shownWindow();
+    double t = 0.0;
+    for (auto _ : state) {
+        t = t > 0.98 ? 0.0 : t + 0.0167;
+        window->session().setTime(t);
+        QCoreApplication::processEvents();
+    }
+}
+BENCHMARK(playingFrame)->Unit(benchmark::kMillisecond);
+
+const QString kProbe = QStringLiteral("--start-probe");
+
+/// In the started process: say so when the ninth plot is painted, then how much memory there is, and end.
+int startProbe()
+{
+    MainWindow window;
+    PaintWatch watch(window);
+    window.show();
+    waitUntilPainted(watch);
+    std::fputs("painted\n", stdout);
+    std::fflush(stdout);
+    QFile status(QStringLiteral("/proc/self/status")); // elsewhere there is no such file, and no figure
+    if (status.open(QIODevice::ReadOnly)) {
+        for (const QByteArray &line : status.readAll().split('\n')) {
+            if (line.startsWith("VmRSS:")) {
+                std::fputs((line + '\n').constData(), stdout);
+            }
+        }
+    }
+    return 0;
+}
+
+/// From starting a process to its ninth painted plot.
+void startToNinthPlot(benchmark::State &state)
+{
+    double kibibytes = 0.0;
+    for (auto _ : state) {
+        QElapsedTimer clock;
+        QProcess process;
+        clock.start();
+        process.start(QCoreApplication::applicationFilePath(), {kProbe});
+        process.waitForReadyRead();
+        state.SetIterationTime(static_cast<double>(clock.nsecsElapsed()) * 1e-9);
+        process.waitForFinished();
+        for (const QByteArray &line : process.readAllStandardOutput().split('\n')) {
+            if (line.startsWith("VmRSS:")) {
+                kibibytes = line.simplified().split(' ').value(1).toDouble();
+            }
+        }
+    }
+    state.counters["resident_MB"] = kibibytes * 1024.0 / 1e6;
+}
+BENCHMARK(startToNinthPlot)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(1)->Repetitions(21);
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QApplication application(argc, argv);
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    if (QCoreApplication::arguments().contains(kProbe)) {
+        return startProbe();
+    }
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <limits>
+
+using namespace slidercrank;
+
+namespace
+{
+
+QString writeFile(const QTemporaryDir &folder, const QString &name, const QByteArray &bytes)
+{
+    const QString path = folder.filePath(name);
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+        qFatal("cannot write %s", qPrintable(path));
+    }
+    return path;
+}
+
+const QByteArray kSmallFile = "time,R4_x\n0,85\n0.5,45\n";
+
+} // namespace
+
+class TestSession : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void startsWithTable1Computed()
+    {
+        Session session;
+        QCOMPARE(session.parameters(), Parameters());
+        QCOMPARE(session.result()->trajectory.time.size(), std::size_t(201));
+        QCOMPARE(session.result()->trajectory.count(Status::Solved), std::size_t(201));
+        QVERIFY(!session.result()->reference);
+    }
+
+    void publishesOneResultForOneEdit()
+    {
+        Session session;
+        QSignalSpy results(&session, &Session::resultChanged);
+        Parameters parameters;
+        parameters.b = 70.0;
+        session.setParameters(parameters);
+        QCOMPARE(results.count(), 1);
+        QCOMPARE(session.result()->mechanism.b(), 70.0);
+        session.setParameters(parameters);
+        QCOMPARE(results.count(), 1); // the same: nothing to do
+    }
+
+    void refusesWhatIsNoMechanism_data()
+    {
+        QTest::addColumn<double>("b");
+        QTest::addColumn<QString>("hint");
+        QTest::newRow("zero") << 0.0 << QStringLiteral("greater than 0");
+        QTest::newRow("negative") << -1.0 << QStringLiteral("greater than 0");
+        QTest::newRow("not a number") << std::numeric_limits<double>::quiet_NaN() << QStringLiteral("a number");
+        QTest::newRow("too large") << 2e12 << QStringLiteral("exceed");
+    }
+
+    void refusesWhatIsNoMechanism()
+    {
+        QFETCH(const double, b);
+        QFETCH(const QString, hint);
+        Session session;
+        const auto before = session.result();
+        QSignalSpy problems(&session, &Session::problemFound);
+        QSignalSpy returned(&session, &Session::parametersChanged);
+        Parameters parameters;
+        parameters.b = b;
+        session.setParameters(parameters);
+        QCOMPARE(problems.count(), 1);
+        QVERIFY2(problems.first().first().toString().contains(hint), qPrintable(problems.first().first().toString()));
+        QCOMPARE(returned.count(), 1); // the panel learns that its number did not hold
+        QCOMPARE(session.parameters(), Parameters());
+        QCOMPARE(session.result(), before);
+    }
+
+    void publishesTheImpossible()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.b = 4.0;
+        session.setParameters(parameters);
+        QCOMPARE(session.result()->limits.mobility, Mobility::Impossible);
+        QVERIFY(!session.pose().exists());
+        session.setParameters(Parameters());
+        QVERIFY(session.pose().exists());
+    }
+
+    void poseAgreesWithTheTextbook()
+    {
+        Session session;
+        QSignalSpy times(&session, &Session::timeChanged);
+        session.setTime(0.25); // crank straight up: h = 25 - 20
+        QCOMPARE(times.count(), 1);
+        const Pose pose = session.pose();
+        QVERIFY(std::abs(pose.pinX) < 1e-12);
+        QVERIFY(std::abs(pose.pinY - 20.0) < 1e-12);
+        QVERIFY(std::abs(pose.theta3 - std::asin(5.0 / 65.0)) < 1e-14);
+        QVERIFY(std::abs(pose.sliderX - std::sqrt(65.0 * 65.0 - 25.0)) < 1e-12);
+    }
+
+    void keepsTheTimeWithinTheRun()
+    {
+        Session session;
+        session.setTime(7.0);
+        QCOMPARE(session.time(), 1.0);
+        session.setTime(-1.0);
+        QCOMPARE(session.time(), 0.0);
+        session.setTime(0.75);
+        Sampling sampling;
+        sampling.duration = 0.5;
+        session.setSampling(sampling);
+        QCOMPARE(session.time(), 0.5);
+    }
+
+    void movingTheTimeComputesNothing()
+    {
+        Session session;
+        QSignalSpy results(&session, &Session::resultChanged);
+        session.setTime(0.3);
+        QCOMPARE(results.count(), 0);
+    }
+
+    void readsAFileAsideAndCompares()
+    {
+        QTemporaryDir folder;
+        const QString path = writeFile(folder, QStringLiteral("año 1 Δ.csv"), kSmallFile);
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy results(&session, &Session::resultChanged);
+        session.loadReference(path);
+        QVERIFY(loaded.wait());
+        QTRY_COMPARE(results.count(), 1);
+        QCOMPARE(session.reference()->name, QStringLiteral("año 1 Δ.csv"));
+        QCOMPARE(session.result()->comparison.size(), std::size_t(1));
+        const double exact = 20.0 + std::sqrt(65.0 * 65.0 - 25.0 * 25.0); // 80 mm at t = 0, 40 mm half a turn on
+        QVERIFY(std::abs(*session.result()->comparison[0].maxAbs - (85.0 - exact)) < 1e-9);
+        session.setReference(nullptr);
+        QVERIFY(session.result()->comparison.empty());
+    }
+
+    void keepsWhatIsThereWhenAFileIsBad_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("no known column") << QByteArray("time,banana\n0,1\n");
+        QTest::newRow("binary") << QByteArray("\x7f\0\1\2\xff", 5);
+    }
+
+    void keepsWhatIsThereWhenAFileIsBad()
+    {
+        QFETCH(const QByteArray, bytes);
+        QTemporaryDir folder;
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        session.loadReference(writeFile(folder, QStringLiteral("good.csv"), kSmallFile));
+        QVERIFY(loaded.wait());
+        const auto before = session.reference();
+        QSignalSpy problems(&session, &Session::problemFound);
+        session.loadReference(writeFile(folder, QStringLiteral("bad.csv"), bytes));
+        QVERIFY(problems.wait());
+        QVERIFY(problems.first().first().toString().contains(QStringLiteral("bad.csv")));
+        QCOMPARE(session.reference(), before);
+    }
+
+    void saysThatAFileIsMissing()
+    {
+        Session session;
+        QSignalSpy problems(&session, &Session::problemFound);
+        session.loadReference(QStringLiteral("no/such/file.csv"));
+        QVERIFY(problems.wait());
+        QVERIFY(problems.first().first().toString().contains(QStringLiteral("file.csv")));
+    }
+
+    void computesLongRunsAsideAndTheLastEditWins()
+    {
+        Session session;
+        QSignalSpy results(&session, &Session::resultChanged);
+        QSignalSpy busy(&session, &Session::busyChanged);
+        Sampling sampling;
+        sampling.steps = 400000;
+        session.setSampling(sampling);
+        QCOMPARE(results.count(), 0); // not yet: the window stays alive
+        QCOMPARE(busy.count(), 1);
+        Parameters parameters;
+        for (const double b : {66.0, 67.0, 68.0}) {
+            parameters.b = b;
+            session.setParameters(parameters);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        QCOMPARE(session.result()->mechanism.b(), 68.0);
+        QCOMPARE(session.result()->trajectory.time.size(), std::size_t(400001));
+        for (int i = 0; i < results.count(); ++i) {
+            QVERIFY(results.at(i).first().value<std::shared_ptr<const Result>>());
+        }
+    }
+
+    void cancelKeepsWhatIsOnShow()
+    {
+        Session session;
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        const auto before = session.result();
+        QSignalSpy busy(&session, &Session::busyChanged);
+        Sampling sampling;
+        sampling.steps = 1000000;
+        session.setSampling(sampling);
+        session.cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        QCOMPARE(session.result(), before);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSession)
+#include "tst_session.moc"
