@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parameter_panel.h"
+
+#include "core/mobility.h"
+#include "ui/number_box.h"
+#include "ui/theme.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// What a unit is called, and how the core's rad or rad/s become it.
+struct Unit {
+    QString name;
+    double halfTurn; ///< π rad in this unit
+    double range;    ///< of the slider at first, either way
+};
+
+enum OmegaUnit { RadiansPerSecond, DegreesPerSecond, TurnsPerMinute };
+enum AngleUnit { Degrees, Radians };
+
+Unit omegaUnit(int index)
+{
+    switch (static_cast<OmegaUnit>(index)) {
+    case RadiansPerSecond: return {ParameterPanel::tr("rad/s"), std::numbers::pi, 20.0};
+    case DegreesPerSecond: return {ParameterPanel::tr("°/s"), 180.0, 1000.0};
+    case TurnsPerMinute: return {ParameterPanel::tr("rpm"), 30.0, 200.0};
+    }
+    return {};
+}
+
+Unit angleUnit(int index)
+{
+    switch (static_cast<AngleUnit>(index)) {
+    case Degrees: return {ParameterPanel::tr("°"), 180.0, 180.0};
+    case Radians: return {ParameterPanel::tr("rad"), std::numbers::pi, 3.2};
+    }
+    return {};
+}
+
+double &valueOf(Parameters &parameters, Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return parameters.a;
+    case Parameter::B: return parameters.b;
+    case Parameter::C: return parameters.c;
+    case Parameter::Omega2: return parameters.omega2;
+    case Parameter::Theta20: return parameters.theta20;
+    }
+    return parameters.a;
+}
+
+double valueOf(const Parameters &parameters, Parameter parameter)
+{
+    Parameters copy = parameters;
+    return valueOf(copy, parameter);
+}
+
+bool isLength(Parameter parameter)
+{
+    return parameter == Parameter::A || parameter == Parameter::B || parameter == Parameter::C;
+}
+
+/// The next of … 1, 2, 5, 10, 20, 50 …
+double roundedUp(double value)
+{
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double mantissa : {1.0, 2.0, 5.0}) {
+        if (mantissa * decade >= value * (1.0 - 1e-9)) {
+            return mantissa * decade;
+        }
+    }
+    return 10.0 * decade;
+}
+
+/// What is written about a parameter, and the names by which it is found.
+struct Wording {
+    QString key; ///< ends the object names
+    QString symbol;
+    QString noun;
+    QString explanation;
+};
+
+Wording wordingOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A:
+        return {QStringLiteral("a"), QStringLiteral("a"), ParameterPanel::tr("crank"),
+                ParameterPanel::tr("Length of the crank, O₂ to A")};
+    case Parameter::B:
+        return {QStringLiteral("b"), QStringLiteral("b"), ParameterPanel::tr("coupler"),
+                ParameterPanel::tr("Length of the coupler, A to B")};
+    case Parameter::C:
+        return {QStringLiteral("c"), QStringLiteral("c"), ParameterPanel::tr("offset"),
+                ParameterPanel::tr("Height of the slider's line above O₂; may be negative")};
+    case Parameter::Omega2:
+        return {QStringLiteral("omega2"), QStringLiteral("ω₂"), ParameterPanel::tr("speed"),
+                ParameterPanel::tr("Speed of the crank, counter-clockwise positive")};
+    case Parameter::Theta20:
+        return {QStringLiteral("theta20"), QStringLiteral("θ₂₀"), ParameterPanel::tr("start"),
+                ParameterPanel::tr("Angle of the crank at t = 0")};
+    }
+    return {};
+}
+
+} // namespace
+
+/// A slider over real numbers, in steps that are round numbers, with a part of its groove shaded.
+class ParameterSlider : public QSlider
+{
+public:
+    ParameterSlider()
+        : QSlider(Qt::Horizontal)
+    {
+        setMinimumWidth(56);
+        setPageStep(10);
+    }
+
+    double range() const { return m_range; }
+
+    /// Positive numbers only: from the first step on.
+    void setRangeAndValue(double range, bool positive, double value)
+    {
+        const QSignalBlocker quiet(this);
+        if (range != m_range) {
+            m_range = range;
+            m_step = roundedUp(range / 200.0);
+        }
+        const int positions = static_cast<int>(std::lround(m_range / m_step));
+        setRange(positive ? 1 : -positions, positions);
+        setValue(static_cast<int>(std::lround(std::clamp(value, -m_range, m_range) / m_step)));
+    }
+
+    /// Without the binary tail of 3 · 0.1.
+    double number() const { return QString::number(value() * m_step, 'g', 12).toDouble(); }
+
+    /// Shades what lies below `from` and above `to`.
+    void setPermitted(double from, double to)
+    {
+        if (from != m_permittedFrom || to != m_permittedTo) {
+            m_permittedFrom = from;
+            m_permittedTo = to;
+            update();
+        }
+    }
+
+protected:
+    void paintEvent(QPaintEvent *event) override
+    {
+        QSlider::paintEvent(event);
+        QStyleOptionSlider option;
+        initStyleOption(&option);
+        const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+        const int travel = width() - handle.width();
+        const auto pixel = [&](double number) {
+            const int position = static_cast<int>(std::lround(std::clamp(number, -m_range, m_range) / m_step));
+            return handle.width() / 2 +
+                   QStyle::sliderPositionFromValue(minimum(), maximum(), std::clamp(position, minimum(), maximum()), travel);
+        };
+        QPainter painter(this);
+        const int top = height() - 4;
+        const QColor colour = seriesColours(palette()).warning;
+        const int left = pixel(m_permittedFrom);
+        const int right = pixel(m_permittedTo);
+        painter.fillRect(QRect(QPoint(handle.width() / 2, top), QPoint(left - 1, top + 2)), colour);
+        painter.fillRect(QRect(QPoint(right + 1, top), QPoint(handle.width() / 2 + travel, top + 2)), colour);
+    }
+
+private:
+    double m_range = 0.0;
+    double m_step = 1.0;
+    double m_permittedFrom = -kLargestParameter;
+    double m_permittedTo = kLargestParameter;
+};
+
+ParameterPanel::ParameterPanel(QWidget *parent)
+    : QWidget(parent)
+    , m_rows{{{Parameter::A}, {Parameter::B}, {Parameter::C}, {Parameter::Omega2}, {Parameter::Theta20}}}
+{
+    setObjectName(QStringLiteral("parameterPanel"));
+    setAccessibleName(tr("Parameters of the mechanism"));
+
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(6, 4, 6, 4);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    grid->setColumnStretch(1, 1);
+    for (Row &row : m_rows) {
+        addRow(grid, row);
+    }
+
+    auto *label = new QLabel(tr("assembly"));
+    m_branch = new QComboBox;
+    m_branch->setObjectName(QStringLiteral("branchBox"));
+    m_branch->setAccessibleName(tr("Assembly"));
+    m_branch->addItem(tr("open: slider to the right of A"));
+    m_branch->addItem(tr("crossed: slider to the left of A"));
+    m_branch->setToolTip(tr("The two ways to put the same parts together"));
+    m_branch->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    label->setBuddy(m_branch);
+    grid->addWidget(label, grid->rowCount(), 0);
+    grid->addWidget(m_branch, grid->rowCount() - 1, 1, 1, 4);
+    connect(m_branch, &QComboBox::activated, this, [this](int index) {
+        const Branch branch = static_cast<Branch>(index);
+        if (branch != m_parameters.branch) {
+            m_parameters.branch = branch;
+            emit edited(m_parameters);
+        }
+    });
+    grid->setRowStretch(grid->rowCount(), 1);
+    showParameters();
+}
+
+void ParameterPanel::addRow(QGridLayout *grid, Row &row)
+{
+    const Wording wording = wordingOf(row.parameter);
+    const int line = static_cast<int>(&row - m_rows.data());
+    const QString name = tr("%1 (%2)").arg(wording.explanation, wording.symbol);
+
+    auto *label = new QLabel(tr("<b>%1</b> %2").arg(wording.symbol, wording.noun));
+    label->setToolTip(wording.explanation);
+    grid->addWidget(label, line, 0);
+
+    row.slider = new ParameterSlider;
+    row.slider->setObjectName(QStringLiteral("slider_") + wording.key);
+    row.slider->setAccessibleName(tr("%1, slider").arg(name));
+    row.slider->setToolTip(wording.explanation);
+    grid->addWidget(row.slider, line, 1);
+    connect(row.slider, &QSlider::valueChanged, this, [this, &row] { edit(row, fromUnitOf(row, row.slider->number())); });
+
+    row.box = new NumberBox;
+    row.box->setObjectName(QStringLiteral("box_") + wording.key);
+    row.box->setAccessibleName(name);
+    row.box->setToolTip(wording.explanation);
+    label->setBuddy(row.box);
+    connect(row.box, &NumberBox::edited, this, [this, &row](double value) { edit(row, fromUnitOf(row, value)); });
+    if (isLength(row.parameter)) {
+        row.box->setSuffix(tr(" mm"));
+        grid->addWidget(row.box, line, 2, 1, 2);
+    } else {
+        row.box->setWidestText(QStringLiteral("-000.00"));
+        grid->addWidget(row.box, line, 2);
+        row.unit = new QComboBox;
+        row.unit->setObjectName(QStringLiteral("unit_") + wording.key);
+        row.unit->setAccessibleName(tr("Unit of %1").arg(wording.symbol));
+        row.unit->setToolTip(tr("Unit"));
+        const bool speed = row.parameter == Parameter::Omega2;
+        for (int i = 0; i < (speed ? 3 : 2); ++i) {
+            row.unit->addItem(speed ? omegaUnit(i).name : angleUnit(i).name);
+        }
+        grid->addWidget(row.unit, line, 3);
+        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, &row] { showRow(row); });
+    }
+
+    row.reset = new QToolButton;
+    row.reset->setObjectName(QStringLiteral("reset_") + wording.key);
+    row.reset->setText(QStringLiteral("↺"));
+    row.reset->setAutoRaise(true);
+    row.reset->setAccessibleName(tr("Reset %1").arg(wording.symbol));
+    row.reset->setToolTip(tr("Back to the report's Table 1"));
+    grid->addWidget(row.reset, line, 4);
+    connect(row.reset, &QToolButton::clicked, this,
+            [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
+}
+
+void ParameterPanel::setParameters(const Parameters &parameters)
+{
+    m_parameters = parameters;
+    showParameters();
+}
+
+void ParameterPanel::edit(const Row &row, double value)
+{
+    Parameters wanted = m_parameters;
+    valueOf(wanted, row.parameter) = value;
+    const bool usable = wanted != m_parameters && !findFault(wanted);
+    if (usable) {
+        m_parameters = wanted;
+    }
+    showParameters();
+    if (usable) {
+        emit edited(m_parameters);
+    }
+}
+
+double ParameterPanel::halfTurnOf(const Row &row)
+{
+    if (!row.unit) {
+        return 0.0;
+    }
+    return (row.parameter == Parameter::Omega2 ? omegaUnit(row.unit->currentIndex()) : angleUnit(row.unit->currentIndex()))
+        .halfTurn;
+}
+
+// Divided by the half turn first: 360 °/s, 60 rpm and 90° then become exactly the double nearest to 2π, 2π and π/2.
+
+double ParameterPanel::toUnitOf(const Row &row, double value)
+{
+    const double halfTurn = halfTurnOf(row);
+    return halfTurn == 0.0 || halfTurn == std::numbers::pi ? value : value / std::numbers::pi * halfTurn;
+}
+
+double ParameterPanel::fromUnitOf(const Row &row, double value)
+{
+    const double halfTurn = halfTurnOf(row);
+    return halfTurn == 0.0 || halfTurn == std::numbers::pi ? value : value / halfTurn * std::numbers::pi;
+}
+
+double ParameterPanel::sliderRangeFor(const Row &row, double value) const
+{
+    double usual = 0.0;
+    switch (row.parameter) {
+    case Parameter::A:
+    case Parameter::C: usual = 100.0; break;
+    case Parameter::B: usual = 200.0; break;
+    case Parameter::Omega2: usual = omegaUnit(row.unit->currentIndex()).range; break;
+    case Parameter::Theta20: usual = angleUnit(row.unit->currentIndex()).range; break;
+    }
+    // A slider is of use where its range is neither too short for the number nor much too long for the mechanism.
+    constexpr double kMuchTooLong = 50.0;
+    const double size = isLength(row.parameter)
+                            ? std::max({m_parameters.a, m_parameters.b, std::abs(m_parameters.c)})
+                            : std::max(std::abs(value), usual / kMuchTooLong);
+    const auto fits = [&](double range) { return std::abs(value) <= range && range <= kMuchTooLong * size; };
+    if (row.slider->isSliderDown() || fits(row.slider->range())) {
+        return row.slider->range(); // under the hand, or good enough: nothing moves
+    }
+    return fits(usual) ? usual : roundedUp(1.5 * size);
+}
+
+void ParameterPanel::showRow(const Row &row)
+{
+    const double exact = valueOf(m_parameters, row.parameter);
+    const double value = toUnitOf(row, exact);
+    const bool positive = row.parameter == Parameter::A || row.parameter == Parameter::B;
+    row.slider->setRangeAndValue(sliderRangeFor(row, value), positive, value);
+    row.box->setValue(value);
+    row.reset->setEnabled(exact != valueOf(Parameters(), row.parameter));
+}
+
+void ParameterPanel::showParameters()
+{
+    for (const Row &row : m_rows) {
+        showRow(row);
+    }
+    m_branch->setCurrentIndex(static_cast<int>(m_parameters.branch));
+    shadeForbidden();
+}
+
+void ParameterPanel::shadeForbidden()
+{
+    // a + |c| <= b, solved for each of the three
+    const double needed = shortestCouplerForFullTurn(Mechanism(m_parameters));
+    const double spare = m_parameters.b - needed;
+    for (const Row &row : m_rows) {
+        switch (row.parameter) {
+        case Parameter::A: row.slider->setPermitted(-kLargestParameter, std::max(0.0, m_parameters.a + spare)); break;
+        case Parameter::B: row.slider->setPermitted(needed, kLargestParameter); break;
+        case Parameter::C: {
+            const double largest = std::max(0.0, std::abs(m_parameters.c) + spare);
+            row.slider->setPermitted(-largest, largest);
+            break;
+        }
+        case Parameter::Omega2:
+        case Parameter::Theta20: break;
+        }
+    }
+}
+
+} // namespace slidercrank
