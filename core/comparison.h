@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far reference data lie from the model: largest and mean errors, the report's percentage, and whether the difference
-// is within the file's own rounding. Everything in the author's units (mm, °, s); errors are model - reference.
+// How far reference data lie from the model: largest and mean errors, the report's percentage, and whether the
+// difference is within the file's own rounding. Everything in the author's units (mm, °, s); errors are model -
+// reference.
 
 #include "core/channel.h"
 #include "core/reference_data.h"
@@ -23,7 +24,7 @@ enum class Verdict {
 
 struct ChannelComparison {
     Channel channel;
-    std::size_t count = 0; ///< instants where both values exist
+    std::size_t count = 0;        ///< instants where both values exist
     std::size_t missingModel = 0; ///< instants where the file has a value and the model none
 
     // Absent where there is nothing to compare.
@@ -45,8 +46,8 @@ struct ChannelComparison {
     Verdict verdict = Verdict::Differs;
 };
 
-/// A file may carry more digits than any double-precision computation can promise. No step is taken to be smaller than this
-/// part of the channel's size (the larger of its peak and its naturalScale()).
+/// A file may carry more digits than any double-precision computation can promise. No step is taken to be smaller than
+/// this part of the channel's size (the larger of its peak and its naturalScale()).
 inline constexpr double kArithmeticStep = 1e-12;
 
 /// One channel. `time`, `model` and `reference.values` have one value an instant; NaN means none.
@@ -55,6 +56,7 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
                                  const ReferenceSeries &reference, double scale);
 
 /// Every series of the file against a trajectory sampled at the file's own instants.
-std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model, const ReferenceData &reference);
+std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
+                                       const ReferenceData &reference);
 
 } // namespace slidercrank

@@ -5,29 +5,55 @@
 // Trailing zeros say nothing (139.397000 has six digits), so the rule is inferred from all values of the column.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <string_view>
 
 namespace slidercrank
 {
 
-/// A column's rule. The step is the distance between neighbouring printable values; a value is off by half of it at most.
+/// A column's rule. The step is the distance between neighbouring printable values; a value is off by half of it at
+/// most.
 struct Rounding {
     enum class Rule {
-        Unknown,           ///< no non-zero value to learn from: step 0
+        Unknown,           ///< nothing to learn from (only zeros, or one whole number throughout): step 0
         SignificantDigits, ///< the step follows each value's own power of ten
         Decimals           ///< one step for all
     };
     Rule rule = Rule::Unknown;
-    int digits = 0;              ///< significant digits, or decimals (negative: tens, hundreds, …)
-    double unitFactor = 1.0;     ///< from the file's unit to the author's
-    int smallestExponent = 0;    ///< of the column's non-zero values: stands in for a value of zero
+    int digits = 0;           ///< significant digits, or decimals (negative: tens, hundreds, …)
+    double unitFactor = 1.0;  ///< from the file's unit to the author's
+    int smallestExponent = 0; ///< of the column's non-zero values: stands in for a value of zero
+
+    /// Power of ten of the last digit printed anywhere in the column. Six significant digits printed with six decimals
+    /// are fewer than six where the value is small: no step is finer than this.
+    int finestPlace = std::numeric_limits<int>::min();
 
     /// The step at a value, both in the author's unit; 0 when unknown.
     double stepAt(double value) const;
 };
 
+/// Where the digits of a printed number stand, as powers of ten: 0.0120 has its first digit other than zero at -2, the
+/// last one at -3, and is printed down to -4.
+struct PrintedPlaces {
+    bool zero = true; ///< no digit but zeros: first and last mean nothing
+    int first = 0;
+    int last = 0;
+    int printed = 0;
+};
+
+/// `digits`: optional sign, digits with at most one '.' or ',', optional exponent.
+PrintedPlaces placesOf(std::string_view digits);
+
 /// Learns the rule from the numbers as they were printed.
+///
+/// Within a decade (the power of ten of the first digit) a value rounded to a place ends there, or one place earlier in
+/// one case of ten, two in one of a hundred. So the coarsest place at which, or before which, at least a quarter of the
+/// values of the decade end is no coincidence: the decade was rounded there, if not everywhere. (Some programs print
+/// some rows with more digits than others: the coarser half decides what can be promised of the column.) The rule is
+/// the one that passes nearest to the places of all decades, each weighing as much as it has values.
 class RoundingObserver
 {
 public:
@@ -37,11 +63,16 @@ public:
     Rounding infer(double unitFactor) const;
 
 private:
-    // How many values of a decade (first digit's power of ten) had their last non-zero digit at a place (power of ten).
-    static constexpr int kLowest = -24;
-    static constexpr int kHighest = 24;
-    static constexpr int kPlaces = kHighest - kLowest + 1;
-    std::array<std::array<std::uint32_t, kPlaces>, kPlaces> m_lastPlaces{};
+    static constexpr int kLargestExponent = 48; ///< decades beyond ±48 teach nothing
+    static constexpr std::size_t kDecades = 2 * kLargestExponent + 1;
+    static constexpr std::size_t kMostDigits = 20; ///< more say no more: a double holds 17
+
+    /// By decade and number of digits - 1, from the first to the last that is not zero: how many values.
+    std::array<std::array<std::uint32_t, kMostDigits>, kDecades> m_counts{};
+    int m_finestPlace = std::numeric_limits<int>::max();
+    int m_smallestExponent = std::numeric_limits<int>::max();
+    std::string m_onlyMagnitude; ///< the text, without sign, of the first value that is not zero
+    bool m_varies = false;       ///< whether another value that is not zero differs from it
 };
 
 } // namespace slidercrank

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/comparison.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+// A value printed to the last digit and read back is off by the representation of decimal numbers in binary: a part of
+// the half step, and so many units in the last place of the value.
+constexpr double kStepSlack = 1e-9;
+constexpr double kUlpSlack = 4.0;
+
+// The limits of Verdict.
+constexpr std::size_t kPercentWithinHalfStep = 95;
+constexpr double kHalfStepsOfAgreement = 10.0;
+constexpr double kHalfStepsOfCloseness = 100.0;
+
+/// How many values lie how far out.
+struct Spread {
+    std::size_t withinHalfStep = 0;
+    std::size_t beyondAgreement = 0;
+    std::size_t beyondCloseness = 0;
+};
+
+Verdict verdictOf(const Spread &spread, std::size_t count)
+{
+    if (count == 0 || spread.beyondCloseness > 0) {
+        return Verdict::Differs;
+    }
+    const bool mostWithin = 100 * spread.withinHalfStep >= kPercentWithinHalfStep * count;
+    return mostWithin && spread.beyondAgreement == 0 ? Verdict::Agrees : Verdict::Close;
+}
+
+} // namespace
+
+ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
+                                 const ReferenceSeries &reference, double scale)
+{
+    const std::vector<double> &values = reference.values;
+    assert(model.size() == time.size() && values.size() == time.size());
+
+    double peak = 0.0;
+    double largestStep = 0.0;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            peak = std::max(peak, std::abs(value));
+            largestStep = std::max(largestStep, reference.rounding.stepAt(value));
+        }
+    }
+    const double smallestStep = kArithmeticStep * std::max(peak, scale);
+
+    ChannelComparison result;
+    result.channel = reference.channel;
+    Spread spread;
+    double maxAbs = -1.0;
+    double maxPercent = -1.0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const double value = values[i];
+        if (!std::isfinite(value)) {
+            continue;
+        }
+        if (!std::isfinite(model[i])) {
+            ++result.missingModel;
+            continue;
+        }
+        ++result.count;
+        const double error = std::abs(model[i] - value);
+        if (error > maxAbs) {
+            maxAbs = error;
+            result.timeOfMaxAbs = time[i];
+        }
+        const double percent = value == 0.0 ? std::numeric_limits<double>::infinity() : error / std::abs(value) * 100.0;
+        if (!std::isfinite(percent)) {
+            ++result.zeroReference;
+        } else if (percent > maxPercent) {
+            maxPercent = percent;
+            result.timeOfMaxPercent = time[i];
+        }
+
+        const double step = std::max(reference.rounding.stepAt(value), smallestStep);
+        const double half =
+            0.5 * step * (1.0 + kStepSlack) + kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(value);
+        spread.withinHalfStep += error <= half ? 1 : 0;
+        spread.beyondAgreement += error <= kHalfStepsOfAgreement * half ? 0 : 1;
+        spread.beyondCloseness += error <= kHalfStepsOfCloseness * half ? 0 : 1;
+    }
+    spread.beyondCloseness += result.missingModel;
+    result.verdict = verdictOf(spread, result.count);
+
+    if (reference.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
+        result.roundingStep = largestStep;
+    }
+    if (maxPercent >= 0.0) {
+        result.maxPercent = maxPercent;
+    }
+    if (result.count == 0) {
+        return result;
+    }
+    result.maxAbs = maxAbs;
+    if (peak > 0.0) {
+        result.percentOfPeak = maxAbs / peak * 100.0;
+    }
+    // Relative to the largest, so that no square over- or underflows.
+    double sum = 0.0;
+    for (std::size_t i = 0; i < time.size() && maxAbs > 0.0; ++i) {
+        if (std::isfinite(values[i]) && std::isfinite(model[i])) {
+            const double part = (model[i] - values[i]) / maxAbs;
+            sum += part * part;
+        }
+    }
+    result.rms = maxAbs * std::sqrt(sum / static_cast<double>(result.count));
+    return result;
+}
+
+std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
+                                       const ReferenceData &reference)
+{
+    std::vector<ChannelComparison> comparisons;
+    comparisons.reserve(reference.series.size());
+    for (const ReferenceSeries &series : reference.series) {
+        comparisons.push_back(
+            compareChannel(reference.time, model[series.channel], series, naturalScale(mechanism, series.channel)));
+    }
+    return comparisons;
+}
+
+} // namespace slidercrank

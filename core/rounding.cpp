@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kLowestPower = -323;
+constexpr int kHighestPower = 308;
+
+/// 10^exponent; 0 or infinity beyond what a double holds. From a table: a step is asked for at every value compared.
+double powerOfTen(int exponent)
+{
+    static const auto table = [] {
+        std::array<double, kHighestPower - kLowestPower + 1> powers{};
+        for (int power = kLowestPower; power <= kHighestPower; ++power) {
+            powers[static_cast<std::size_t>(power - kLowestPower)] = std::pow(10.0, power);
+        }
+        return powers;
+    }();
+    if (exponent < kLowestPower) {
+        return 0.0;
+    }
+    if (exponent > kHighestPower) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return table[static_cast<std::size_t>(exponent - kLowestPower)];
+}
+
+/// A unit's conversion there and back may leave 9.99…9 of a printed 10: this part of a value decides no decade.
+constexpr double kConversionSlack = 1e-12;
+
+/// Power of ten of the first digit of a positive number.
+int decadeOf(double magnitude)
+{
+    const double nudged = magnitude * (1.0 + kConversionSlack);
+    int twos = 0;
+    std::frexp(nudged, &twos); // 2^(twos - 1) <= nudged < 2^twos: one decade or two
+    const int decade = static_cast<int>(std::floor((twos - 1) * 0.30102999566398120));
+    return nudged >= powerOfTen(decade + 1) ? decade + 1 : decade;
+}
+
+/// A number of at most so many digits may be one that somebody chose (25, 360, 12.75), and then says nothing about how
+/// the program rounds.
+constexpr int kDigitsOfAChosenNumber = 4;
+
+/// The rule for a column that holds one number throughout: there is no chance in its digits, only that number.
+void inferFromOneValue(const PrintedPlaces &places, Rounding &rounding)
+{
+    const bool chosen = places.first - places.last < kDigitsOfAChosenNumber;
+    const int place = chosen ? places.printed : places.last;
+    if (place < 0) {
+        rounding.rule = Rounding::Rule::Decimals;
+        rounding.digits = -place;
+    }
+}
+
+/// What a decade tells: the place where its values were rounded, and how many values say so.
+struct Decade {
+    int exponent;
+    int place;
+    double weight;
+};
+
+struct Fit {
+    double distance;   ///< from the places of the decades, weighted
+    double coarseness; ///< breaks ties: the larger is the more careful promise
+};
+
+template <typename PlaceOf>
+Fit fitOf(const std::vector<Decade> &decades, PlaceOf placeOf)
+{
+    Fit fit{0.0, 0.0};
+    for (const Decade &decade : decades) {
+        const int place = placeOf(decade.exponent);
+        fit.distance += decade.weight * std::abs(decade.place - place);
+        fit.coarseness += decade.weight * place;
+    }
+    return fit;
+}
+
+bool isBetter(const Fit &fit, const Fit &best)
+{
+    return fit.distance < best.distance || (fit.distance == best.distance && fit.coarseness > best.coarseness);
+}
+
+} // namespace
+
+double Rounding::stepAt(double value) const
+{
+    switch (rule) {
+    case Rule::Unknown: return 0.0;
+    case Rule::Decimals: return unitFactor * powerOfTen(-digits);
+    case Rule::SignificantDigits: {
+        const double printed = std::abs(value) / unitFactor;
+        const int exponent = printed > 0.0 && std::isfinite(printed) ? decadeOf(printed) : smallestExponent;
+        return unitFactor * powerOfTen(std::max(exponent - digits + 1, finestPlace));
+    }
+    }
+    return 0.0;
+}
+
+PrintedPlaces placesOf(std::string_view digits)
+{
+    // Digits are numbered from 0; the n-th stands at (digits before the point - 1 - n) + exponent.
+    int count = 0;
+    int beforePoint = -1;
+    int firstDigit = -1;
+    int lastDigit = -1;
+    std::size_t i = 0;
+    for (; i < digits.size(); ++i) {
+        const char c = digits[i];
+        if (c >= '0' && c <= '9') {
+            if (c != '0') {
+                lastDigit = count;
+                if (firstDigit < 0) {
+                    firstDigit = count;
+                }
+            }
+            ++count;
+        } else if (c == '.' || c == ',') {
+            beforePoint = count;
+        } else if (c == 'e' || c == 'E') {
+            break;
+        }
+    }
+    if (beforePoint < 0) {
+        beforePoint = count;
+    }
+    constexpr int kLargest = 100000; // far beyond any double, and no sum of such overflows
+    int exponent = 0;
+    bool negative = false;
+    for (; i < digits.size(); ++i) {
+        const char c = digits[i];
+        negative = negative || c == '-';
+        if (c >= '0' && c <= '9') {
+            exponent = std::min(exponent * 10 + (c - '0'), kLargest);
+        }
+    }
+    const int units = beforePoint - 1 + (negative ? -exponent : exponent);
+    PrintedPlaces places;
+    places.zero = firstDigit < 0;
+    places.printed = units - (count - 1);
+    if (!places.zero) {
+        places.first = units - firstDigit;
+        places.last = units - lastDigit;
+    }
+    return places;
+}
+
+void RoundingObserver::observe(std::string_view digits)
+{
+    const PrintedPlaces places = placesOf(digits);
+    m_finestPlace = std::min(m_finestPlace, places.printed);
+    if (places.zero) {
+        return;
+    }
+    m_smallestExponent = std::min(m_smallestExponent, places.first);
+    if (std::abs(places.first) <= kLargestExponent) {
+        const auto decade = static_cast<std::size_t>(places.first + kLargestExponent);
+        const auto length = static_cast<std::size_t>(places.first - places.last);
+        ++m_counts[decade][std::min(length, kMostDigits - 1)];
+    }
+    if (!m_varies) {
+        const std::string_view magnitude = digits.substr(digits.find_first_not_of("+-"));
+        if (m_onlyMagnitude.empty()) {
+            m_onlyMagnitude = magnitude;
+        } else {
+            m_varies = m_onlyMagnitude != magnitude;
+        }
+    }
+}
+
+Rounding RoundingObserver::infer(double unitFactor) const
+{
+    Rounding rounding;
+    rounding.unitFactor = unitFactor;
+    if (m_onlyMagnitude.empty()) {
+        return rounding;
+    }
+    rounding.smallestExponent = m_smallestExponent;
+    rounding.finestPlace = m_finestPlace;
+    if (!m_varies) {
+        inferFromOneValue(placesOf(m_onlyMagnitude), rounding);
+        return rounding;
+    }
+
+    std::vector<Decade> decades;
+    for (std::size_t row = 0; row < kDecades; ++row) {
+        const auto &counts = m_counts[row];
+        const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
+        double reached = 0.0;
+        for (std::size_t length = 0; length < kMostDigits && total > 0.0; ++length) {
+            reached += counts[length];
+            if (4.0 * reached >= total) {
+                const int exponent = static_cast<int>(row) - kLargestExponent;
+                decades.push_back({exponent, exponent - static_cast<int>(length), total});
+                break;
+            }
+        }
+    }
+    if (decades.empty()) {
+        return rounding;
+    }
+
+    Fit best{std::numeric_limits<double>::infinity(), 0.0};
+    for (int digits = 1; digits <= static_cast<int>(kMostDigits); ++digits) {
+        const Fit fit = fitOf(decades, [digits](int exponent) { return exponent - digits + 1; });
+        if (isBetter(fit, best)) {
+            best = fit;
+            rounding.rule = Rounding::Rule::SignificantDigits;
+            rounding.digits = digits;
+        }
+    }
+    for (const Decade &candidate : decades) { // the best single place is one of theirs: a weighted median
+        const Fit fit = fitOf(decades, [&candidate](int) { return candidate.place; });
+        if (isBetter(fit, best)) {
+            best = fit;
+            rounding.rule = Rounding::Rule::Decimals;
+            rounding.digits = -candidate.place;
+        }
+    }
+    return rounding;
+}
+
+} // namespace slidercrank
