@@ -1,5 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-int main()
+
+// Chooses: the window, or a command line. Only the window needs a display.
+
+#include "app/command_line.h"
+#include "app/compare.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/render.h"
+#include "app/solve.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+
+using namespace slidercrank;
+
+namespace
 {
-    return 0;
+
+void introduceApplication()
+{
+    QCoreApplication::setApplicationName(QStringLiteral("slidercrank"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(SLIDERCRANK_VERSION));
+}
+
+ExitStatus print(const QString &text)
+{
+    Output output{QString()};
+    std::optional<QString> sentence = output.open();
+    if (!sentence) {
+        output.write(text.toUtf8());
+        sentence = output.finish();
+    }
+    if (sentence) {
+        say(*sentence);
+        return ExitStatus::FileFailed;
+    }
+    return ExitStatus::Done;
+}
+
+/// None for what needs more than a QCoreApplication.
+std::optional<ExitStatus> runWithoutPlatform(const Command &command)
+{
+    if (const WrongCommandLine *wrong = std::get_if<WrongCommandLine>(&command)) {
+        say(wrong->sentence);
+        return ExitStatus::WrongCommandLine;
+    }
+    if (const Answer *answer = std::get_if<Answer>(&command)) {
+        return print(answer->text);
+    }
+    if (const SolveOptions *options = std::get_if<SolveOptions>(&command)) {
+        return solve(*options);
+    }
+    if (const CompareOptions *options = std::get_if<CompareOptions>(&command)) {
+        return compareFile(*options);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    Command command = WindowOptions();
+    if (argc > 1) {
+        const QCoreApplication application(argc, argv);
+        introduceApplication();
+        command = parseCommandLine(QCoreApplication::arguments());
+        if (const std::optional<ExitStatus> status = runWithoutPlatform(command)) {
+            return static_cast<int>(*status);
+        }
+    }
+    const RenderOptions *picture = std::get_if<RenderOptions>(&command);
+    if (picture && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    const QApplication application(argc, argv);
+    introduceApplication();
+    if (picture) {
+        return static_cast<int>(render(*picture));
+    }
+    MainWindow window;
+    window.show();
+    if (const QString &reference = std::get<WindowOptions>(command).reference; !reference.isEmpty()) {
+        window.openReference(reference);
+    }
+    return QApplication::exec();
 }

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/help.h"
+
+#include "app/command_line.h"
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr OptionEntry kMechanismOptions[] = {
+    {"a", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank length O2-A, > 0 (20)")},
+    {"b", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "coupler length A-B, > 0 (65)")},
+    {"c", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "offset of the slider's line from O2 (25)")},
+    {"omega2", "RAD_PER_S", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank speed, constant (2π)")},
+    {"theta20", "RAD", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank angle at t = 0 (0)")},
+    {"branch", "open|crossed",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "assembly: slider to the right of A, or to the left (open)")},
+};
+
+constexpr OptionEntry kRunOptions[] = {
+    {"steps", "N", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "intervals; N + 1 instants, both ends (200)")},
+    {"duration", "SECONDS", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "length of the run, > 0 (1)")},
+    {"start", "SECONDS", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "first instant (0)")},
+};
+
+constexpr OptionEntry kInstantOptions[] = {
+    {"at-angle", "DEGREES",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "one instant instead of a run: the first from --start at which θ2 is this angle, whole turns "
+                       "apart")},
+};
+
+constexpr OptionEntry kMethodOptions[] = {
+    {"method", "newton|closed-form",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "how the motion is computed (newton)")},
+    {"max-iterations", "N", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "of Newton-Raphson, an instant, >= 1 (10)")},
+    {"tolerance", "T",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)")},
+};
+
+constexpr OptionEntry kSolveOptions[] = {
+    {"channels", "LIST",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "all, or names with commas: theta3,R4_x_diff (all)")},
+    {"angle-unit", "deg|rad", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "unit of the angles written (deg)")},
+    {"format", "csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (csv)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+};
+
+constexpr OptionEntry kCompareOptions[] = {
+    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+    {"fail-on-difference", nullptr,
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "exit status 1 when a channel differs")},
+};
+
+constexpr OptionEntry kRenderOptions[] = {
+    {"what", "WHAT",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "figure (the nine plots), mechanism, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, "
+                       "theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a name that ends in .png, .svg or .pdf; needed")},
+    {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to draw beside it")},
+    {"size", "WxH",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "pixels (figure 1400x1800, mechanism 900x700, plot 900x600)")},
+    {"scale", "FACTOR", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "of a PNG's pixels, 0.1 to 10 (1)")},
+    {"theme", "light|dark", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "colours (light)")},
+    {"at", "SECONDS", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "instant of the pose and the cursor (--start)")},
+    {"at-angle", "DEGREES",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "the same by crank angle: the first instant from --start at which θ2 is this angle")},
+};
+
+constexpr OptionEntry kWindowOptions[] = {
+    {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to open")},
+};
+
+constexpr OptionEntry kEverywhereOptions[] = {
+    {"help", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "this text")},
+    {"version", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "name and version of the program")},
+};
+
+constexpr const char *kMechanism = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Mechanism");
+constexpr const char *kRun = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Instants");
+constexpr const char *kMethod = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Method");
+constexpr const char *kResult = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Result");
+constexpr const char *kOther = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Other");
+
+QString introductionOf(Subcommand subcommand)
+{
+    switch (subcommand) {
+    case Subcommand::Window:
+        return CommandLine::tr("Usage: slidercrank [--reference FILE]          opens the window\n"
+                               "       slidercrank solve [options]             the motion as CSV or JSON\n"
+                               "       slidercrank compare FILE [options]      how far a simulation's file is from the "
+                               "model\n"
+                               "       slidercrank render --output FILE [...]  a picture: PNG, SVG or PDF\n"
+                               "\n"
+                               "Motion of an offset slider-crank. \"slidercrank solve --help\" and so on tell the "
+                               "options of each.\n");
+    case Subcommand::Solve:
+        return CommandLine::tr("Usage: slidercrank solve [options]\n"
+                               "\n"
+                               "Computes the motion and writes a row an instant: time (s), then the channels asked "
+                               "for: positions\n"
+                               "(R1_x, R1_y, theta1, R2_x … theta4; mm, °), their first derivatives (theta3_diff) and "
+                               "their\n"
+                               "second (theta3_diff2), 17 significant digits, nan where a value does not exist.\n");
+    case Subcommand::Compare:
+        return CommandLine::tr("Usage: slidercrank compare FILE [options]\n"
+                               "\n"
+                               "Reads a simulation's CSV file (time,R4_x,theta3_diff,… as Inventor exports it) and "
+                               "tells how far each of its\n"
+                               "columns is from the exact motion of the mechanism at the file's own instants. A column "
+                               "agrees when at least\n"
+                               "95 % of its values are within half a rounding step of the file and none beyond ten "
+                               "halves, is close when none\n"
+                               "is beyond a hundred halves, and differs otherwise.\n");
+    case Subcommand::Render:
+        return CommandLine::tr("Usage: slidercrank render --output FILE.png|.svg|.pdf [options]\n"
+                               "\n"
+                               "Draws what the window shows into a file. Needs no display.\n");
+    }
+    return {};
+}
+
+QString shapeOf(Subcommand subcommand)
+{
+    switch (subcommand) {
+    case Subcommand::Solve:
+        return CommandLine::tr("A header name stands alone for mm, ° and s; any other unit stands behind it: "
+                               "theta3_diff [rad/s].\n"
+                               "\n"
+                               "JSON: {\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
+                               "\"method\":\"newton\"|\"closed-form\",\n"
+                               "       \"units\":{\"length\":\"mm\",\"angle\":\"deg\"|\"rad\",\"time\":\"s\"}, "
+                               "\"time\":[…], \"channels\":{\"theta3\":[…],…}};\n"
+                               "      the mechanism in mm and rad as in the options, null where a value does not "
+                               "exist.\n");
+    case Subcommand::Compare:
+        return CommandLine::tr("JSON: {\"files\":[{\"file\", "
+                               "\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
+                               "\"channels\":[…],\n"
+                               "       \"skipped\":[{\"line\",\"column\",\"text\",\"reason\"}], "
+                               "\"ignoredColumns\":[…]}]}; a channel is\n"
+                               "      {\"name\",\"unit\",\"count\",\"maxAbs\",\"timeOfMaxAbs\",\"rms\",\"maxPercent\","
+                               "\"timeOfMaxPercent\",\n"
+                               "       \"zeroReference\",\"percentOfPeak\",\"roundingStep\",\"verdict\"} in mm, ° and "
+                               "s; null where there is none.\n"
+                               "CSV: the file's name, then the same columns.\n");
+    case Subcommand::Window:
+    case Subcommand::Render: break;
+    }
+    return {};
+}
+
+QString exitStatusText()
+{
+    return CommandLine::tr("Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is "
+                           "wrong; 3 a file or\n"
+                           "standard output cannot be read or written, or a file is not what it should be; 4 the "
+                           "mechanism cannot be\n"
+                           "assembled at some instant (the others are still written); 5 Newton-Raphson did not "
+                           "converge, or velocity and\n"
+                           "acceleration do not exist, somewhere. Of several, 3, then 4, then 5.\n");
+}
+
+} // namespace
+
+QString wordOf(Subcommand subcommand)
+{
+    switch (subcommand) {
+    case Subcommand::Window: return {};
+    case Subcommand::Solve: return QStringLiteral("solve");
+    case Subcommand::Compare: return QStringLiteral("compare");
+    case Subcommand::Render: return QStringLiteral("render");
+    }
+    return {};
+}
+
+std::vector<OptionGroup> optionGroupsOf(Subcommand subcommand)
+{
+    switch (subcommand) {
+    case Subcommand::Window: return {{kOther, kWindowOptions}, {kOther, kEverywhereOptions}};
+    case Subcommand::Solve:
+        return {{kMechanism, kMechanismOptions}, {kRun, kRunOptions},      {kRun, kInstantOptions},
+                {kMethod, kMethodOptions},       {kResult, kSolveOptions}, {kOther, kEverywhereOptions}};
+    case Subcommand::Compare:
+        return {{kMechanism, kMechanismOptions}, {kResult, kCompareOptions}, {kOther, kEverywhereOptions}};
+    case Subcommand::Render:
+        return {{kMechanism, kMechanismOptions},
+                {kRun, kRunOptions},
+                {kMethod, kMethodOptions},
+                {kResult, kRenderOptions},
+                {kOther, kEverywhereOptions}};
+    }
+    return {};
+}
+
+QString helpOf(Subcommand subcommand)
+{
+    QString help = introductionOf(subcommand);
+    const char *title = nullptr;
+    for (const OptionGroup &group : optionGroupsOf(subcommand)) {
+        if (group.title != title) {
+            title = group.title;
+            help += u'\n' + CommandLine::tr(title) + u'\n';
+        }
+        for (const OptionEntry &entry : group.entries) {
+            QString left = QStringLiteral("  --") + QLatin1String(entry.name);
+            if (entry.value) {
+                left += u' ' + QLatin1String(entry.value);
+            }
+            help += left.leftJustified(30) + u' ' + CommandLine::tr(entry.text) + u'\n';
+        }
+    }
+    if (const QString shape = shapeOf(subcommand); !shape.isEmpty()) {
+        help += u'\n' + shape;
+    }
+    return help + u'\n' + exitStatusText();
+}
+
+} // namespace slidercrank

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Numbers and strings as text that every program reads the same, whatever the locale; JSON written in the order of the
+// contract, which a sorted document would lose.
+
+#include "core/mechanism.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <optional>
+
+namespace slidercrank
+{
+
+/// 17 significant digits, enough to read the same double back; 0 without a sign; "nan" where there is none.
+void appendNumber(QByteArray &text, double value);
+
+/// The same for JSON, which knows no nan: null.
+void appendJsonNumber(QByteArray &text, double value);
+
+/// The fewest digits that read back the same; null for what does not exist.
+QByteArray jsonNumber(std::optional<double> value);
+
+/// Quoted and escaped, UTF-8.
+QByteArray jsonString(const QString &text);
+
+/// {"a", "b", "c", "omega2", "theta20", "branch"}: mm and rad, as the options.
+QByteArray jsonMechanism(const Mechanism &mechanism);
+
+} // namespace slidercrank

@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/options.h"
+
+#include "app/command_line.h"
+#include "app/crank_instant.h"
+#include "app/help.h"
+#include "ui/figure_export.h"
+
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kMostSteps = 100'000'000;
+
+/// The whole text as a number, with a decimal point.
+template <typename Number>
+std::optional<Number> parsed(const QString &text)
+{
+    const QByteArray bytes = text.toUtf8();
+    const char *first = bytes.constData();
+    const char *const last = first + bytes.size();
+    if (last - first > 1 && *first == '+' && first[1] != '-') {
+        ++first; // from_chars knows no plus sign
+    }
+    Number number{};
+    const std::from_chars_result result = std::from_chars(first, last, number);
+    return result.ec == std::errc() && result.ptr == last ? std::optional(number) : std::nullopt;
+}
+
+/// How many letters must be inserted, removed or replaced to make one word the other (Levenshtein), whatever their
+/// case.
+qsizetype distance(const QString &from, const QString &to)
+{
+    std::vector<qsizetype> row(static_cast<std::size_t>(to.size()) + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        row[j] = static_cast<qsizetype>(j);
+    }
+    for (qsizetype i = 0; i < from.size(); ++i) {
+        qsizetype diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 1; j < row.size(); ++j) {
+            const bool same = from[i].toLower() == to[static_cast<qsizetype>(j) - 1].toLower();
+            const qsizetype replaced = diagonal + (same ? 0 : 1);
+            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+        }
+    }
+    return row.back();
+}
+
+/// The names nearest to a word, at most three, none farther than a third of its letters (and two).
+QStringList nearest(const QString &word, const QStringList &names)
+{
+    std::vector<std::pair<qsizetype, QString>> ranked;
+    for (const QString &name : names) {
+        const qsizetype far = distance(word, name);
+        if (far <= std::max<qsizetype>(2, word.size() / 3)) {
+            ranked.emplace_back(far, name);
+        }
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto &x, const auto &y) { return x.first < y.first; });
+    QStringList near;
+    for (const auto &[far, name] : ranked) {
+        if (near.size() < 3) {
+            near += name;
+        }
+    }
+    return near;
+}
+
+/// "x", "x or y", "x, y or z".
+QString alternatives(const QStringList &names)
+{
+    if (names.size() < 2) {
+        return names.join(QString());
+    }
+    return CommandLine::tr("%1 or %2").arg(names.first(names.size() - 1).join(QStringLiteral(", ")), names.last());
+}
+
+QString helpHint(Subcommand subcommand)
+{
+    return subcommand == Subcommand::Window
+               ? CommandLine::tr("\"slidercrank --help\" lists them.")
+               : CommandLine::tr("\"slidercrank %1 --help\" lists them.").arg(wordOf(subcommand));
+}
+
+/// Takes checked values from what was parsed. The first fault is kept; after it the values mean nothing.
+class OptionReader
+{
+public:
+    explicit OptionReader(const QCommandLineParser &parser)
+        : m_parser(parser)
+    {
+    }
+
+    const std::optional<QString> &fault() const { return m_fault; }
+
+    void refuse(const QString &sentence)
+    {
+        if (!m_fault) {
+            m_fault = sentence;
+        }
+    }
+
+    bool has(const char *name) const { return m_parser.isSet(QLatin1String(name)); }
+    QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
+
+    double number(const char *name, double otherwise)
+    {
+        if (!has(name)) {
+            return otherwise;
+        }
+        const std::optional<double> number = parsed<double>(text(name));
+        if (!number || !std::isfinite(*number)) {
+            refuse(CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
+                       .arg(QLatin1String(name), text(name)));
+            return otherwise;
+        }
+        return *number;
+    }
+
+    /// Of a magnitude that every computation bears.
+    double boundedNumber(const char *name, double otherwise)
+    {
+        const double value = number(name, otherwise);
+        if (std::abs(value) > kLargestParameter) {
+            refuse(tooLarge(name));
+        }
+        return value;
+    }
+
+    int integer(const char *name, int otherwise, int smallest, int largest)
+    {
+        if (!has(name)) {
+            return otherwise;
+        }
+        const std::optional<int> number = parsed<int>(text(name));
+        if (!number || *number < smallest || *number > largest) {
+            refuse(CommandLine::tr("--%1 must be a whole number from %2 to %3, not \"%4\".")
+                       .arg(QLatin1String(name))
+                       .arg(smallest)
+                       .arg(largest)
+                       .arg(text(name)));
+            return otherwise;
+        }
+        return *number;
+    }
+
+    template <typename Choice>
+    Choice choice(const char *name, Choice otherwise, std::initializer_list<std::pair<const char *, Choice>> choices)
+    {
+        if (!has(name)) {
+            return otherwise;
+        }
+        QStringList words;
+        for (const auto &[word, meaning] : choices) {
+            if (text(name) == QLatin1String(word)) {
+                return meaning;
+            }
+            words += QLatin1String(word);
+        }
+        refuse(
+            CommandLine::tr("--%1 must be %2, not \"%3\".").arg(QLatin1String(name), alternatives(words), text(name)));
+        return otherwise;
+    }
+
+    /// Empty when not given.
+    QString file(const char *name)
+    {
+        if (has(name) && text(name).isEmpty()) {
+            refuse(CommandLine::tr("--%1 needs the name of a file.").arg(QLatin1String(name)));
+        }
+        return text(name);
+    }
+
+    static QString tooLarge(const char *name)
+    {
+        return CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(QLatin1String(name));
+    }
+
+private:
+    const QCommandLineParser &m_parser;
+    std::optional<QString> m_fault;
+};
+
+const char *optionOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return "a";
+    case Parameter::B: return "b";
+    case Parameter::C: return "c";
+    case Parameter::Omega2: return "omega2";
+    case Parameter::Theta20: return "theta20";
+    }
+    return "";
+}
+
+Mechanism readMechanism(OptionReader &reader)
+{
+    Parameters parameters;
+    parameters.a = reader.number("a", parameters.a);
+    parameters.b = reader.number("b", parameters.b);
+    parameters.c = reader.number("c", parameters.c);
+    parameters.omega2 = reader.number("omega2", parameters.omega2);
+    parameters.theta20 = reader.number("theta20", parameters.theta20);
+    parameters.branch =
+        reader.choice("branch", parameters.branch, {{"open", Branch::Open}, {"crossed", Branch::Crossed}});
+    const std::optional<ParameterFault> fault = findFault(parameters);
+    if (!fault) {
+        return Mechanism(parameters);
+    }
+    const char *const name = optionOf(fault->parameter);
+    switch (fault->reason) {
+    case ParameterFault::Reason::NotFinite: // number() refuses these itself
+    case ParameterFault::Reason::TooLarge: reader.refuse(OptionReader::tooLarge(name)); break;
+    case ParameterFault::Reason::NotPositive:
+        reader.refuse(
+            CommandLine::tr("--%1 must be greater than 0, not %2.").arg(QLatin1String(name), reader.text(name)));
+        break;
+    }
+    return {};
+}
+
+Sampling readSampling(OptionReader &reader)
+{
+    Sampling sampling;
+    sampling.start = reader.boundedNumber("start", sampling.start);
+    sampling.duration = reader.boundedNumber("duration", sampling.duration);
+    sampling.steps = reader.integer("steps", sampling.steps, 1, kMostSteps);
+    if (!(sampling.duration > 0.0)) {
+        reader.refuse(CommandLine::tr("--duration must be greater than 0, not %1.").arg(reader.text("duration")));
+    }
+    // Doubles are coarsest at the end that is farther from 0: if neighbours differ there, they do everywhere.
+    const double farthest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
+    const double spacing = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
+    if (sampling.duration / sampling.steps < 2.0 * spacing) {
+        reader.refuse(CommandLine::tr("The instants lie too close together to be told apart: choose fewer --steps, a "
+                                      "longer --duration or a --start nearer to 0."));
+    }
+    return sampling;
+}
+
+SolverSettings readSolver(OptionReader &reader)
+{
+    SolverSettings solver;
+    solver.method =
+        reader.choice("method", solver.method, {{"newton", Method::Newton}, {"closed-form", Method::ClosedForm}});
+    solver.newton.maxIterations = reader.integer("max-iterations", solver.newton.maxIterations, 1, 1'000'000);
+    solver.newton.tolerance = reader.number("tolerance", solver.newton.tolerance);
+    if (!(solver.newton.tolerance >= 0.0)) {
+        reader.refuse(CommandLine::tr("--tolerance must be 0 or more, not %1.").arg(reader.text("tolerance")));
+    }
+    return solver;
+}
+
+/// For --at-angle.
+double readCrankInstant(OptionReader &reader, const Mechanism &mechanism, double start)
+{
+    const double degrees = reader.boundedNumber("at-angle", 0.0);
+    const std::optional<double> instant = instantAtCrankAngle(mechanism, degrees, start);
+    if (!instant && mechanism.omega2() == 0.0) {
+        reader.refuse(CommandLine::tr("The crank stands still (--omega2 0) and never comes to %1°: choose another "
+                                      "--omega2, or set its angle with --theta20.")
+                          .arg(reader.text("at-angle")));
+    } else if (!instant || std::abs(*instant) > kLargestParameter) {
+        reader.refuse(CommandLine::tr("The crank turns too slowly to come to %1° within 1e12 s: choose a larger "
+                                      "--omega2.")
+                          .arg(reader.text("at-angle")));
+    }
+    return instant.value_or(start);
+}
+
+ChannelSet readChannels(OptionReader &reader)
+{
+    if (!reader.has("channels") || reader.text("channels") == u"all") {
+        return allChannels();
+    }
+    ChannelSet channels;
+    for (const QString &part : reader.text("channels").split(u',')) {
+        const QString name = part.trimmed();
+        if (const std::optional<Channel> channel = channelNamed(name.toStdString())) {
+            channels.set(indexOf(*channel));
+            continue;
+        }
+        QStringList names;
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            const std::string_view known = nameOf(channelAt(index));
+            names += QString::fromUtf8(known.data(), static_cast<qsizetype>(known.size()));
+        }
+        const QStringList near = nearest(name, names);
+        reader.refuse(near.isEmpty() ? CommandLine::tr("--channels: there is no channel \"%1\"; there are %2.")
+                                           .arg(name, names.join(QStringLiteral(", ")))
+                                     : CommandLine::tr("--channels: there is no channel \"%1\"; did you mean %2?")
+                                           .arg(name, alternatives(near)));
+    }
+    return channels;
+}
+
+void refusePositional(OptionReader &reader, const QStringList &positional, Subcommand subcommand)
+{
+    if (!positional.isEmpty()) {
+        reader.refuse(CommandLine::tr("\"slidercrank %1\" takes options only: remove \"%2\".")
+                          .arg(wordOf(subcommand), positional.first()));
+    }
+}
+
+Command readSolve(OptionReader &reader, const QStringList &positional)
+{
+    SolveOptions options;
+    refusePositional(reader, positional, Subcommand::Solve);
+    options.mechanism = readMechanism(reader);
+    if (reader.has("at-angle")) {
+        for (const char *name : {"steps", "duration"}) {
+            if (reader.has(name)) {
+                reader.refuse(CommandLine::tr("--at-angle asks for one instant and --%1 for a run: remove one of them.")
+                                  .arg(QLatin1String(name)));
+            }
+        }
+        options.atInstant = readCrankInstant(reader, options.mechanism, reader.boundedNumber("start", 0.0));
+    } else {
+        options.sampling = readSampling(reader);
+    }
+    options.solver = readSolver(reader);
+    options.channels = readChannels(reader);
+    options.angleUnit =
+        reader.choice("angle-unit", options.angleUnit, {{"deg", AngleUnit::Degree}, {"rad", AngleUnit::Radian}});
+    options.format = reader.choice("format", options.format, {{"csv", Format::Csv}, {"json", Format::Json}});
+    options.output = reader.file("output");
+    return options;
+}
+
+Command readCompare(OptionReader &reader, const QStringList &positional)
+{
+    CompareOptions options;
+    if (positional.isEmpty() || positional.first().isEmpty()) {
+        reader.refuse(CommandLine::tr("\"slidercrank compare\" needs a file: slidercrank compare FILE."));
+    } else if (positional.size() > 1) {
+        reader.refuse(CommandLine::tr("\"slidercrank compare\" takes one file, not %1: remove \"%2\".")
+                          .arg(positional.size())
+                          .arg(positional[1]));
+    } else {
+        options.file = positional.first();
+    }
+    options.mechanism = readMechanism(reader);
+    options.format =
+        reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
+    options.failOnDifference = reader.has("fail-on-difference");
+    options.output = reader.file("output");
+    if (!options.output.isEmpty() && QFileInfo::exists(options.output) &&
+        QFileInfo(options.output) == QFileInfo(options.file)) {
+        reader.refuse(CommandLine::tr("--output would overwrite the file that is compared: choose another name."));
+    }
+    return options;
+}
+
+std::optional<QSize> parsedSize(const QString &text)
+{
+    const QStringList sides = text.split(u'x');
+    if (sides.size() != 2) {
+        return std::nullopt;
+    }
+    const std::optional<int> width = parsed<int>(sides[0]);
+    const std::optional<int> height = parsed<int>(sides[1]);
+    return width && height ? std::optional(QSize(*width, *height)) : std::nullopt;
+}
+
+void readSubject(OptionReader &reader, RenderOptions &options)
+{
+    using Subject = RenderOptions::Subject;
+    const QString what = reader.has("what") ? reader.text("what") : QStringLiteral("figure");
+    QStringList plots;
+    for (const Channel channel : kPlottedChannels) {
+        const std::string_view name = nameOf(channel);
+        plots += QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    }
+    plots += {QStringLiteral("error_position"), QStringLiteral("error_velocity"), QStringLiteral("error_acceleration")};
+    if (what == u"figure") {
+        options.subject = Subject::Figure;
+        options.size = QSize(1400, 1800);
+    } else if (what == u"mechanism") {
+        options.subject = Subject::Mechanism;
+        options.size = QSize(900, 700);
+    } else if (plots.contains(what)) {
+        options.subject = Subject::Plot;
+        options.plot = what;
+        options.size = QSize(900, 600);
+    } else {
+        reader.refuse(CommandLine::tr("--what must be figure, mechanism or one of the plots %1, not \"%2\".")
+                          .arg(alternatives(plots), what));
+    }
+}
+
+Command readRender(OptionReader &reader, const QStringList &positional)
+{
+    RenderOptions options;
+    refusePositional(reader, positional, Subcommand::Render);
+    readSubject(reader, options);
+    options.output = reader.file("output");
+    if (options.output.isEmpty()) {
+        reader.refuse(
+            CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf."));
+    } else if (!figureFormatOf(options.output)) {
+        reader.refuse(CommandLine::tr("--output must end in .png, .svg or .pdf, not be \"%1\".").arg(options.output));
+    }
+    options.mechanism = readMechanism(reader);
+    options.sampling = readSampling(reader);
+    options.solver = readSolver(reader);
+    options.reference = reader.file("reference");
+    options.theme = reader.choice("theme", options.theme, {{"light", Theme::Light}, {"dark", Theme::Dark}});
+
+    // What a PNG can hold, and a little less than what a person could have meant.
+    constexpr int kLargestSide = 20'000;
+    if (reader.has("size")) {
+        const std::optional<QSize> size = parsedSize(reader.text("size"));
+        if (size && std::min(size->width(), size->height()) >= 100 &&
+            std::max(size->width(), size->height()) <= kLargestSide) {
+            options.size = *size;
+        } else {
+            reader.refuse(CommandLine::tr("--size must be width x height in pixels, each from 100 to %1, such as "
+                                          "900x600, not \"%2\".")
+                              .arg(kLargestSide)
+                              .arg(reader.text("size")));
+        }
+    }
+    options.scale = reader.number("scale", options.scale);
+    if (!(options.scale >= 0.1 && options.scale <= 10.0)) {
+        reader.refuse(CommandLine::tr("--scale must be from 0.1 to 10, not %1.").arg(reader.text("scale")));
+    }
+    if (options.scale * std::max(options.size.width(), options.size.height()) > kLargestSide) {
+        reader.refuse(CommandLine::tr("The picture would be larger than %1 pixels: choose a smaller --size or --scale.")
+                          .arg(kLargestSide));
+    }
+
+    options.poseInstant = options.sampling.start;
+    if (reader.has("at") && reader.has("at-angle")) {
+        reader.refuse(CommandLine::tr("--at and --at-angle both choose the instant: remove one of them."));
+    } else if (reader.has("at")) {
+        options.poseInstant = reader.boundedNumber("at", 0.0);
+    } else if (reader.has("at-angle")) {
+        options.poseInstant = readCrankInstant(reader, options.mechanism, options.sampling.start);
+    }
+    const double end = options.sampling.start + options.sampling.duration;
+    if (options.subject != RenderOptions::Subject::Mechanism &&
+        (options.poseInstant < options.sampling.start || options.poseInstant > end)) {
+        reader.refuse(CommandLine::tr("The cursor's instant, t = %1 s, lies outside the run from %2 s to %3 s: choose "
+                                      "another instant, or another --start or --duration.")
+                          .arg(QString::number(options.poseInstant, 'g', 6),
+                               QString::number(options.sampling.start, 'g', 6), QString::number(end, 'g', 6)));
+    }
+    return options;
+}
+
+Command readWindow(OptionReader &reader, const QStringList &positional)
+{
+    if (!positional.isEmpty()) {
+        const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("render")};
+        reader.refuse(words.contains(positional.first())
+                          ? CommandLine::tr("The command must come first: slidercrank %1 …").arg(positional.first())
+                          : CommandLine::tr("There is no command \"%1\": use solve, compare or render, or no word at "
+                                            "all for the window.")
+                                .arg(positional.first()));
+    }
+    return WindowOptions{reader.file("reference")};
+}
+
+/// What is wrong with the shape of the line: unknown, repeated or unfinished options.
+std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFormed, const QStringList &arguments,
+                                  const std::vector<OptionGroup> &groups, Subcommand subcommand)
+{
+    if (const QStringList unknown = parser.unknownOptionNames(); !unknown.isEmpty()) {
+        const QString &name = unknown.first();
+        QStringList names;
+        for (const OptionGroup &group : groups) {
+            for (const OptionEntry &entry : group.entries) {
+                names += QStringLiteral("--") + QLatin1String(entry.name);
+            }
+        }
+        const auto typed = std::find_if(arguments.begin(), arguments.end(), [&](const QString &argument) {
+            const QString word = argument.section(u'=', 0, 0);
+            return word == u'-' + name || word == QStringLiteral("--") + name;
+        });
+        const QString shown = typed == arguments.end() ? name : typed->section(u'=', 0, 0);
+        const QStringList near = nearest(shown, names);
+        const QString what = CommandLine::tr("There is no option %1 here").arg(shown);
+        return near.isEmpty() ? what + QStringLiteral(": ") + helpHint(subcommand)
+                              : CommandLine::tr("%1; did you mean %2?").arg(what, alternatives(near));
+    }
+    for (const OptionGroup &group : groups) {
+        for (const OptionEntry &entry : group.entries) {
+            const QLatin1String name(entry.name);
+            if (parser.optionNames().count(name) > 1) {
+                return CommandLine::tr("--%1 is given more than once: keep one of them.").arg(name);
+            }
+            if (!wellFormed && entry.value &&
+                (arguments.last() == QStringLiteral("--") + name || arguments.last() == u'-' + name)) {
+                return CommandLine::tr("--%1 needs a value: --%1 %2.").arg(name, QLatin1String(entry.value));
+            }
+        }
+    }
+    return wellFormed ? std::nullopt : std::optional(parser.errorText());
+}
+
+} // namespace
+
+Command parseCommandLine(const QStringList &arguments)
+{
+    Subcommand subcommand = Subcommand::Window;
+    for (const Subcommand candidate : {Subcommand::Solve, Subcommand::Compare, Subcommand::Render}) {
+        if (arguments.size() > 1 && arguments[1] == wordOf(candidate)) {
+            subcommand = candidate;
+        }
+    }
+    QStringList rest = arguments;
+    if (subcommand != Subcommand::Window) {
+        rest.removeAt(1);
+    }
+
+    const std::vector<OptionGroup> groups = optionGroupsOf(subcommand);
+    QCommandLineParser parser;
+    parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
+    for (const OptionGroup &group : groups) {
+        for (const OptionEntry &entry : group.entries) {
+            parser.addOption(QCommandLineOption(QLatin1String(entry.name), QString(), QLatin1String(entry.value)));
+        }
+    }
+    const bool wellFormed = parser.parse(rest); // process() would end the program by itself
+    if (parser.isSet(QStringLiteral("help"))) {
+        return Answer{helpOf(subcommand)};
+    }
+    if (const std::optional<QString> fault = shapeFault(parser, wellFormed, rest, groups, subcommand)) {
+        return WrongCommandLine{*fault};
+    }
+    if (parser.isSet(QStringLiteral("version"))) {
+        return Answer{QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n")};
+    }
+
+    OptionReader reader(parser);
+    const QStringList positional = parser.positionalArguments();
+    Command command;
+    switch (subcommand) {
+    case Subcommand::Window: command = readWindow(reader, positional); break;
+    case Subcommand::Solve: command = readSolve(reader, positional); break;
+    case Subcommand::Compare: command = readCompare(reader, positional); break;
+    case Subcommand::Render: command = readRender(reader, positional); break;
+    }
+    if (reader.fault()) {
+        return WrongCommandLine{*reader.fault()};
+    }
+    return command;
+}
+
+} // namespace slidercrank

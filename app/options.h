@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The command line → what is to be done, every value checked, or one sentence that says what is wrong and what to do.
+// Numbers are read whole and with a decimal point, whatever the locale.
+
+#include "core/channel.h"
+#include "core/mechanism.h"
+#include "core/trajectory.h"
+#include "ui/theme.h"
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <variant>
+
+namespace slidercrank
+{
+
+enum class AngleUnit { Degree, Radian };
+enum class Format { Text, Csv, Json };
+
+struct SolveOptions {
+    Mechanism mechanism;
+    Sampling sampling;
+    std::optional<double> atInstant; ///< s; this one instant instead of the run
+    SolverSettings solver;
+    ChannelSet channels;
+    AngleUnit angleUnit = AngleUnit::Degree;
+    Format format = Format::Csv;
+    QString output; ///< empty: standard output
+};
+
+struct CompareOptions {
+    Mechanism mechanism;
+    QString file;
+    Format format = Format::Text;
+    bool failOnDifference = false;
+    QString output; ///< empty: standard output
+};
+
+struct RenderOptions {
+    enum class Subject { Figure, Mechanism, Plot };
+    Mechanism mechanism;
+    Sampling sampling;
+    SolverSettings solver;
+    double poseInstant = 0.0; ///< s
+    QString reference;        ///< empty: none
+    Subject subject = Subject::Figure;
+    QString plot; ///< for Subject::Plot, its channel, or error_position, error_velocity, error_acceleration
+    QString output;
+    QSize size; ///< px before scaling
+    double scale = 1.0;
+    Theme theme = Theme::Light;
+};
+
+struct WindowOptions {
+    QString reference; ///< empty: none
+};
+
+/// Help or version: to be printed, and done.
+struct Answer {
+    QString text;
+};
+
+struct WrongCommandLine {
+    QString sentence;
+};
+
+using Command = std::variant<WindowOptions, SolveOptions, CompareOptions, RenderOptions, Answer, WrongCommandLine>;
+
+/// `arguments` as QCoreApplication::arguments() gives them, the program's name first.
+Command parseCommandLine(const QStringList &arguments);
+
+} // namespace slidercrank

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output.h"
+
+#include "app/command_line.h"
+
+#include <QDir>
+
+#include <cstdio>
+
+namespace slidercrank
+{
+
+Output::Output(const QString &path)
+    : m_path(path)
+    , m_file(path)
+{
+}
+
+QFileDevice &Output::device()
+{
+    return m_path.isEmpty() ? static_cast<QFileDevice &>(m_standardOutput) : m_file;
+}
+
+QString Output::failure()
+{
+    return m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(device().errorString())
+                            : CommandLine::tr("%1 cannot be written: %2. Choose another file or folder with --output.")
+                                  .arg(QDir::toNativeSeparators(m_path), device().errorString());
+}
+
+std::optional<QString> Output::open()
+{
+    const bool open =
+        m_path.isEmpty() ? m_standardOutput.open(stdout, QIODevice::WriteOnly) : m_file.open(QIODevice::WriteOnly);
+    if (!open) {
+        m_failed = true;
+        return failure();
+    }
+    return std::nullopt;
+}
+
+bool Output::write(const QByteArray &bytes)
+{
+    if (!m_failed && device().write(bytes) != bytes.size()) {
+        m_failed = true;
+    }
+    return !m_failed;
+}
+
+std::optional<QString> Output::finish()
+{
+    if (!m_failed) {
+        m_failed = m_path.isEmpty() ? !m_standardOutput.flush() : !m_file.commit();
+    }
+    if (m_failed) {
+        return failure();
+    }
+    return std::nullopt;
+}
+
+} // namespace slidercrank

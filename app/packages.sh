@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What must be on the system to build and run the program and its tests. Sourced by app/run and tests/run.
+# shellcheck shell=bash disable=SC2034
+
+programPackages=(g++ cmake ninja-build libeigen3-dev libqcustomplot-dev qt6-base-dev qt6-svg-dev fonts-dejavu-core)
+testPackages=(libboost-dev)
+
+# Own packages only in newer releases (Debian 13); before that, part of one of those above.
+packagesSplitOff=(qt6-svg-plugins)
+
+requirements="a C++20 compiler, CMake 3.25 or later, Ninja, Eigen 3.4 or later, Qt 6.4 or later with its SVG and print \
+modules, QCustomPlot 2.1 built for Qt 6, and for the tests also Boost's headers"
+
+# isInstalled PACKAGE
+isInstalled() {
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed* ]]
+}
+
+# asRoot COMMAND…: through sudo where need be.
+asRoot() {
+    if ((EUID == 0)); then
+        "$@"
+    else
+        sudo "$@"
+    fi
+}
+
+# installMissing LOG PACKAGE…: installs those that are missing, and says so. On a system without apt it leaves it to CMake to
+# tell what is missing.
+installMissing() {
+    local log=$1 package missing=()
+    shift
+    command -v apt-get >/dev/null || return 0
+    for package in "$@"; do
+        isInstalled "$package" || missing+=("$package")
+    done
+    if ((${#missing[@]} > 0)); then
+        echo "Installing ${missing[*]}" >&2
+        # A list that cannot be brought up to date may still be good enough.
+        asRoot apt-get update >"$log" 2>&1 </dev/null || true
+    fi
+    for package in "${packagesSplitOff[@]}"; do
+        if ! isInstalled "$package" && apt-cache show "$package" >/dev/null 2>&1; then
+            missing+=("$package")
+        fi
+    done
+    ((${#missing[@]} > 0)) || return 0
+    if ! asRoot env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends \
+        -o DPkg::Lock::Timeout=300 "${missing[@]}" >>"$log" 2>&1 </dev/null; then
+        echo "Could not install ${missing[*]} (no network, or no right to? apt-get's own words are in $log)." >&2
+        return 1
+    fi
+}

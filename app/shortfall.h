@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Which instants of a run could not be answered, or only in part: the exit status, and the sentence that says so.
+
+#include "app/command_line.h"
+#include "core/mechanism.h"
+
+#include <QString>
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace slidercrank
+{
+
+class Shortfall
+{
+public:
+    void add(std::span<const double> time, std::span<const Status> status);
+
+    /// Done, NotAssemblable or NotSolved.
+    ExitStatus exitStatus() const;
+
+    /// How many instants, where the first of them, and what would help; empty when every instant was solved.
+    QString sentence(const Mechanism &mechanism, int maxIterations) const;
+
+private:
+    struct Instants {
+        std::size_t count = 0;
+        double first = 0.0; ///< s
+    };
+    const Instants &of(Status status) const { return m_instants[static_cast<std::size_t>(status)]; }
+
+    std::array<Instants, 5> m_instants; ///< by Status
+    std::size_t m_total = 0;
+};
+
+} // namespace slidercrank
