@@ -97,6 +97,7 @@ MainWindow::MainWindow(QWidget *parent)
     qApp->installEventFilter(this);
 
     m_parameterPanel->setParameters(m_session->parameters());
+    m_timeline->setParameters(m_session->parameters());
     m_timeline->setSampling(m_session->sampling());
     m_newtonPanel->setSettings(m_session->sampling(), m_session->solver());
     const std::shared_ptr<const Result> &result = m_session->result();
@@ -260,6 +261,7 @@ void MainWindow::connectRooms()
                 m_session->setSampling(sampling);
             });
     connect(m_session, &Session::parametersChanged, m_parameterPanel, &ParameterPanel::setParameters);
+    connect(m_session, &Session::parametersChanged, m_timeline, &Timeline::setParameters);
     connect(m_session, &Session::settingsChanged, m_newtonPanel, &NewtonPanel::setSettings);
     connect(m_session, &Session::settingsChanged, m_timeline,
             [this](const Sampling &sampling) { m_timeline->setSampling(sampling); });

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The window as its user has it: hands on the controls, eyes on what is painted.
+
+#include "ui/folding_tabs.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/timeline.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemModel>
+#include <QApplication>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+
+const QStringList kPlots = {"plot_theta3",       "plot_R4_x",       "plot_error_position",
+                            "plot_theta3_diff",  "plot_R4_x_diff",  "plot_error_velocity",
+                            "plot_theta3_diff2", "plot_R4_x_diff2", "plot_error_acceleration"};
+
+QImage pictureOf(QWidget &window, const QString &name)
+{
+    QWidget *widget = window.findChild<QWidget *>(name);
+    if (!widget) {
+        qFatal("no widget named %s", qPrintable(name));
+    }
+    QCoreApplication::processEvents();
+    return widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+bool isBlank(const QImage &image)
+{
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            if (image.pixel(x, y) != image.pixel(0, 0)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+void drop(QWidget &window, const QString &path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    const QPointF middle = window.rect().center();
+    QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    QVERIFY(event.isAccepted());
+}
+
+Parameters withCoupler(double b)
+{
+    Parameters parameters;
+    parameters.b = b;
+    return parameters;
+}
+
+} // namespace
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QApplication::setStyle(QStringLiteral("Fusion"));
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void startsCalmWithEverythingDrawn()
+    {
+        QCOMPARE(m_window->session().time(), 0.0);
+        QVERIFY(!m_window->findChild<Timeline *>()->isPlaying());
+        QVERIFY(!m_window->findChild<MessageBar *>()->isVisible());
+        for (const QString &name : kPlots) {
+            QVERIFY2(!isBlank(pictureOf(*m_window, name)), qPrintable(name));
+        }
+        QVERIFY(!isBlank(pictureOf(*m_window, QStringLiteral("mechanismView"))));
+    }
+
+    void everyControlHasAName()
+    {
+        for (QWidget *widget : m_window->findChildren<QWidget *>()) {
+            const bool control = qobject_cast<QAbstractButton *>(widget) || qobject_cast<QAbstractSlider *>(widget) ||
+                                 qobject_cast<QComboBox *>(widget) || qobject_cast<QLineEdit *>(widget);
+            const bool ours = !widget->objectName().startsWith(QLatin1String("qt_"));
+            if (control && ours && widget->isVisibleTo(m_window.get())) {
+                const auto *button = qobject_cast<QAbstractButton *>(widget);
+                const QString name =
+                    widget->accessibleName().isEmpty() && button ? button->text() : widget->accessibleName();
+                const QWidget *owner = widget->parentWidget(); // a box's own line edit speaks with the box's name
+                QVERIFY2(!name.isEmpty() || !owner->accessibleName().isEmpty() || owner->inherits("QScrollBar") ||
+                             widget->inherits("QScrollBar"),
+                         qPrintable(widget->objectName() + QLatin1String(widget->metaObject()->className())));
+            }
+        }
+    }
+
+    void movingASliderChangesWhatIsPainted_data()
+    {
+        QTest::addColumn<QString>("slider");
+        QTest::addColumn<QString>("plot");
+        for (const char *name : {"a", "b", "c", "omega2", "theta20"}) {
+            QTest::newRow(name) << QStringLiteral("slider_%1").arg(QLatin1String(name))
+                                << QStringLiteral("plot_theta3_diff");
+        }
+    }
+
+    void movingASliderChangesWhatIsPainted()
+    {
+        QFETCH(const QString, slider);
+        QFETCH(const QString, plot);
+        auto *control = m_window->findChild<QSlider *>(slider);
+        QVERIFY(control);
+        const QImage before = pictureOf(*m_window, plot);
+        const Parameters parameters = m_window->session().parameters();
+        control->setValue(control->value() + (control->maximum() - control->minimum()) / 20);
+        QVERIFY(!(m_window->session().parameters() == parameters));
+        QVERIFY(pictureOf(*m_window, plot) != before);
+    }
+
+    void scrubbingMovesThePose()
+    {
+        auto *slider = m_window->findChild<QSlider *>(QStringLiteral("timeSlider"));
+        const QImage before = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        slider->setValue((slider->minimum() + slider->maximum()) / 4);
+        QVERIFY(m_window->session().time() > 0.2);
+        QVERIFY(m_window->session().time() < 0.3);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != before);
+    }
+
+    void clickingAPlotScrubs()
+    {
+        auto *plot = m_window->findChild<QWidget *>(QStringLiteral("plot_R4_x"));
+        QTest::mouseClick(plot, Qt::LeftButton, Qt::NoModifier, plot->rect().center());
+        QTRY_VERIFY(m_window->session().time() > 0.3 && m_window->session().time() < 0.7);
+    }
+
+    void playingFollowsTheClock()
+    {
+        auto *timeline = m_window->findChild<Timeline *>();
+        QTest::mouseClick(m_window->findChild<QAbstractButton *>(QStringLiteral("playButton")), Qt::LeftButton);
+        QVERIFY(timeline->isPlaying());
+        QElapsedTimer clock;
+        clock.start();
+        const double from = m_window->session().time();
+        QTest::qWait(400);
+        const double shown = m_window->session().time() - from;
+        const double elapsed = static_cast<double>(clock.elapsed()) * 1e-3;
+        QVERIFY2(shown > 0.5 * elapsed && shown < elapsed + 0.1,
+                 qPrintable(QStringLiteral("%1 s shown in %2 s").arg(shown).arg(elapsed)));
+        timeline->pause();
+        const double paused = m_window->session().time();
+        QTest::qWait(100);
+        QCOMPARE(m_window->session().time(), paused);
+    }
+
+    void playbackKeysWorkFromAnywhereButWhereTheyAreNeeded()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *view = m_window->findChild<QWidget *>(QStringLiteral("mechanismView"));
+        view->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_End);
+        QCOMPARE(m_window->session().time(), 1.0);
+        QTest::keyClick(m_window.get(), Qt::Key_Left);
+        QVERIFY(std::abs(m_window->session().time() - 0.995) < 1e-9);
+        QTest::keyClick(m_window.get(), Qt::Key_Home);
+        QCOMPARE(m_window->session().time(), 0.0);
+
+        auto *slider = m_window->findChild<QSlider *>(QStringLiteral("slider_b"));
+        slider->setFocus();
+        const double b = m_window->session().parameters().b;
+        QTest::keyClick(slider, Qt::Key_Right);
+        QVERIFY(m_window->session().parameters().b > b);
+        QCOMPARE(m_window->session().time(), 0.0);
+    }
+
+    void droppingACsvFillsOverlayAndTable()
+    {
+        const QImage curve = pictureOf(*m_window, QStringLiteral("plot_theta3"));
+        const QImage error = pictureOf(*m_window, QStringLiteral("plot_error_position"));
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        drop(*m_window, kSample);
+        QVERIFY(loaded.wait());
+        QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
+        QVERIFY(pictureOf(*m_window, QStringLiteral("plot_theta3")) != curve);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("plot_error_position")) != error);
+        const auto *table = m_window->findChild<QTableView *>();
+        QVERIFY(table && table->isVisible());
+        QCOMPARE(table->model()->rowCount(), 6);
+    }
+
+    void saysThatAFileIsOfAnotherMechanismAndOffersTheSamples()
+    {
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->openReference(kSample); // b = 60, on show is 65
+        QVERIFY(loaded.wait());
+        auto *bar = m_window->findChild<MessageBar *>();
+        QTRY_VERIFY(bar->isVisible());
+        QVERIFY2(bar->text().contains(QLatin1String("another mechanism")), qPrintable(bar->text()));
+
+        m_window->openSample();
+        QVERIFY(loaded.wait());
+        QTRY_VERIFY(bar->isVisible());
+        QVERIFY2(bar->text().contains(QLatin1String("60")), qPrintable(bar->text()));
+        QTest::mouseClick(bar->findChild<QAbstractButton *>(QStringLiteral("messageRemedy")), Qt::LeftButton);
+        QCOMPARE(m_window->session().parameters().b, 60.0);
+        for (const ChannelComparison &channel : m_window->session().result()->comparison) {
+            QCOMPARE(channel.verdict, Verdict::Agrees);
+        }
+    }
+
+    void aBadFileIsToldAndNothingIsLost()
+    {
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->openReference(kSample);
+        QVERIFY(loaded.wait());
+        QTemporaryDir folder;
+        const QString bad = folder.filePath(QStringLiteral("bad.csv"));
+        QFile file(bad);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("hello\n");
+        file.close();
+        auto *bar = m_window->findChild<MessageBar *>();
+        drop(*m_window, bad);
+        QTRY_VERIFY(bar->isVisible() && bar->text().contains(QLatin1String("bad.csv")));
+        QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
+        QTest::mouseClick(bar->findChild<QAbstractButton *>(QStringLiteral("messageDismiss")), Qt::LeftButton);
+        QVERIFY(!bar->isVisible());
+    }
+
+    void showsTheImpossibleAndRecovers()
+    {
+        const QImage possible = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        m_window->session().setParameters(withCoupler(4.0)); // under |c| - a = 5
+        const QImage impossible = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QVERIFY(impossible != possible);
+        m_window->session().setParameters(withCoupler(65.0));
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), possible);
+    }
+
+    void exportsImagesOfTheRightSize_data()
+    {
+        QTest::addColumn<QString>("suffix");
+        QTest::addColumn<QByteArray>("start");
+        QTest::newRow("PNG") << QStringLiteral("png") << QByteArray("\x89PNG");
+        QTest::newRow("SVG") << QStringLiteral("svg") << QByteArray("<?xml");
+        QTest::newRow("PDF") << QStringLiteral("pdf") << QByteArray("%PDF");
+    }
+
+    void exportsImagesOfTheRightSize()
+    {
+        QFETCH(const QString, suffix);
+        QFETCH(const QByteArray, start);
+        QTemporaryDir folder;
+        const QString figure = folder.filePath(QStringLiteral("figure.") + suffix);
+        const QString plot = folder.filePath(QStringLiteral("plot.") + suffix);
+        const QString mechanism = folder.filePath(QStringLiteral("mechanism.") + suffix);
+        m_window->exportFigureTo(figure);
+        m_window->exportPlotTo(QStringLiteral("plot_R4_x"), plot);
+        m_window->exportMechanismTo(mechanism);
+        for (const QString &path : {figure, plot, mechanism}) {
+            QFile file(path);
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
+            QVERIFY2(file.read(start.size()) == start, qPrintable(path));
+            if (suffix == QLatin1String("png")) {
+                const QImage image(path);
+                QVERIFY2(!isBlank(image), qPrintable(path));
+                QVERIFY2(path != plot || image.size() == QSize(1800, 1200), qPrintable(path)); // 900×600, scale 2
+            }
+        }
+    }
+
+    void aFailedExportIsTold()
+    {
+        m_window->exportFigureTo(QStringLiteral("/no/such/folder/figure.png"));
+        QVERIFY(m_window->findChild<MessageBar *>()->isVisible());
+    }
+
+    void foldsThePanelsAwayWhenSmallUntilToldOtherwise()
+    {
+        auto *tabs = m_window->findChild<FoldingTabs *>();
+        QVERIFY(!tabs->isFolded());
+        m_window->resize(1024, 700);
+        QTRY_VERIFY(tabs->isFolded());
+        QVERIFY(m_window->width() <= 1024 && m_window->height() <= 700);
+        m_window->resize(1400, 900);
+        QTRY_VERIFY(!tabs->isFolded());
+        tabs->setFolded(true);
+        m_window->resize(1400, 910);
+        QTest::qWait(20);
+        QVERIFY(tabs->isFolded());
+    }
+
+    void themesSwitchLive()
+    {
+        m_window->setTheme(Theme::Light);
+        const QImage light = pictureOf(*m_window, QStringLiteral("plot_theta3"));
+        m_window->setTheme(Theme::Dark);
+        const QImage dark = pictureOf(*m_window, QStringLiteral("plot_theta3"));
+        QVERIFY(qGray(light.pixel(2, 2)) > 200);
+        QVERIFY(qGray(dark.pixel(2, 2)) < 80);
+        m_window->setTheme(Theme::Light);
+    }
+
+private:
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"
