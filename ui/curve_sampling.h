@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What of a curve of any number of samples a plot of so many pixels can show: at most two points a pixel column (the
+// smallest and the largest value, in the order in which they occur), gaps kept, cut off at the axes. Units are those of
+// the caller. A value that is not finite is a gap, written as NaN.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace slidercrank
+{
+
+struct Interval {
+    double lower = 0.0;
+    double upper = 1.0;
+
+    double length() const { return upper - lower; }
+    bool contains(double x) const { return lower <= x && x <= upper; }
+    friend bool operator==(const Interval &, const Interval &) = default;
+};
+
+struct CurvePoint {
+    double t = 0.0;
+    double value = 0.0; ///< NaN: a gap
+};
+
+/// Which samples lie in which pixel column of a time range; shared by all curves over the same instants.
+struct PixelColumns {
+    std::size_t first = 0; ///< the samples to draw: those within the range and one neighbour on either side,
+    std::size_t end = 0;   ///< so that the line reaches the edges
+
+    /// Where the samples of each column begin, and behind the last the end. Empty when there are at most two samples a
+    /// column: then all of them are drawn.
+    std::vector<std::size_t> starts;
+};
+
+/// `time`: ascending. `columns`: at least 1.
+PixelColumns pixelColumns(std::span<const double> time, const Interval &range, std::size_t columns);
+
+/// `values`: one for each of `time`.
+std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values,
+                                 const PixelColumns &columns);
+
+/// The smallest and the largest value that is a number; nothing when there is none.
+std::optional<Interval> extremes(std::span<const double> values);
+std::optional<Interval> extremes(std::span<const CurvePoint> points);
+
+/// The parts of the polyline within both ranges, cut exactly at the edges, with a gap between parts.
+std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values);
+
+/// Points that no line reaches because both neighbours are gaps.
+std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points);
+
+} // namespace slidercrank
