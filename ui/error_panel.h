@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far the reference data are from the model: a sentence that says whether they belong together, and a row a channel.
+// How far the reference data are from the model: a sentence that says whether they belong together, and a row a
+// channel.
 
 #include "ui/session.h"
 

@@ -27,7 +27,7 @@ public:
     explicit MechanismView(QWidget *parent = nullptr);
 
     /// Everything as vectors, for any device; background included.
-    void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette);
+    void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
     /// Where a point of the model (mm) is in this widget.
     QPointF toPixels(QPointF model) const;
@@ -56,11 +56,18 @@ private:
         QPointF crank;
         QPointF slider;
     };
+    struct Canvas;
 
-    QPointF crankPin() const; ///< where A is or would be
-    QRectF poseArea() const;  ///< pixels that drawing the pose touches
-    void updatePose(const QRectF &areaBefore);
-    QString explanation() const; ///< empty while the pose exists
+    Canvas canvas(const QSizeF &size, const QPalette &palette) const;
+    void paintScenery(QPainter &painter, const Canvas &on) const;
+    void paintPose(QPainter &painter, const Canvas &on) const;
+    void paintExplanation(QPainter &painter, const Canvas &on) const;
+    void refreshScenery();
+    void fitFrame();
+    QPointF crankPin() const;    ///< where A is, or would be
+    QRect poseArea() const;      ///< pixels that drawing the pose touches
+    QString explanation() const; ///< why there is no pose, and what would help; empty while there is one
+    bool nearCrankPin(QPointF pixel) const;
     void scrubTo(QPointF pixel);
 
     std::shared_ptr<const Result> m_result;

@@ -113,7 +113,8 @@ QSize NumberBox::sizeHint() const
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     const int cursor = 4; // px; what QAbstractSpinBox leaves for the blinking cursor, and a little air
-    const QSize content(fontMetrics().horizontalAdvance(m_widestText + m_suffix) + cursor, lineEdit()->sizeHint().height());
+    const QSize content(fontMetrics().horizontalAdvance(m_widestText + m_suffix) + cursor,
+                        lineEdit()->sizeHint().height());
     return style()->sizeFromContents(QStyle::CT_SpinBox, &option, content, this);
 }
 

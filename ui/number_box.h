@@ -12,7 +12,8 @@
 namespace slidercrank
 {
 
-/// A number as a person writes it: in the user's locale or with a decimal point; nothing where it is none, or not finite.
+/// A number as a person writes it: in the user's locale or with a decimal point; nothing where it is none, or not
+/// finite.
 std::optional<double> readNumber(const QString &text);
 
 /// At most so many significant digits, in the user's locale, no trailing zeros, no group separators.

@@ -170,8 +170,8 @@ protected:
         const int travel = width() - handle.width();
         const auto pixel = [&](double number) {
             const int position = static_cast<int>(std::lround(std::clamp(number, -m_range, m_range) / m_step));
-            return handle.width() / 2 +
-                   QStyle::sliderPositionFromValue(minimum(), maximum(), std::clamp(position, minimum(), maximum()), travel);
+            return handle.width() / 2 + QStyle::sliderPositionFromValue(
+                                            minimum(), maximum(), std::clamp(position, minimum(), maximum()), travel);
         };
         QPainter painter(this);
         const int top = height() - 4;
@@ -242,7 +242,8 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     row.slider->setAccessibleName(tr("%1, slider").arg(name));
     row.slider->setToolTip(wording.explanation);
     grid->addWidget(row.slider, line, 1);
-    connect(row.slider, &QSlider::valueChanged, this, [this, &row] { edit(row, fromUnitOf(row, row.slider->number())); });
+    connect(row.slider, &QSlider::valueChanged, this,
+            [this, &row] { edit(row, fromUnitOf(row, row.slider->number())); });
 
     row.box = new NumberBox;
     row.box->setObjectName(QStringLiteral("box_") + wording.key);
@@ -275,8 +276,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     row.reset->setAccessibleName(tr("Reset %1").arg(wording.symbol));
     row.reset->setToolTip(tr("Back to the report's Table 1"));
     grid->addWidget(row.reset, line, 4);
-    connect(row.reset, &QToolButton::clicked, this,
-            [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
+    connect(row.reset, &QToolButton::clicked, this, [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
 }
 
 void ParameterPanel::setParameters(const Parameters &parameters)
@@ -295,7 +295,7 @@ void ParameterPanel::edit(const Row &row, double value)
     }
     showParameters();
     if (usable) {
-        emit edited(m_parameters);
+        emit edited(wanted);
     }
 }
 
@@ -304,7 +304,8 @@ double ParameterPanel::halfTurnOf(const Row &row)
     if (!row.unit) {
         return 0.0;
     }
-    return (row.parameter == Parameter::Omega2 ? omegaUnit(row.unit->currentIndex()) : angleUnit(row.unit->currentIndex()))
+    return (row.parameter == Parameter::Omega2 ? omegaUnit(row.unit->currentIndex())
+                                               : angleUnit(row.unit->currentIndex()))
         .halfTurn;
 }
 
@@ -334,9 +335,8 @@ double ParameterPanel::sliderRangeFor(const Row &row, double value) const
     }
     // A slider is of use where its range is neither too short for the number nor much too long for the mechanism.
     constexpr double kMuchTooLong = 50.0;
-    const double size = isLength(row.parameter)
-                            ? std::max({m_parameters.a, m_parameters.b, std::abs(m_parameters.c)})
-                            : std::max(std::abs(value), usual / kMuchTooLong);
+    const double size = isLength(row.parameter) ? std::max({m_parameters.a, m_parameters.b, std::abs(m_parameters.c)})
+                                                : std::max(std::abs(value), usual / kMuchTooLong);
     const auto fits = [&](double range) { return std::abs(value) <= range && range <= kMuchTooLong * size; };
     if (row.slider->isSliderDown() || fits(row.slider->range())) {
         return row.slider->range(); // under the hand, or good enough: nothing moves

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Sliders and boxes for a, b, c, ω₂, θ₂₀, and the choice of the assembly. Keeps every number exact: what is shown may be
-// shortened, what was given is what comes back.
+// Sliders and boxes for a, b, c, ω₂, θ₂₀, and the choice of the assembly. Keeps every number exact: what is shown may
+// be shortened, what was given is what comes back.
 
 #include "core/mechanism.h"
 

@@ -58,7 +58,8 @@ private:
     double last() const;
     void nextFrame();
     void restartClock(double from);
-    void stepTo(double steps);
+    double stepsAt(double time) const; ///< since the start of the run
+    void stepTo(double step);
     void goToAngle(double degrees);
     void showTime();
 

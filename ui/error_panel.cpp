@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/error_panel.h"
+
+#include "ui/number_box.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+enum Column {
+    Name,
+    LargestError,
+    LargestErrorAt,
+    Rms,
+    LargestPercent,
+    LargestPercentAt,
+    PercentOfPeak,
+    RoundingStep,
+    Outcome
+};
+constexpr int kColumnCount = 9;
+constexpr int kErrorDigits = 3;
+
+QString dash()
+{
+    return QStringLiteral("–");
+}
+
+QString errorText(const std::optional<double> &value)
+{
+    return value ? shortNumber(*value, kErrorDigits) : dash();
+}
+
+QString instantText(double seconds)
+{
+    return shortNumber(seconds, 6);
+}
+
+/// As the report writes them: θ³, its derivatives with dots, R⁴x.
+QString symbolOf(Channel channel)
+{
+    const auto body = static_cast<int>(channel.coordinate) / 3;
+    const auto axis = static_cast<int>(channel.coordinate) % 3;
+    static const QString kBodies = QStringLiteral("¹²³⁴");
+    static const QString kDots[] = {QString(), QStringLiteral("\u0307"), QStringLiteral("\u0308")};
+    const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ") : QStringLiteral("R");
+    const QString symbol = letter + kDots[static_cast<int>(channel.order)] + kBodies[body];
+    if (isAngle(channel.coordinate)) {
+        return symbol;
+    }
+    return symbol + (axis == 0 ? QStringLiteral("x") : QStringLiteral("y"));
+}
+
+QString unitOf(Channel channel)
+{
+    const std::string_view unit = authorUnitOf(channel);
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+}
+
+QString fileNameOf(Channel channel)
+{
+    const std::string_view name = nameOf(channel);
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+QString verdictText(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::Agrees: return ErrorPanel::tr("✓ agrees");
+    case Verdict::Close: return ErrorPanel::tr("≈ close");
+    case Verdict::Differs: return ErrorPanel::tr("✗ differs");
+    }
+    return {};
+}
+
+QColor verdictColour(Verdict verdict, const SeriesColours &colours)
+{
+    switch (verdict) {
+    case Verdict::Agrees: return colours.errorOther;
+    case Verdict::Close: return colours.reference;
+    case Verdict::Differs: return colours.warning;
+    }
+    return {};
+}
+
+QString orderText(Order order)
+{
+    switch (order) {
+    case Order::Position: return ErrorPanel::tr("in position");
+    case Order::Velocity: return ErrorPanel::tr("in velocity");
+    case Order::Acceleration: return ErrorPanel::tr("in acceleration");
+    }
+    return {};
+}
+
+/// The largest percentage among positions if there is one, else among velocities, else among accelerations: ", by up
+/// to 20.9 % in position".
+QString extentText(const std::vector<ChannelComparison> &comparison)
+{
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        std::optional<double> largest;
+        for (const ChannelComparison &channel : comparison) {
+            if (channel.channel.order == order && channel.maxPercent) {
+                largest = std::max(largest.value_or(0.0), *channel.maxPercent);
+            }
+        }
+        if (largest) {
+            return ErrorPanel::tr(", by up to %1 % %2").arg(shortNumber(*largest, kErrorDigits), orderText(order));
+        }
+    }
+    return {};
+}
+
+QString lengthsText(const Mechanism &mechanism)
+{
+    return ErrorPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm")
+        .arg(shortNumber(mechanism.a()), shortNumber(mechanism.b()), shortNumber(mechanism.c()));
+}
+
+struct Tally {
+    int agrees = 0;
+    int close = 0;
+    int differs = 0;
+    std::size_t missing = 0; ///< most instants of a channel where the file has a value and the model none
+    int all() const { return agrees + close + differs; }
+};
+
+Tally tallyOf(const std::vector<ChannelComparison> &comparison)
+{
+    Tally tally;
+    for (const ChannelComparison &channel : comparison) {
+        switch (channel.verdict) {
+        case Verdict::Agrees: ++tally.agrees; break;
+        case Verdict::Close: ++tally.close; break;
+        case Verdict::Differs: ++tally.differs; break;
+        }
+        tally.missing = std::max(tally.missing, channel.missingModel);
+    }
+    return tally;
+}
+
+QString summaryOf(const Result &result, const Tally &tally)
+{
+    const QString file = result.reference->name;
+    if (tally.all() == 0) {
+        return ErrorPanel::tr("%1 has no column that this program knows.").arg(file);
+    }
+    if (tally.differs > 0) {
+        QString text = ErrorPanel::tr("✗ %1 does not belong to this mechanism: it differs in %2 of %3 channels%4.")
+                           .arg(file)
+                           .arg(tally.differs)
+                           .arg(tally.all())
+                           .arg(extentText(result.comparison));
+        if (tally.missing > 0) {
+            text += ErrorPanel::tr(" At %1 of its instants there is no motion to compare with.")
+                        .arg(QLocale().toString(static_cast<qulonglong>(tally.missing)));
+        }
+        return text + ErrorPanel::tr(" Check the lengths: here %1.").arg(lengthsText(result.mechanism));
+    }
+    if (tally.close > 0) {
+        return ErrorPanel::tr(
+                   "≈ %1 comes close to this mechanism: %2 of %3 channels agree, the others are a little beyond "
+                   "the file's rounding.")
+            .arg(file)
+            .arg(tally.agrees)
+            .arg(tally.all());
+    }
+    return tally.all() == 1
+               ? ErrorPanel::tr("✓ %1 agrees with this mechanism in its one channel.").arg(file)
+               : ErrorPanel::tr("✓ %1 agrees with this mechanism in all %2 channels.").arg(file).arg(tally.all());
+}
+
+/// One line about rows and columns of the file that were not used; details, a line each.
+struct LeftOut {
+    QString line;
+    QString details;
+};
+
+LeftOut leftOutOf(const ReferenceData &data)
+{
+    constexpr std::size_t kMostDetails = 12;
+    const auto text = [](const std::string &utf8) { return QString::fromStdString(utf8).toHtmlEscaped(); };
+    QStringList parts;
+    QStringList details;
+    if (!data.skipped.empty()) {
+        parts << (data.skipped.size() == 1
+                      ? ErrorPanel::tr("1 row of the file was skipped (line %1)").arg(data.skipped[0].line)
+                      : ErrorPanel::tr("%1 rows of the file were skipped").arg(data.skipped.size()));
+        for (std::size_t i = 0; i < std::min(kMostDetails, data.skipped.size()); ++i) {
+            const SkippedRow &row = data.skipped[i];
+            details << ErrorPanel::tr("Line %1, column %2: “%3” %4")
+                           .arg(row.line)
+                           .arg(row.column)
+                           .arg(text(row.text), text(row.reason));
+        }
+        if (data.skipped.size() > kMostDetails) {
+            details << ErrorPanel::tr("… and %1 more").arg(data.skipped.size() - kMostDetails);
+        }
+    }
+    if (!data.ignoredColumns.empty()) {
+        QStringList names;
+        for (const std::string &name : data.ignoredColumns) {
+            names << text(name);
+        }
+        parts << (names.size() == 1 ? ErrorPanel::tr("1 column was ignored")
+                                    : ErrorPanel::tr("%1 columns were ignored").arg(names.size()));
+        details << ErrorPanel::tr("Ignored: %1").arg(names.join(ErrorPanel::tr(", ")));
+    }
+    if (parts.isEmpty()) {
+        return {};
+    }
+    return {parts.join(ErrorPanel::tr("; ")) + ErrorPanel::tr("."), details.join(QStringLiteral("<br>"))};
+}
+
+} // namespace
+
+ErrorPanel::ErrorPanel(QWidget *parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("errorPanel"));
+    setAccessibleName(tr("Errors against the reference"));
+    m_pages = new QStackedWidget;
+    m_pages->addWidget(createEmptyPage());
+    m_pages->addWidget(createTablePage());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+}
+
+QWidget *ErrorPanel::createEmptyPage()
+{
+    auto *purpose =
+        new QLabel(tr("Load a simulation's exported motion (CSV) to see how far it is from this mechanism: the "
+                      "largest error of each channel, where it is, and whether it is more than the file's own "
+                      "rounding."));
+    purpose->setWordWrap(true);
+    purpose->setAlignment(Qt::AlignCenter);
+    auto *openReference = new QPushButton(tr("Open reference…"));
+    openReference->setObjectName(QStringLiteral("openReferenceButton"));
+    auto *openSample = new QPushButton(tr("Open the sample"));
+    openSample->setObjectName(QStringLiteral("openSampleButton"));
+    openSample->setToolTip(tr("The motion that the report's author exported from Inventor"));
+    connect(openReference, &QPushButton::clicked, this, &ErrorPanel::openReferenceRequested);
+    connect(openSample, &QPushButton::clicked, this, &ErrorPanel::openSampleRequested);
+
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(openReference);
+    buttons->addWidget(openSample);
+    buttons->addStretch(1);
+    auto *page = new QWidget;
+    auto *rows = new QVBoxLayout(page);
+    rows->addStretch(1);
+    rows->addWidget(purpose);
+    rows->addLayout(buttons);
+    rows->addStretch(1);
+    return page;
+}
+
+QWidget *ErrorPanel::createTablePage()
+{
+    m_verdict = new QLabel;
+    m_verdict->setObjectName(QStringLiteral("verdictLabel"));
+    m_verdict->setTextFormat(Qt::PlainText);
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+    struct Header {
+        QString title;
+        QString explanation;
+    };
+    const std::array<Header, kColumnCount> headers{{
+        {tr("channel"), tr("What is compared, and its unit")},
+        {tr("largest error"), tr("max |model − reference|, in the channel's unit")},
+        {tr("at [s]"), tr("Instant of the largest error")},
+        {tr("rms"), tr("√( mean of (model − reference)² ), in the channel's unit")},
+        {tr("largest %"),
+         tr("max |model − reference| / |reference| · 100, as in the report, over the instants where the "
+            "reference is not zero")},
+        {tr("at [s]"), tr("Instant of the largest percentage")},
+        {tr("% of peak"), tr("max |model − reference| / max |reference| · 100")},
+        {tr("file's step"),
+         tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
+            "channel's unit. Rounding alone makes an error of half of it.")},
+        {tr("verdict"),
+         tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
+            "close: none beyond a hundred halves\n"
+            "differs: anything else")},
+    }};
+    m_table = new QTableWidget(0, kColumnCount);
+    m_table->setObjectName(QStringLiteral("errorTable"));
+    m_table->setAccessibleName(tr("Errors, a row a channel"));
+    for (int column = 0; column < kColumnCount; ++column) {
+        const Header &header = headers[static_cast<std::size_t>(column)];
+        auto *item = new QTableWidgetItem(header.title);
+        item->setToolTip(header.explanation);
+        item->setTextAlignment(column == Name || column == Outcome ? Qt::AlignLeft | Qt::AlignVCenter
+                                                                   : Qt::AlignRight | Qt::AlignVCenter);
+        m_table->setHorizontalHeaderItem(column, item);
+    }
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setTabKeyNavigation(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setShowGrid(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->installEventFilter(this);
+    connect(m_table, &QTableWidget::cellClicked, this, &ErrorPanel::goToError);
+
+    m_leftOut = new QLabel;
+    m_leftOut->setObjectName(QStringLiteral("leftOutLabel"));
+    m_leftOut->setTextFormat(Qt::PlainText);
+    m_leftOut->setWordWrap(true);
+
+    auto *page = new QWidget;
+    auto *rows = new QVBoxLayout(page);
+    rows->setContentsMargins(6, 6, 6, 4);
+    rows->setSpacing(4);
+    rows->addWidget(m_verdict);
+    rows->addWidget(m_table, 1);
+    rows->addWidget(m_leftOut);
+    return page;
+}
+
+void ErrorPanel::setResult(const std::shared_ptr<const Result> &result)
+{
+    m_result = result;
+    m_stale = true;
+    if (isVisible()) {
+        fill();
+    }
+}
+
+void ErrorPanel::showEvent(QShowEvent *event)
+{
+    if (m_stale) {
+        fill();
+    }
+    QWidget::showEvent(event);
+}
+
+void ErrorPanel::changeEvent(QEvent *event)
+{
+    const bool repaints = event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange;
+    if (repaints && m_result) {
+        m_stale = true;
+        if (isVisible()) {
+            fill();
+        }
+    }
+    QWidget::changeEvent(event);
+}
+
+bool ErrorPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_table && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        if ((key == Qt::Key_Return || key == Qt::Key_Enter) && m_table->currentRow() >= 0) {
+            goToError(m_table->currentRow(), LargestError);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ErrorPanel::fill()
+{
+    m_stale = false;
+    const bool compared = m_result && m_result->reference;
+    m_pages->setCurrentIndex(compared ? 1 : 0);
+    if (!compared) {
+        return;
+    }
+    const SeriesColours colours = seriesColours(palette());
+    const std::vector<ChannelComparison> &comparison = m_result->comparison;
+    const Tally tally = tallyOf(comparison);
+    m_verdict->setText(summaryOf(*m_result, tally));
+    QPalette verdictPalette = palette();
+    const Verdict worst = tally.differs > 0 || tally.all() == 0 ? Verdict::Differs
+                          : tally.close > 0                     ? Verdict::Close
+                                                                : Verdict::Agrees;
+    verdictPalette.setColor(QPalette::WindowText, verdictColour(worst, colours));
+    m_verdict->setPalette(verdictPalette);
+
+    const LeftOut leftOut = leftOutOf(m_result->reference->data);
+    m_leftOut->setText(leftOut.line);
+    m_leftOut->setToolTip(leftOut.details);
+    m_leftOut->setVisible(!leftOut.line.isEmpty());
+
+    m_table->setRowCount(static_cast<int>(comparison.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ChannelComparison &channel = comparison[static_cast<std::size_t>(row)];
+        const QString unit = unitOf(channel.channel);
+        const auto set = [this, row](int column, const QString &text, const QString &tip = QString()) {
+            QTableWidgetItem *item = m_table->item(row, column);
+            if (!item) {
+                item = new QTableWidgetItem;
+                item->setTextAlignment(column == Name || column == Outcome ? Qt::AlignLeft | Qt::AlignVCenter
+                                                                           : Qt::AlignRight | Qt::AlignVCenter);
+                m_table->setItem(row, column, item);
+            }
+            item->setText(text);
+            item->setToolTip(tip);
+            return item;
+        };
+        const bool exists = channel.maxAbs.has_value();
+        const auto withUnit = [&unit](const QString &text) {
+            return text == dash() ? text : text + QLatin1Char(' ') + unit;
+        };
+        const QString goThere = tr("Click to go to the instant of the largest error");
+        QString nameTip = tr("%1 in the file, %2 instants").arg(fileNameOf(channel.channel)).arg(channel.count);
+        if (channel.missingModel > 0) {
+            nameTip += tr("; at %1 more there is no motion to compare with").arg(channel.missingModel);
+        }
+        set(Name, tr("%1 [%2]").arg(symbolOf(channel.channel), unit), nameTip);
+        set(LargestError, errorText(channel.maxAbs),
+            exists ? tr("max |model − reference| = %1\n%2").arg(withUnit(errorText(channel.maxAbs)), goThere)
+                   : QString());
+        set(LargestErrorAt, exists ? instantText(channel.timeOfMaxAbs) : dash(), goThere);
+        set(Rms, errorText(channel.rms),
+            tr("√( mean of (model − reference)² ) = %1").arg(withUnit(errorText(channel.rms))));
+        QString percent = errorText(channel.maxPercent);
+        QString percentTip = tr("max |model − reference| / |reference| · 100");
+        if (channel.zeroReference > 0) {
+            percentTip += tr("\nInfinite at %1 instants where the reference is zero; they are left out")
+                              .arg(channel.zeroReference);
+            percent += tr(" (%1 × ∞)").arg(channel.zeroReference);
+        }
+        set(LargestPercent, percent, percentTip);
+        set(LargestPercentAt, channel.maxPercent ? instantText(channel.timeOfMaxPercent) : dash(),
+            tr("Click to go to the instant of the largest percentage"));
+        set(PercentOfPeak, errorText(channel.percentOfPeak), tr("max |model − reference| / max |reference| · 100"));
+        set(RoundingStep, errorText(channel.roundingStep),
+            channel.roundingStep ? tr("The file writes this channel in steps of %1 at most")
+                                       .arg(withUnit(errorText(channel.roundingStep)))
+                                 : tr("The file does not show how it was rounded"));
+        QTableWidgetItem *outcome = set(Outcome, verdictText(channel.verdict));
+        outcome->setForeground(verdictColour(channel.verdict, colours));
+    }
+}
+
+void ErrorPanel::goToError(int row, int column)
+{
+    const ChannelComparison &channel = m_result->comparison[static_cast<std::size_t>(row)];
+    const bool percent = column == LargestPercent || column == LargestPercentAt;
+    if (percent && channel.maxPercent) {
+        emit timeRequested(channel.timeOfMaxPercent);
+    } else if (channel.maxAbs) {
+        emit timeRequested(channel.timeOfMaxAbs);
+    }
+}
+
+} // namespace slidercrank
