@@ -9,7 +9,7 @@ testPackages=(libboost-dev)
 packagesSplitOff=(qt6-svg-plugins)
 
 requirements="a C++20 compiler, CMake 3.25 or later, Ninja, Eigen 3.4 or later, Qt 6.4 or later with its SVG and print \
-modules, QCustomPlot 2.1 built for Qt 6, and for the tests also Boost's headers"
+modules, and QCustomPlot 2.1 built for Qt 6"
 
 # isInstalled PACKAGE
 isInstalled() {
