@@ -176,22 +176,22 @@ QString summaryOf(const std::vector<ChannelComparison> &channels)
                              [verdict](const ChannelComparison &channel) { return channel.verdict == verdict; });
     };
     const auto total = static_cast<qsizetype>(channels.size());
-    if (count(Verdict::Agrees) == total) {
-        return CommandLine::tr("All %1 channels agree with this mechanism within the rounding of the file.").arg(total);
-    }
     if (count(Verdict::Differs) == 0) {
-        return CommandLine::tr("%1 of %2 channels agree with this mechanism within the rounding of the file, the "
-                               "others are close.")
-            .arg(count(Verdict::Agrees))
-            .arg(total);
+        const QString agrees =
+            CommandLine::tr("Agrees with this mechanism in %1 of %2 channels, within the rounding of "
+                            "the file")
+                .arg(count(Verdict::Agrees))
+                .arg(total);
+        return count(Verdict::Close) == 0 ? agrees + u'.' : CommandLine::tr("%1; close in the others.").arg(agrees);
     }
     const auto worst =
         std::max_element(channels.begin(), channels.end(), [](const ChannelComparison &x, const ChannelComparison &y) {
             return x.percentOfPeak.value_or(0.0) < y.percentOfPeak.value_or(0.0);
         });
-    return CommandLine::tr("%1 of %2 channels differ, %3 most (%4 % of its peak): the file was made with another "
-                           "mechanism, or means something else by its columns; try other lengths (--a, --b, --c), "
-                           "speed (--omega2), start (--theta20) or --branch.")
+    return CommandLine::tr(
+               "Differs in %1 of %2 channels, most in %3 (%4 % of its peak): the file was made with another "
+               "mechanism, or means something else by its columns; try other lengths (--a, --b, --c), "
+               "speed (--omega2), start (--theta20) or --branch.")
         .arg(count(Verdict::Differs))
         .arg(total)
         .arg(toQString(nameOf(worst->channel)), rounded(worst->percentOfPeak));
@@ -201,7 +201,7 @@ QString textOf(const CompareOptions &options, const ReferenceData &data, const s
 {
     const Mechanism &mechanism = options.mechanism;
     const auto number = [](double value) { return QString::number(value, 'g', 9); };
-    QString text = CommandLine::tr("%1: %2 instants from %3 s to %4 s")
+    QString text = CommandLine::tr("%1: t = %3 s to %4 s, %2 instants")
                        .arg(QDir::toNativeSeparators(options.file), QString::number(data.time.size()),
                             number(data.time.front()), number(data.time.back())) +
                    u'\n';
@@ -218,12 +218,11 @@ void warnOf(const QString &file, const ReferenceData &data)
 {
     if (!data.skipped.empty()) {
         const SkippedRow &first = data.skipped.front();
-        say(CommandLine::tr("%1: %2 rows were skipped, the first in line %3, column %4 (\"%5\"): %6.")
-                .arg(QDir::toNativeSeparators(file))
-                .arg(data.skipped.size())
-                .arg(first.line)
-                .arg(first.column)
-                .arg(QString::fromStdString(first.text), QString::fromStdString(first.reason)));
+        say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
+                            "(\"%5\"): %6.")
+                .arg(QDir::toNativeSeparators(file), QString::number(data.skipped.size()), QString::number(first.line),
+                     QString::number(first.column), QString::fromStdString(first.text),
+                     QString::fromStdString(first.reason)));
     }
     if (!data.ignoredColumns.empty()) {
         QStringList names;

@@ -164,7 +164,7 @@ QString exitStatusText()
                            "mechanism cannot be\n"
                            "assembled at some instant (the others are still written); 5 Newton-Raphson did not "
                            "converge, or velocity and\n"
-                           "acceleration do not exist, somewhere. Of several, 3, then 4, then 5.\n");
+                           "acceleration do not exist, somewhere. Of several, 3, 4, 5, 1 in this order.\n");
 }
 
 } // namespace

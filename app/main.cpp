@@ -12,6 +12,7 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QLoggingCategory>
 
 using namespace slidercrank;
 
@@ -20,6 +21,7 @@ namespace
 
 void introduceApplication()
 {
+    QCoreApplication::setOrganizationName(QStringLiteral("slidercrank")); // where the settings are kept
     QCoreApplication::setApplicationName(QStringLiteral("slidercrank"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SLIDERCRANK_VERSION));
 }
@@ -72,10 +74,16 @@ int main(int argc, char *argv[])
         }
     }
     const RenderOptions *picture = std::get_if<RenderOptions>(&command);
-    if (picture && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (picture) {
+        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+            qputenv("QT_QPA_PLATFORM", "offscreen");
+        }
+        // Standard error is for our own sentences; what a platform misses in a session without a desktop is not among
+        // them.
+        QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
     }
     const QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion")); // the one whose palettes are ours to choose, on every platform
     introduceApplication();
     if (picture) {
         return static_cast<int>(render(*picture));

@@ -62,24 +62,23 @@ qsizetype distance(const QString &from, const QString &to)
     return row.back();
 }
 
-/// The names nearest to a word, at most three, none farther than a third of its letters (and two).
+/// The names that are nearest to a word or begin with it, at most four; none farther than a third of its letters.
 QStringList nearest(const QString &word, const QStringList &names)
 {
-    std::vector<std::pair<qsizetype, QString>> ranked;
-    for (const QString &name : names) {
-        const qsizetype far = distance(word, name);
-        if (far <= std::max<qsizetype>(2, word.size() / 3)) {
-            ranked.emplace_back(far, name);
-        }
-    }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto &x, const auto &y) { return x.first < y.first; });
+    qsizetype least = (word.size() + 1) / 3;
     QStringList near;
-    for (const auto &[far, name] : ranked) {
-        if (near.size() < 3) {
+    for (const QString &name : names) {
+        const bool begun = word.size() > 1 && name.startsWith(word, Qt::CaseInsensitive);
+        const qsizetype far = begun ? std::min<qsizetype>(1, distance(word, name)) : distance(word, name);
+        if (far < least) {
+            near.clear();
+            least = far;
+        }
+        if (far == least) {
             near += name;
         }
     }
-    return near;
+    return near.first(std::min<qsizetype>(near.size(), 4));
 }
 
 /// "x", "x or y", "x, y or z".
@@ -321,7 +320,6 @@ void refusePositional(OptionReader &reader, const QStringList &positional, Subco
 Command readSolve(OptionReader &reader, const QStringList &positional)
 {
     SolveOptions options;
-    refusePositional(reader, positional, Subcommand::Solve);
     options.mechanism = readMechanism(reader);
     if (reader.has("at-angle")) {
         for (const char *name : {"steps", "duration"}) {
@@ -340,12 +338,17 @@ Command readSolve(OptionReader &reader, const QStringList &positional)
         reader.choice("angle-unit", options.angleUnit, {{"deg", AngleUnit::Degree}, {"rad", AngleUnit::Radian}});
     options.format = reader.choice("format", options.format, {{"csv", Format::Csv}, {"json", Format::Json}});
     options.output = reader.file("output");
+    refusePositional(reader, positional, Subcommand::Solve);
     return options;
 }
 
 Command readCompare(OptionReader &reader, const QStringList &positional)
 {
     CompareOptions options;
+    options.mechanism = readMechanism(reader);
+    options.format =
+        reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
+    options.failOnDifference = reader.has("fail-on-difference");
     if (positional.isEmpty() || positional.first().isEmpty()) {
         reader.refuse(CommandLine::tr("\"slidercrank compare\" needs a file: slidercrank compare FILE."));
     } else if (positional.size() > 1) {
@@ -355,10 +358,6 @@ Command readCompare(OptionReader &reader, const QStringList &positional)
     } else {
         options.file = positional.first();
     }
-    options.mechanism = readMechanism(reader);
-    options.format =
-        reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
-    options.failOnDifference = reader.has("fail-on-difference");
     options.output = reader.file("output");
     if (!options.output.isEmpty() && QFileInfo::exists(options.output) &&
         QFileInfo(options.output) == QFileInfo(options.file)) {
@@ -407,7 +406,6 @@ void readSubject(OptionReader &reader, RenderOptions &options)
 Command readRender(OptionReader &reader, const QStringList &positional)
 {
     RenderOptions options;
-    refusePositional(reader, positional, Subcommand::Render);
     readSubject(reader, options);
     options.output = reader.file("output");
     if (options.output.isEmpty()) {
@@ -461,6 +459,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
                           .arg(QString::number(options.poseInstant, 'g', 6),
                                QString::number(options.sampling.start, 'g', 6), QString::number(end, 'g', 6)));
     }
+    refusePositional(reader, positional, Subcommand::Render);
     return options;
 }
 

@@ -48,10 +48,10 @@ QString Shortfall::sentence(const Mechanism &mechanism, int maxIterations) const
                                                                QLocale::FloatingPointShortest));
     }
     if (const Instants &instants = of(Status::IterationLimit); instants.count > 0) {
-        sentences += CommandLine::tr("Newton-Raphson did not converge within %1 iterations at %2: allow more "
+        sentences += CommandLine::tr("Newton-Raphson did not converge at %1: allow more iterations than %2 "
                                      "(--max-iterations), or a larger residual (--tolerance).")
-                         .arg(maxIterations)
-                         .arg(where(instants));
+                         .arg(where(instants))
+                         .arg(maxIterations);
     }
     if (const Instants &instants = of(Status::Singular); instants.count > 0) {
         sentences += CommandLine::tr("Velocity and acceleration do not exist at %1: the coupler stands square to the "

@@ -1,0 +1,929 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program as a person or a script meets it: the real executable, its arguments, its two streams, its exit status.
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace
+{
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+struct Outcome {
+    int status = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+QProcessEnvironment withoutDisplay()
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    return environment;
+}
+
+Outcome run(const QStringList &arguments, const QProcessEnvironment &environment = withoutDisplay())
+{
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+    Outcome outcome;
+    if (process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit) {
+        outcome.status = process.exitCode();
+    }
+    outcome.out = process.readAllStandardOutput();
+    outcome.err = process.readAllStandardError();
+    return outcome;
+}
+
+Outcome run(const QString &line)
+{
+    return run(QProcess::splitCommand(line));
+}
+
+struct Table {
+    QByteArrayList header;
+    std::vector<QByteArrayList> cells;
+
+    double at(std::size_t row, const char *name) const
+    {
+        const qsizetype column = header.indexOf(name);
+        return column < 0 ? std::numeric_limits<double>::infinity() : cells[row][column].toDouble();
+    }
+};
+
+Table tableOf(const QByteArray &csv)
+{
+    Table table;
+    for (const QByteArray &line : csv.split('\n')) {
+        if (line.isEmpty()) {
+            continue;
+        }
+        if (table.header.isEmpty()) {
+            table.header = line.split(',');
+        } else {
+            table.cells.push_back(line.split(','));
+        }
+    }
+    return table;
+}
+
+/// The six plotted channels straight from the textbook (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15): mm, rad,
+/// s.
+struct Textbook {
+    double theta3, theta3Dot, theta3DDot;
+    double R4x, R4xDot, R4xDDot;
+};
+
+Textbook textbook(double a, double b, double c, double omega2, double theta2, bool crossed)
+{
+    const double lifted = std::asin((c - a * std::sin(theta2)) / b);
+    Textbook at{};
+    at.theta3 = crossed ? std::numbers::pi - lifted : lifted;
+    const double s = b * std::cos(at.theta3);
+    const double h = b * std::sin(at.theta3);
+    at.theta3Dot = -a * omega2 * std::cos(theta2) / s;
+    at.theta3DDot = (a * omega2 * omega2 * std::sin(theta2) + h * at.theta3Dot * at.theta3Dot) / s;
+    at.R4x = a * std::cos(theta2) + s;
+    at.R4xDot = -a * omega2 * std::sin(theta2) - h * at.theta3Dot;
+    at.R4xDDot = -a * omega2 * omega2 * std::cos(theta2) - s * at.theta3Dot * at.theta3Dot - h * at.theta3DDot;
+    return at;
+}
+
+/// Empty when near enough, else what a failed comparison has to tell.
+QByteArray awayFrom(double actual, double expected, double tolerance, const char *name, std::size_t row)
+{
+    const double difference = actual - expected;
+    if (std::abs(difference) <= tolerance) {
+        return {};
+    }
+    return QStringLiteral("%1, row %2: %3, expected %4, difference %5, tolerance %6")
+        .arg(QLatin1String(name))
+        .arg(row)
+        .arg(actual, 0, 'g', 17)
+        .arg(expected, 0, 'g', 17)
+        .arg(difference)
+        .arg(tolerance)
+        .toUtf8();
+}
+
+QString sample()
+{
+    return QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+}
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool isOneLine(const QByteArray &text)
+{
+    return text.count('\n') == 1 && text.endsWith('\n');
+}
+
+} // namespace
+
+class TestCommandLine : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void solvesTheReportsStudyByDefault();
+    void writesChannelsInTheOrderOfTheCoordinates();
+    void writesSeventeenSignificantDigits();
+    void writesUnitsThatAreNotTheAuthorsBehindTheName();
+    void putsTheInstantsWhereTheyAreAskedFor();
+    void agreesWithTheTextbook_data();
+    void agreesWithTheTextbook();
+    void printsWhatExistsWhereTheMechanismCannotBeAssembled();
+    void printsThePositionWhereTheDerivativesDoNotExist();
+    void putsAssemblyBeforeSingularity();
+    void tellsWhenNewtonDoesNotConverge();
+    void writesJson();
+    void writesNullForWhatDoesNotExist();
+    void findsTheInstantOfACrankAngle_data();
+    void findsTheInstantOfACrankAngle();
+    void refusesAWrongCommandLine_data();
+    void refusesAWrongCommandLine();
+    void writesTheSameToAFile();
+    void leavesNothingBehindWhereItCannotWrite();
+    void readsWhatItWrites_data();
+    void readsWhatItWrites();
+    void comparesTheSample();
+    void comparesTheSampleInJson();
+    void comparesTheSampleInCsv();
+    void saysWhatIsWrongWithAFile();
+    void warnsOfSkippedRowsAndIgnoredColumns();
+    void tellsWhereTheModelOfAFileCannotBeAssembled();
+    void takesAnyFileName();
+    void speaksTheSameNumbersInEveryLocale();
+    void helpsEverywhere();
+    void needsNoPlatformButToRender();
+    void rendersPicturesOfTheSizeAskedFor_data();
+    void rendersPicturesOfTheSizeAskedFor();
+    void rendersTheInstantAskedFor();
+    void refusesToRenderABadReference();
+};
+
+void TestCommandLine::solvesTheReportsStudyByDefault()
+{
+    const Outcome outcome = run(QStringLiteral("solve"));
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(outcome.err, QByteArray());
+    QVERIFY(!outcome.out.contains('\r'));
+    QVERIFY(outcome.out.endsWith('\n'));
+    const Table table = tableOf(outcome.out);
+    QByteArrayList expected{"time"};
+    for (const char *order : {"", "_diff", "_diff2"}) {
+        for (const char *body : {"1", "2", "3", "4"}) {
+            expected << QByteArray("R") + body + "_x" + order << QByteArray("R") + body + "_y" + order
+                     << QByteArray("theta") + body + order;
+        }
+    }
+    QCOMPARE(table.header, expected);
+    QCOMPARE(table.cells.size(), std::size_t(201));
+    for (const QByteArrayList &row : table.cells) {
+        QCOMPARE(row.size(), qsizetype(37));
+    }
+    QCOMPARE(table.at(0, "R4_x"), 80.0); // 20 + √(65² - 25²)
+    QCOMPARE(table.at(200, "time"), 1.0);
+}
+
+void TestCommandLine::writesChannelsInTheOrderOfTheCoordinates()
+{
+    const Outcome outcome = run(QStringLiteral("solve --steps 3 --channels theta3_diff2,R4_x,theta4_diff,theta3"));
+    QCOMPARE(outcome.status, 0);
+    const Table table = tableOf(outcome.out);
+    QCOMPARE(table.header, QByteArrayList({"time", "theta3", "R4_x", "theta4_diff", "theta3_diff2"}));
+    QCOMPARE(table.cells.size(), std::size_t(4));
+}
+
+void TestCommandLine::writesSeventeenSignificantDigits()
+{
+    const Table table = tableOf(run(QStringLiteral("solve --theta20 0.1")).out);
+    int seventeen = 0;
+    for (const QByteArrayList &row : table.cells) {
+        for (const QByteArray &cell : row) {
+            QCOMPARE(cell, QByteArray::number(cell.toDouble(), 'g', 17));
+            QVERIFY(cell != "-0");
+            seventeen += QByteArray(cell).replace("-", "").replace(".", "").size() >= 17 ? 1 : 0;
+        }
+    }
+    QVERIFY(seventeen > 1000);
+}
+
+void TestCommandLine::writesUnitsThatAreNotTheAuthorsBehindTheName()
+{
+    const QByteArray names = run(QStringLiteral("solve --angle-unit rad --channels "
+                                                "theta3,theta3_diff,theta3_diff2,R4_x,R4_x_diff2"))
+                                 .out.split('\n')
+                                 .first();
+    QCOMPARE(names, QByteArray("time,theta3 [rad],R4_x,theta3_diff [rad/s],theta3_diff2 [rad/s^2],R4_x_diff2"));
+}
+
+void TestCommandLine::putsTheInstantsWhereTheyAreAskedFor()
+{
+    const Table table =
+        tableOf(run(QStringLiteral("solve --start -1 --duration 0.75 --steps 3 --channels theta2")).out);
+    QCOMPARE(table.cells.size(), std::size_t(4));
+    for (std::size_t i = 0; i < 4; ++i) {
+        QCOMPARE(table.at(i, "time"), -1.0 + 0.25 * static_cast<double>(i));
+        QVERIFY(std::abs(table.at(i, "theta2") - 360.0 * (-1.0 + 0.25 * static_cast<double>(i))) < 1e-12);
+    }
+}
+
+void TestCommandLine::agreesWithTheTextbook_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<double>("a");
+    QTest::addColumn<double>("b");
+    QTest::addColumn<double>("c");
+    QTest::addColumn<double>("omega2");
+    QTest::addColumn<double>("theta20");
+    QTest::addColumn<bool>("crossed");
+    const double turn = 2.0 * std::numbers::pi;
+    QTest::newRow("Table 1") << "--tolerance 0" << 20.0 << 65.0 << 25.0 << turn << 0.0 << false;
+    QTest::newRow("Table 1 in closed form") << "--method closed-form" << 20.0 << 65.0 << 25.0 << turn << 0.0 << false;
+    QTest::newRow("crossed") << "--branch crossed --tolerance 0" << 20.0 << 65.0 << 25.0 << turn << 0.0 << true;
+    QTest::newRow("crossed in closed form")
+        << "--branch crossed --method closed-form" << 20.0 << 65.0 << 25.0 << turn << 0.0 << true;
+    QTest::newRow("turning clockwise, offset below")
+        << "--a 12.5 --b=80 --c -5 --omega2 -6.25 --theta20 -0.5 --tolerance 0" << 12.5 << 80.0 << -5.0 << -6.25 << -0.5
+        << false;
+    QTest::newRow("no offset, closed form")
+        << "--c 0 --a +1e1 --b 4.e1 --method closed-form" << 10.0 << 40.0 << 0.0 << turn << 0.0 << false;
+}
+
+void TestCommandLine::agreesWithTheTextbook()
+{
+    QFETCH(QString, options);
+    QFETCH(double, a);
+    QFETCH(double, b);
+    QFETCH(double, c);
+    QFETCH(double, omega2);
+    QFETCH(double, theta20);
+    QFETCH(bool, crossed);
+    const Table degrees = tableOf(run(QStringLiteral("solve --steps 50 ") + options).out);
+    const Table radians = tableOf(run(QStringLiteral("solve --steps 50 --angle-unit rad ") + options).out);
+    QCOMPARE(degrees.cells.size(), std::size_t(51));
+    QCOMPARE(radians.cells.size(), std::size_t(51));
+    for (std::size_t i = 0; i <= 50; ++i) {
+        const double theta2 = omega2 * static_cast<double>(i) / 50.0 + theta20;
+        const Textbook expected = textbook(a, b, c, omega2, theta2, crossed);
+        constexpr double kRoundings = 1e-12; // some thousand units in the last place of a channel's size
+        const double size = a + b + std::abs(c);
+        const double speed = std::abs(omega2);
+        const struct {
+            const char *name;
+            double actual, expected, size;
+        } values[] = {
+            {"theta2", degrees.at(i, "theta2") * kDegree, theta2, 1.0 + std::abs(theta2)},
+            {"theta3", degrees.at(i, "theta3") * kDegree, expected.theta3, 1.0},
+            {"theta3_diff", degrees.at(i, "theta3_diff") * kDegree, expected.theta3Dot, speed},
+            {"theta3_diff2", degrees.at(i, "theta3_diff2") * kDegree, expected.theta3DDot, speed * speed},
+            {"R4_x", degrees.at(i, "R4_x"), expected.R4x, size},
+            {"R4_x_diff", degrees.at(i, "R4_x_diff"), expected.R4xDot, size * speed},
+            {"R4_x_diff2", degrees.at(i, "R4_x_diff2"), expected.R4xDDot, size * speed * speed},
+            {"R4_y", degrees.at(i, "R4_y"), c, size},
+            {"theta3 [rad]", radians.at(i, "theta3 [rad]"), expected.theta3, 1.0},
+            {"theta3_diff [rad/s]", radians.at(i, "theta3_diff [rad/s]"), expected.theta3Dot, speed},
+            {"theta3_diff2 [rad/s^2]", radians.at(i, "theta3_diff2 [rad/s^2]"), expected.theta3DDot, speed * speed},
+            {"R4_x, beside rad", radians.at(i, "R4_x"), degrees.at(i, "R4_x"), 0.0},
+        };
+        for (const auto &value : values) {
+            const QByteArray fault = awayFrom(value.actual, value.expected, kRoundings * value.size, value.name, i);
+            QVERIFY2(fault.isEmpty(), fault.constData());
+        }
+    }
+}
+
+void TestCommandLine::printsWhatExistsWhereTheMechanismCannotBeAssembled()
+{
+    const Outcome outcome = run(QStringLiteral("solve --b 40 --steps 4 --channels theta3,R4_x_diff"));
+    QCOMPARE(outcome.status, 4);
+    QVERIFY(isOneLine(outcome.err));
+    for (const char *part : {"1 of 5 instants", "t = 0.75 s", "270°", "at least 45 mm", "--b"}) {
+        QVERIFY2(outcome.err.contains(part), outcome.err.constData());
+    }
+    const Table table = tableOf(outcome.out);
+    QCOMPARE(table.cells.size(), std::size_t(5));
+    QCOMPARE(table.cells[3], QByteArrayList({"0.75", "nan", "nan"}));
+    QVERIFY(!std::isnan(table.at(4, "theta3")));
+}
+
+void TestCommandLine::printsThePositionWhereTheDerivativesDoNotExist()
+{
+    // At θ2 = 0 with b = c the coupler stands square to the slider's line.
+    const Outcome outcome = run(QStringLiteral("solve --b 25 --at-angle 0 --method closed-form --channels "
+                                               "theta3,theta3_diff,R4_x_diff2"));
+    QCOMPARE(outcome.status, 5);
+    QVERIFY(isOneLine(outcome.err));
+    QVERIFY2(outcome.err.contains("square to the slider's line"), outcome.err.constData());
+    QCOMPARE(tableOf(outcome.out).cells.front(), QByteArrayList({"0", "90", "nan", "nan"}));
+}
+
+void TestCommandLine::putsAssemblyBeforeSingularity()
+{
+    const Outcome outcome = run(QStringLiteral("solve --b 25 --steps 4 --method closed-form"));
+    QCOMPARE(outcome.status, 4);
+    QVERIFY(isOneLine(outcome.err));
+    QVERIFY(outcome.err.contains("cannot be assembled"));
+    QVERIFY(outcome.err.contains("square to the slider's line"));
+}
+
+void TestCommandLine::tellsWhenNewtonDoesNotConverge()
+{
+    const Outcome outcome = run(QStringLiteral("solve --max-iterations 1 --steps 3 --channels theta3"));
+    QCOMPARE(outcome.status, 5);
+    QVERIFY(isOneLine(outcome.err));
+    QVERIFY2(outcome.err.contains("--max-iterations"), outcome.err.constData());
+    QVERIFY(outcome.out.contains(",nan"));
+}
+
+void TestCommandLine::writesJson()
+{
+    const QString choices = QStringLiteral(" --b 60 --c -3.5 --branch crossed --steps 7 --channels R4_x_diff,theta3");
+    for (const QString &unit : {QStringLiteral("deg"), QStringLiteral("rad")}) {
+        const QString line = QStringLiteral("solve --method closed-form --angle-unit ") + unit + choices;
+        const Outcome outcome = run(line + QStringLiteral(" --format json"));
+        QCOMPARE(outcome.status, 0);
+        QJsonParseError parsing;
+        const QJsonObject object = QJsonDocument::fromJson(outcome.out, &parsing).object();
+        QCOMPARE(parsing.error, QJsonParseError::NoError);
+        QCOMPARE(object.keys(), QStringList({"channels", "mechanism", "method", "time", "units"}));
+        QCOMPARE(object["method"].toString(), QStringLiteral("closed-form"));
+        QCOMPARE(object["units"].toObject(), QJsonObject({{"length", "mm"}, {"angle", unit}, {"time", "s"}}));
+        QCOMPARE(object["mechanism"].toObject(), QJsonObject({{"a", 20},
+                                                              {"b", 60},
+                                                              {"c", -3.5},
+                                                              {"omega2", 2.0 * std::numbers::pi},
+                                                              {"theta20", 0},
+                                                              {"branch", "crossed"}}));
+        const QJsonObject channels = object["channels"].toObject();
+        QCOMPARE(channels.keys(), QStringList({"R4_x_diff", "theta3"}));
+
+        const Table csv = tableOf(run(line).out);
+        const QByteArray theta3 = unit == u"deg" ? "theta3" : "theta3 [rad]";
+        QCOMPARE(object["time"].toArray().size(), qsizetype(8));
+        for (std::size_t i = 0; i < 8; ++i) {
+            const auto at = static_cast<qsizetype>(i);
+            QCOMPARE(object["time"].toArray()[at].toDouble(), csv.at(i, "time"));
+            QCOMPARE(channels["theta3"].toArray()[at].toDouble(), csv.at(i, theta3.constData()));
+            QCOMPARE(channels["R4_x_diff"].toArray()[at].toDouble(), csv.at(i, "R4_x_diff"));
+        }
+    }
+}
+
+void TestCommandLine::writesNullForWhatDoesNotExist()
+{
+    const Outcome outcome = run(QStringLiteral("solve --b 40 --steps 4 --channels theta3 --format json"));
+    QCOMPARE(outcome.status, 4);
+    QJsonParseError parsing;
+    const QJsonObject object = QJsonDocument::fromJson(outcome.out, &parsing).object();
+    QCOMPARE(parsing.error, QJsonParseError::NoError);
+    const QJsonArray theta3 = object["channels"].toObject()["theta3"].toArray();
+    QCOMPARE(theta3.size(), qsizetype(5));
+    QVERIFY(theta3[3].isNull());
+    QVERIFY(theta3[4].isDouble());
+}
+
+void TestCommandLine::findsTheInstantOfACrankAngle_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<double>("expected");
+    QTest::newRow("sixty degrees") << "--at-angle 60" << 1.0 / 6.0;
+    QTest::newRow("where it starts") << "--at-angle 0" << 0.0;
+    QTest::newRow("a whole turn is the same angle") << "--at-angle 420" << 1.0 / 6.0;
+    QTest::newRow("a negative angle") << "--at-angle -90" << 0.75;
+    QTest::newRow("from a later start") << "--at-angle 60 --start 0.5" << 7.0 / 6.0;
+    QTest::newRow("exactly at a later start") << "--at-angle 90 --start 3.25" << 3.25;
+    QTest::newRow("from a negative start") << "--at-angle 60 --start -1.5" << -5.0 / 6.0;
+    QTest::newRow("turning clockwise") << "--at-angle 60 --omega2 -6.283185307179586" << 5.0 / 6.0;
+    QTest::newRow("already there, in radians") << "--at-angle 60 --theta20 1.0471975511965976" << 0.0;
+    QTest::newRow("just passed") << "--at-angle 60 --theta20 1.0471975611965976" << 1.0 - 1e-8 / 6.283185307179586;
+    QTest::newRow("standing there") << "--at-angle 45 --omega2 0 --theta20 0.7853981633974483" << 0.0;
+    QTest::newRow("slowly") << "--at-angle 90 --omega2 0.001" << 500.0 * std::numbers::pi;
+}
+
+void TestCommandLine::findsTheInstantOfACrankAngle()
+{
+    QFETCH(QString, options);
+    QFETCH(double, expected);
+    const Outcome outcome = run(QStringLiteral("solve --channels theta2 ") + options);
+    QCOMPARE(outcome.status, 0);
+    const Table table = tableOf(outcome.out);
+    QCOMPARE(table.cells.size(), std::size_t(1));
+    const double time = table.at(0, "time");
+    QVERIFY2(std::abs(time - expected) <= 1e-13 * std::max(1.0, std::abs(expected)), qPrintable(QString::number(time)));
+}
+
+void TestCommandLine::refusesAWrongCommandLine_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char *line, const char *says) { QTest::newRow(line) << line << says; };
+    row("solv", "no command \"solv\"");
+    row("scene.json", "no command \"scene.json\"");
+    row("--reference x.csv solve", "must come first");
+    row("--reference", "--reference needs a value");
+    row("--steps 3", "no option --steps");
+    row("solve --foo", "no option --foo");
+    row("solve --omga2 3", "did you mean --omega2?");
+    row("solve -5", "no option -5");
+    row("solve --tolerance-kind relative", "no option --tolerance-kind");
+    row("solve file.csv", "remove \"file.csv\"");
+    row("solve --b", "--b needs a value: --b MM");
+    row("solve --b 60 --b 61", "--b is given more than once");
+    row("solve --b 12abc", "--b must be a number");
+    row("solve --b 0,5", "decimal point");
+    row("solve --b --c 5", "--b must be a number");
+    row("solve --b \"\"", "--b must be a number");
+    row("solve --b nan", "--b must be a number");
+    row("solve --c inf", "--c must be a number");
+    row("solve --c 1e999", "--c must be a number");
+    row("solve --c +-5", "--c must be a number");
+    row("solve --c \" 5\"", "--c must be a number");
+    row("solve --c 0x10", "--c must be a number");
+    row("solve --b 0", "--b must be greater than 0");
+    row("solve --a -3", "--a must be greater than 0");
+    row("solve --c 2e12", "--c must not exceed 1e12");
+    row("solve --omega2 -2e12", "--omega2 must not exceed 1e12");
+    row("solve --theta20 2e12", "--theta20 must not exceed 1e12");
+    row("solve --branch up", "--branch must be open or crossed");
+    row("solve --steps 0", "--steps must be a whole number");
+    row("solve --steps -4", "--steps must be a whole number");
+    row("solve --steps 1.5", "--steps must be a whole number");
+    row("solve --steps 100000001", "--steps must be a whole number");
+    row("solve --duration 0", "--duration must be greater than 0");
+    row("solve --duration -1", "--duration must be greater than 0");
+    row("solve --start 1e13", "--start must not exceed");
+    row("solve --start 1e9 --duration 1e-6", "too close together");
+    row("solve --method euler", "--method must be newton or closed-form");
+    row("solve --max-iterations 0", "--max-iterations must be a whole number from 1");
+    row("solve --tolerance -1e-9", "--tolerance must be 0 or more");
+    row("solve --channels R4x", "did you mean R4_x?");
+    row("solve --channels theta3,theta3_dif", "did you mean theta3_diff or theta3_diff2?");
+    row("solve --channels THETA3", "did you mean theta3?");
+    row("solve --channels qqqqqqq", "there are R1_x, R1_y, theta1");
+    row("solve --channels \"\"", "no channel \"\"");
+    row("solve --angle-unit grad", "--angle-unit must be deg or rad");
+    row("solve --format xml", "--format must be csv or json");
+    row("solve --output \"\"", "--output needs the name of a file");
+    row("solve --at-angle 30 --steps 5", "remove one");
+    row("solve --at-angle 30 --duration 5", "remove one");
+    row("solve --at-angle 30 --omega2 0", "stands still");
+    row("solve --at-angle 30 --omega2 1e-300", "too slowly");
+    row("compare", "needs a file");
+    row("compare a.csv b.csv", "takes one file");
+    row("compare a.csv --method newton", "no option --method");
+    row("compare a.csv --format xml", "--format must be text, csv or json");
+    row("compare a.csv --fail-on-difference=yes", "--fail-on-difference");
+    row("render", "needs --output");
+    row("render --output x.gif", ".png, .svg or .pdf");
+    row("render --output x.png --what R1_x", "theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2");
+    row("render --output x.png --what report", "--what must be");
+    row("render --output x.png --size 900", "--size must be");
+    row("render --output x.png --size 0x600", "--size must be");
+    row("render --output x.png --size 900x600x2", "--size must be");
+    row("render --output x.png --scale 0", "--scale must be");
+    row("render --output x.png --size 9000x9000 --scale 9", "smaller --size or --scale");
+    row("render --output x.png --theme blue", "--theme must be light or dark");
+    row("render --output x.png --at 0.5 --at-angle 30", "remove one");
+    row("render --output x.png --at 3", "outside the run");
+    row("render --output x.png --format csv", "no option --format");
+    row("identify x.csv", "no command \"identify\"");
+    row("study", "no command \"study\"");
+}
+
+void TestCommandLine::refusesAWrongCommandLine()
+{
+    QFETCH(QString, line);
+    QFETCH(QString, says);
+    QStringList arguments = QProcess::splitCommand(line);
+    if (line.endsWith(QStringLiteral("\"\""))) { // splitCommand drops what is empty
+        arguments = line.chopped(3).split(u' ') << QString();
+    }
+    const Outcome outcome = run(arguments);
+    QVERIFY2(outcome.err.contains(says.toUtf8()), outcome.err.constData());
+    QVERIFY2(isOneLine(outcome.err), outcome.err.constData());
+    QCOMPARE(outcome.out, QByteArray());
+    QCOMPARE(outcome.status, 2);
+}
+
+void TestCommandLine::writesTheSameToAFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    const QString line = QStringLiteral("solve --steps 1000 --b 60");
+    const Outcome toFile = run(QProcess::splitCommand(line) << QStringLiteral("--output") << path);
+    QCOMPARE(toFile.status, 0);
+    QCOMPARE(toFile.out, QByteArray());
+    QCOMPARE(contentOf(path), run(line).out);
+    QVERIFY(contentOf(path).size() > 100'000);
+}
+
+void TestCommandLine::leavesNothingBehindWhereItCannotWrite()
+{
+    QTemporaryDir folder;
+    const QString inFile = folder.filePath(QStringLiteral("file"));
+    QFile file(inFile);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.close();
+    const QStringList places{folder.filePath(QStringLiteral("missing/motion.csv")), inFile + QStringLiteral("/x.csv"),
+                             folder.path()};
+    for (const QString &place : places) {
+        for (const QStringList &command :
+             {QStringList{QStringLiteral("solve")}, QStringList{QStringLiteral("compare"), sample()}}) {
+            const Outcome outcome = run(command + QStringList{QStringLiteral("--output"), place});
+            QCOMPARE(outcome.status, 3);
+            QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("cannot be written"), outcome.err.constData());
+        }
+    }
+    const QString picture = folder.filePath(QStringLiteral("missing/figure.png"));
+    const Outcome outcome = run({QStringLiteral("render"), QStringLiteral("--output"), picture});
+    QCOMPARE(outcome.status, 3);
+    QVERIFY2(isOneLine(outcome.err), outcome.err.constData());
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden),
+             QStringList(QStringLiteral("file")));
+    QCOMPARE(contentOf(inFile), QByteArray());
+}
+
+void TestCommandLine::readsWhatItWrites_data()
+{
+    QTest::addColumn<QString>("mechanism");
+    QTest::addColumn<QString>("writing");
+    QTest::addColumn<QString>("otherMechanism");
+    const QString exact = QStringLiteral("--method closed-form");
+    const QString newton = QStringLiteral("--tolerance 0");
+    for (const QString &method : {exact, newton}) {
+        for (const QString &unit : {QStringLiteral("deg"), QStringLiteral("rad")}) {
+            const QString writing = method + QStringLiteral(" --angle-unit ") + unit;
+            const auto row = [&](const char *name, const char *mechanism, const char *other) {
+                QTest::addRow("%s, %s", name, qPrintable(writing)) << mechanism << writing << other;
+            };
+            row("Table 1", "", "--b 60");
+            row("open", "--b 60", "--b 60.001");
+            row("crossed", "--branch crossed", "--branch open");
+            row("clockwise", "--omega2 -6.25", "--omega2 6.25");
+            row("below", "--c -10 --theta20 0.25", "--c -10");
+        }
+    }
+}
+
+void TestCommandLine::readsWhatItWrites()
+{
+    QFETCH(QString, mechanism);
+    QFETCH(QString, writing);
+    QFETCH(QString, otherMechanism);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    const Outcome written = run(QProcess::splitCommand(QStringLiteral("solve ") + mechanism + u' ' + writing)
+                                << QStringLiteral("--output") << path);
+    QCOMPARE(written.status, 0);
+    const QStringList compare{QStringLiteral("compare"), path, QStringLiteral("--fail-on-difference")};
+    const Outcome same = run(compare + QProcess::splitCommand(mechanism));
+    QVERIFY2(same.status == 0, same.out.constData());
+    QVERIFY2(same.out.contains("Agrees with this mechanism in 36 of 36"), same.out.constData());
+    QCOMPARE(run(compare + QProcess::splitCommand(otherMechanism)).status, 1);
+}
+
+void TestCommandLine::comparesTheSample()
+{
+    const Outcome right = run({QStringLiteral("compare"), sample(), QStringLiteral("--b"), QStringLiteral("60"),
+                               QStringLiteral("--fail-on-difference")});
+    QCOMPARE(right.status, 0);
+    QCOMPARE(right.err, QByteArray());
+    QVERIFY2(right.out.contains("Agrees with this mechanism in 6 of 6 channels"), right.out.constData());
+
+    const Outcome wrong = run({QStringLiteral("compare"), sample()});
+    QCOMPARE(wrong.status, 0);
+    QVERIFY2(wrong.out.contains("Differs in 6 of 6 channels"), wrong.out.constData());
+    QCOMPARE(run({QStringLiteral("compare"), sample(), QStringLiteral("--fail-on-difference")}).status, 1);
+}
+
+void TestCommandLine::comparesTheSampleInJson()
+{
+    const Outcome outcome = run({QStringLiteral("compare"), sample(), QStringLiteral("--b"), QStringLiteral("60"),
+                                 QStringLiteral("--format"), QStringLiteral("json")});
+    QCOMPARE(outcome.status, 0);
+    QJsonParseError parsing;
+    const QJsonObject object = QJsonDocument::fromJson(outcome.out, &parsing).object();
+    QCOMPARE(parsing.error, QJsonParseError::NoError);
+    QCOMPARE(object.keys(), QStringList(QStringLiteral("files")));
+    QCOMPARE(object["files"].toArray().size(), qsizetype(1));
+    const QJsonObject file = object["files"].toArray().first().toObject();
+    QCOMPARE(file.keys(), QStringList({"channels", "file", "ignoredColumns", "mechanism", "skipped"}));
+    QCOMPARE(file["file"].toString(), sample());
+    QCOMPARE(file["mechanism"].toObject()["b"].toDouble(), 60.0);
+    QCOMPARE(file["skipped"].toArray(), QJsonArray());
+
+    QStringList keys{"name",          "unit",          "count",        "maxAbs",
+                     "timeOfMaxAbs",  "rms",           "maxPercent",   "timeOfMaxPercent",
+                     "zeroReference", "percentOfPeak", "roundingStep", "verdict"};
+    keys.sort();
+    const QJsonArray channels = file["channels"].toArray();
+    QCOMPARE(channels.size(), qsizetype(6));
+
+    // The file against the textbook; the cells as printed, so that a digit lost in reading would show.
+    const Table cells = tableOf(contentOf(sample()));
+    const struct {
+        const char *name;
+        const char *unit;
+        double Textbook::*value;
+    } expected[] = {{"R4_x", "mm", &Textbook::R4x},
+                    {"R4_x_diff", "mm/s", &Textbook::R4xDot},
+                    {"R4_x_diff2", "mm/s²", &Textbook::R4xDDot},
+                    {"theta3", "°", &Textbook::theta3},
+                    {"theta3_diff", "°/s", &Textbook::theta3Dot},
+                    {"theta3_diff2", "°/s²", &Textbook::theta3DDot}};
+    for (qsizetype i = 0; i < 6; ++i) {
+        const auto &wanted = expected[i];
+        const QJsonObject channel = channels[i].toObject();
+        QCOMPARE(channel.keys(), keys);
+        QCOMPARE(channel["name"].toString(), QLatin1String(wanted.name));
+        QCOMPARE(channel["unit"].toString(), QString::fromUtf8(wanted.unit));
+        QCOMPARE(channel["count"].toInt(), 201);
+        QCOMPARE(channel["verdict"].toString(), QStringLiteral("agrees"));
+
+        double maxAbs = 0.0;
+        double maxPercent = 0.0;
+        double squares = 0.0;
+        double peak = 0.0;
+        int zeros = 0;
+        for (std::size_t row = 0; row < 201; ++row) {
+            const double theta2 = 2.0 * std::numbers::pi * static_cast<double>(row) / 200.0;
+            const double inRadians = textbook(20.0, 60.0, 25.0, 2.0 * std::numbers::pi, theta2, false).*wanted.value;
+            const double model = i < 3 ? inRadians : inRadians / kDegree;
+            const double reference = cells.at(row, wanted.name);
+            const double error = std::abs(model - reference);
+            maxAbs = std::max(maxAbs, error);
+            squares += error * error;
+            peak = std::max(peak, std::abs(reference));
+            if (reference == 0.0) {
+                ++zeros;
+            } else {
+                maxPercent = std::max(maxPercent, error / std::abs(reference) * 100.0);
+            }
+        }
+        const struct {
+            const char *name;
+            double expected;
+        } numbers[] = {{"maxAbs", maxAbs},
+                       {"maxPercent", maxPercent},
+                       {"rms", std::sqrt(squares / 201.0)},
+                       {"percentOfPeak", maxAbs / peak * 100.0},
+                       {"zeroReference", static_cast<double>(zeros)}};
+        for (const auto &number : numbers) {
+            // The roundings of both sides, 1e-12 of the values, are 1e-6 of these differences.
+            const QByteArray fault = awayFrom(channel[QLatin1String(number.name)].toDouble(), number.expected,
+                                              1e-6 * number.expected, number.name, static_cast<std::size_t>(i));
+            QVERIFY2(fault.isEmpty(), fault.constData());
+        }
+    }
+}
+
+void TestCommandLine::comparesTheSampleInCsv()
+{
+    const Outcome outcome =
+        run({QStringLiteral("compare"), sample(), QStringLiteral("--format"), QStringLiteral("csv")});
+    const Table table = tableOf(outcome.out);
+    QCOMPARE(table.header.join(','),
+             QByteArray("file,name,unit,count,maxAbs,timeOfMaxAbs,rms,maxPercent,timeOfMaxPercent,zeroReference,"
+                        "percentOfPeak,roundingStep,verdict"));
+    QCOMPARE(table.cells.size(), std::size_t(6));
+    QCOMPARE(table.cells[0][1], QByteArray("R4_x"));
+    QVERIFY(std::abs(table.at(0, "maxAbs") - 7.22) < 0.005);
+    QCOMPARE(table.cells[0].last(), QByteArray("differs"));
+}
+
+void TestCommandLine::saysWhatIsWrongWithAFile()
+{
+    QTemporaryDir folder;
+    const QString noise = folder.filePath(QStringLiteral("noise.csv"));
+    QFile file(noise);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("Once upon a time\nthere was no number here\n");
+    file.close();
+    for (const QString &path : {folder.filePath(QStringLiteral("missing.csv")), folder.path(), noise}) {
+        const Outcome outcome = run({QStringLiteral("compare"), path});
+        QCOMPARE(outcome.status, 3);
+        QCOMPARE(outcome.out, QByteArray());
+        QVERIFY2(isOneLine(outcome.err), outcome.err.constData());
+        QVERIFY(QString::fromUtf8(outcome.err).startsWith(QDir::toNativeSeparators(path)));
+    }
+}
+
+void TestCommandLine::warnsOfSkippedRowsAndIgnoredColumns()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("rows.csv"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("time,R4_x,colour\n0,80,1\n0.25,oops,2\n0.5,40,3\n");
+    file.close();
+    const Outcome text = run({QStringLiteral("compare"), path});
+    QCOMPARE(text.status, 0);
+    QVERIFY2(text.err.contains("line 3") && text.err.contains("oops"), text.err.constData());
+    QVERIFY2(text.err.contains("colour"), text.err.constData());
+
+    const Outcome json = run({QStringLiteral("compare"), path, QStringLiteral("--format"), QStringLiteral("json")});
+    const QJsonObject entry = QJsonDocument::fromJson(json.out).object()["files"].toArray().first().toObject();
+    QCOMPARE(entry["ignoredColumns"].toArray(), QJsonArray({"colour"}));
+    QCOMPARE(entry["skipped"].toArray().size(), qsizetype(1));
+    const QJsonObject skipped = entry["skipped"].toArray().first().toObject();
+    QCOMPARE(skipped.keys(), QStringList({"column", "line", "reason", "text"}));
+    QCOMPARE(skipped["line"].toInt(), 3);
+    QCOMPARE(skipped["column"].toInt(), 2);
+    QCOMPARE(skipped["text"].toString(), QStringLiteral("oops"));
+    QCOMPARE(entry["channels"].toArray().first().toObject()["count"].toInt(), 2);
+}
+
+void TestCommandLine::tellsWhereTheModelOfAFileCannotBeAssembled()
+{
+    const Outcome outcome = run({QStringLiteral("compare"), sample(), QStringLiteral("--b"), QStringLiteral("40"),
+                                 QStringLiteral("--fail-on-difference")});
+    QCOMPARE(outcome.status, 4);
+    QVERIFY2(outcome.err.contains("cannot be assembled") && outcome.err.contains("at least 45 mm"),
+             outcome.err.constData());
+    QVERIFY(outcome.out.contains("theta3_diff2"));
+}
+
+void TestCommandLine::takesAnyFileName()
+{
+    QTemporaryDir folder;
+    const QString name = QStringLiteral("Lösung θ₃ 曲柄 %1 \"50 %2\", a.csv");
+    const QString path = folder.filePath(name);
+    QCOMPARE(run({QStringLiteral("solve"), QStringLiteral("--output"), path}).status, 0);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList(name));
+    const Outcome json = run({QStringLiteral("compare"), path, QStringLiteral("--format"), QStringLiteral("json")});
+    QCOMPARE(json.status, 0);
+    const QJsonObject entry = QJsonDocument::fromJson(json.out).object()["files"].toArray().first().toObject();
+    QCOMPARE(entry["file"].toString(), path);
+    const Outcome text = run({QStringLiteral("compare"), path});
+    QVERIFY(QString::fromUtf8(text.out).startsWith(QDir::toNativeSeparators(path)));
+}
+
+void TestCommandLine::speaksTheSameNumbersInEveryLocale()
+{
+    QProcessEnvironment german = withoutDisplay();
+    german.insert(QStringLiteral("LC_ALL"), QStringLiteral("de_DE.UTF-8"));
+    german.insert(QStringLiteral("LANG"), QStringLiteral("de_DE.UTF-8"));
+    for (const QStringList &arguments : {QStringList{"solve", "--b", "60.5"}, QStringList{"compare", sample()},
+                                         QStringList{"compare", sample(), "--format", "json"}}) {
+        const Outcome outcome = run(arguments, german);
+        QCOMPARE(outcome.status, 0);
+        QCOMPARE(outcome.out, run(arguments).out);
+    }
+}
+
+void TestCommandLine::helpsEverywhere()
+{
+    const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
+    for (const QString &command :
+         {QString(), QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("render")}) {
+        const QStringList words = command.isEmpty() ? QStringList() : QStringList(command);
+        const Outcome help = run(words + QStringList(QStringLiteral("--help")));
+        QCOMPARE(help.status, 0);
+        QCOMPARE(help.err, QByteArray());
+        QVERIFY(help.out.contains("Usage: slidercrank"));
+        QVERIFY(help.out.contains("Exit status"));
+        const Outcome version = run(words + QStringList(QStringLiteral("--version")));
+        QCOMPARE(version.status, 0);
+        QVERIFY(QRegularExpression(QStringLiteral("^slidercrank \\d+\\.\\d+\\.\\d+\n$"))
+                    .match(QString::fromUtf8(version.out))
+                    .hasMatch());
+    }
+    // Whatever else is wrong with the line: who asks for help gets it.
+    QCOMPARE(run(QStringLiteral("solve --foo --b x --help")).status, 0);
+    const QByteArray solveHelp = run(QStringLiteral("solve --help")).out;
+    for (const char *name : {"--a ", "--b ", "--c ", "--omega2", "--theta20", "--branch", "--steps", "--duration",
+                             "--start", "--at-angle", "--method", "--max-iterations", "--tolerance", "--channels",
+                             "--angle-unit", "--output", "--format", "\"mechanism\""}) {
+        QVERIFY2(solveHelp.contains(name), name);
+    }
+}
+
+void TestCommandLine::needsNoPlatformButToRender()
+{
+    QProcessEnvironment noPlatform = withoutDisplay();
+    noPlatform.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("nonsense"));
+    QCOMPARE(run({"solve"}, noPlatform).status, 0);
+    QCOMPARE(run({"compare", sample()}, noPlatform).status, 0);
+    QCOMPARE(run({"--help"}, noPlatform).status, 0);
+    QCOMPARE(run({"render", "--output", "x.gif"}, noPlatform).status, 2);
+}
+
+void TestCommandLine::rendersPicturesOfTheSizeAskedFor_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("figure") << "" << QSize(1400, 1800);
+    QTest::newRow("figure with reference, dark") << "--theme dark --b 60 --reference SAMPLE" << QSize(1400, 1800);
+    QTest::newRow("mechanism") << "--what mechanism --at-angle 60" << QSize(900, 700);
+    QTest::newRow("one plot") << "--what theta3_diff" << QSize(900, 600);
+    QTest::newRow("error plot") << "--what error_velocity --reference SAMPLE --b 60" << QSize(900, 600);
+    QTest::newRow("another size") << "--what R4_x --size 640x480 --method newton --steps 20000" << QSize(640, 480);
+}
+
+void TestCommandLine::rendersPicturesOfTheSizeAskedFor()
+{
+    QFETCH(QString, options);
+    QFETCH(QSize, size);
+    QTemporaryDir folder;
+    QStringList arguments = QProcess::splitCommand(QStringLiteral("render ") + options);
+    arguments.replaceInStrings(QStringLiteral("SAMPLE"), sample());
+    const auto render = [&](const QString &name, const QStringList &more = {}) {
+        const QString path = folder.filePath(name);
+        const Outcome outcome = run(arguments + QStringList{QStringLiteral("--output"), path} + more);
+        if (outcome.status != 0 || !outcome.err.isEmpty() || !outcome.out.isEmpty()) {
+            qWarning() << outcome.status << outcome.err << outcome.out;
+            return QString();
+        }
+        return path;
+    };
+    const QImage picture(render(QStringLiteral("x.png")));
+    QCOMPARE(picture.size(), size);
+    bool oneColour = true;
+    for (int y = 0; y < picture.height(); y += 3) {
+        for (int x = 0; x < picture.width(); x += 3) {
+            oneColour = oneColour && picture.pixel(x, y) == picture.pixel(0, 0);
+        }
+    }
+    QVERIFY(!oneColour);
+    QCOMPARE(QImage(render(QStringLiteral("x2.PNG"), {QStringLiteral("--scale"), QStringLiteral("1.5")})).size(),
+             size * 1.5);
+
+    const QByteArray svg = contentOf(render(QStringLiteral("x.svg")));
+    const QByteArray viewBox =
+        "viewBox=\"0 0 " + QByteArray::number(size.width()) + ' ' + QByteArray::number(size.height()) + '"';
+    QVERIFY2(svg.contains(viewBox), svg.left(400).constData());
+    QVERIFY(svg.contains("<text") && svg.contains("</svg>"));
+
+    const QByteArray pdf = contentOf(render(QStringLiteral("x.pdf")));
+    QVERIFY(pdf.startsWith("%PDF"));
+    const QRegularExpressionMatch box =
+        QRegularExpression(QStringLiteral("/MediaBox \\[0 0 ([0-9.]+) ([0-9.]+)\\]")).match(QString::fromLatin1(pdf));
+    QVERIFY(box.hasMatch());
+    // Points of 1/72 inch against pixels of 1/96 inch.
+    QVERIFY(std::abs(box.captured(1).toDouble() - size.width() * 0.75) < 1.0);
+    QVERIFY(std::abs(box.captured(2).toDouble() - size.height() * 0.75) < 1.0);
+}
+
+void TestCommandLine::rendersTheInstantAskedFor()
+{
+    QTemporaryDir folder;
+    const auto picture = [&](const QString &options) {
+        const QString path = folder.filePath(QStringLiteral("pose.png"));
+        QFile::remove(path);
+        run(QProcess::splitCommand(QStringLiteral("render --what mechanism ") + options)
+            << QStringLiteral("--output") << path);
+        return contentOf(path);
+    };
+    const QByteArray start = picture(QString());
+    QVERIFY(!start.isEmpty());
+    QCOMPARE(picture(QStringLiteral("--at 0")), start);
+    const QByteArray quarter = picture(QStringLiteral("--at 0.25"));
+    QVERIFY(!quarter.isEmpty() && quarter != start);
+    QCOMPARE(picture(QStringLiteral("--at-angle 90")), quarter);
+    // Far beyond the run: the mechanism alone has a pose at any instant.
+    QVERIFY(!picture(QStringLiteral("--at-angle 90 --omega2 0.001")).isEmpty());
+
+    const Outcome impossible = run({"render", "--what", "mechanism", "--b", "40", "--at", "0.75", "--output",
+                                    folder.filePath(QStringLiteral("impossible.png"))});
+    QCOMPARE(impossible.status, 4);
+    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("impossible.png"))));
+}
+
+void TestCommandLine::refusesToRenderABadReference()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("figure.png"));
+    const Outcome outcome =
+        run({"render", "--reference", folder.filePath(QStringLiteral("missing.csv")), "--output", path});
+    QCOMPARE(outcome.status, 3);
+    QVERIFY2(isOneLine(outcome.err), outcome.err.constData());
+    QVERIFY(!QFile::exists(path));
+}
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+
+#include "tst_command_line.moc"
