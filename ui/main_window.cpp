@@ -87,7 +87,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_busyTimer(new QTimer(this))
 {
     setWindowTitle(tr("Slider-crank"));
-    setWindowIcon(QIcon(QStringLiteral(":/icons/slidercrank.svg")));
+    setWindowIcon(QIcon(QStringLiteral(":/slidercrank.svg")));
     setAcceptDrops(true);
     resize(1400, 900);
     buildLayout();
@@ -193,11 +193,14 @@ void MainWindow::buildMenus()
     auto *themes = new QActionGroup(this);
     const std::pair<Theme, QString> choices[] = {
         {Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}};
-    const int chosen = QSettings().value(QStringLiteral("theme"), 0).toInt();
+    const auto chosen = static_cast<Theme>(QSettings().value(QStringLiteral("theme"), 0).toInt());
+    if (chosen != Theme::System) {
+        QApplication::setPalette(paletteFor(chosen));
+    }
     for (const auto &[theme, text] : choices) {
         QAction *action = view->addAction(text);
         action->setCheckable(true);
-        action->setChecked(static_cast<int>(theme) == chosen);
+        action->setChecked(theme == chosen);
         themes->addAction(action);
         connect(action, &QAction::triggered, this, [this, value = theme] { setTheme(value); });
     }
