@@ -269,6 +269,47 @@ std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval 
     return kept;
 }
 
+std::vector<CurvePoint> cutIntoDashes(std::span<const CurvePoint> points, const DashPattern &pattern)
+{
+    std::vector<CurvePoint> cut;
+    cut.reserve(2 * points.size());
+    bool isDash = true;
+    double left = pattern.dash; // of the dash or gap under way
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const CurvePoint &to = points[i];
+        const bool begins = i == 0 || std::isnan(points[i - 1].value);
+        if (std::isnan(to.value)) {
+            cut.push_back(to);
+            continue;
+        }
+        if (begins) {
+            isDash = true;
+            left = pattern.dash;
+            cut.push_back(to);
+            continue;
+        }
+        const CurvePoint &from = points[i - 1];
+        const double length = std::hypot((to.t - from.t) * pattern.perT, (to.value - from.value) * pattern.perValue);
+        double done = 0.0;
+        while (length - done > left) {
+            done += left;
+            const double part = done / length;
+            const CurvePoint at{from.t + part * (to.t - from.t), from.value + part * (to.value - from.value)};
+            cut.push_back(at);
+            if (isDash) {
+                cut.push_back({at.t, kNaN});
+            }
+            isDash = !isDash;
+            left = isDash ? pattern.dash : pattern.gap;
+        }
+        left -= length - done;
+        if (isDash) {
+            cut.push_back(to);
+        }
+    }
+    return cut;
+}
+
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points)
 {
     const auto isGap = [&points](std::size_t i) { return i >= points.size() || std::isnan(points[i].value); };

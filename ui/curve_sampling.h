@@ -51,6 +51,17 @@ std::optional<Interval> extremes(std::span<const CurvePoint> points);
 /// The parts of the polyline within both ranges, cut exactly at the edges, with a gap between parts.
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values);
 
+/// How long dashes are, and how many of the caller's length units one unit of t and of value takes.
+struct DashPattern {
+    double dash = 7.0;
+    double gap = 6.0;
+    double perT = 1.0;
+    double perValue = 1.0;
+};
+
+/// The polyline cut into dashes; every part between gaps begins with one.
+std::vector<CurvePoint> cutIntoDashes(std::span<const CurvePoint> points, const DashPattern &pattern);
+
 /// Points that no line reaches because both neighbours are gaps.
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points);
 

@@ -4,7 +4,8 @@
 // Figure 2 of the report: three rows (position, velocity, acceleration) by three columns (θ³, R_x⁴, error in per cent),
 // the model solid and the reference dashed, with one legend, one time range and one time cursor for all nine plots.
 
-#include "ui/curve_sampling.h"
+#include "ui/plot_arrangement.h"
+#include "ui/plot_figure.h"
 #include "ui/session.h"
 
 #include <QPalette>
@@ -35,8 +36,8 @@ public:
     /// The whole figure with its legend, or one plot of it, at that logical size, zoomed as on the screen, in the
     /// colours of that palette. The widget need not be visible. Every curve ends at its axes, also on devices that do
     /// not clip.
-    void paintFigure(QPainter &painter, const QSize &size, const QPalette &palette) const;
-    void paintPlot(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette) const;
+    void paintFigure(QPainter &painter, const QSize &size, const QPalette &palette);
+    void paintPlot(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -60,11 +61,15 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    static constexpr std::size_t kPlotCount = 9;
+    class Plot; // one of the nine widgets
 
-    class Plot;        // one of the nine widgets
-    struct Figure;     // what a Result looks like at any size
-    struct Typography; // fonts and the room that text takes
+    /// A plot within a figure of some size.
+    struct PlacedPlot {
+        QRect cell;
+        QMargins margins;
+        PlotPicture picture;
+    };
+    std::array<PlacedPlot, kPlotCount> placedPlots(const QSize &size);
 
     void requestRefresh();
     void refresh();
@@ -76,8 +81,8 @@ private:
     void pan(std::size_t plot, const QPoint &to);
     void showMenu(std::size_t plot, const QPoint &globalPosition);
 
-    std::unique_ptr<Figure> m_figure;
-    std::unique_ptr<Typography> m_typography;
+    PlotFigure m_figure;
+    PlotTypography m_typography;
     std::array<Plot *, kPlotCount> m_plots{};
     std::array<QWidget *, kPlotCount> m_cursors{};
     QLabel *m_hint = nullptr;

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot_arrangement.h"
+
+#include <QFontInfo>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kMarkSize = 7.0;
+
+double lineWidth(Ink ink)
+{
+    switch (ink) {
+    case Ink::Text:
+    case Ink::Model:
+    case Ink::Reference: return 2.0;
+    case Ink::Error:
+    case Ink::ErrorOther: return 1.0; // they are noise where all is well
+    }
+    return 1.0;
+}
+
+} // namespace
+
+PlotTypography::PlotTypography(const QFont &base)
+    : title(base)
+    , tick(base)
+{
+    constexpr int kSmallest = 9;
+    constexpr double kTickPart = 0.87;
+    const int pixels = QFontInfo(base).pixelSize();
+    title.setPixelSize(pixels);
+    tick.setPixelSize(std::max(kSmallest, static_cast<int>(std::lround(kTickPart * pixels))));
+    constexpr int kRoomForSuperscripts = 2;
+    titleHeight = static_cast<int>(std::ceil(QFontMetricsF(title).height())) + kRoomForSuperscripts;
+    const QFontMetricsF tickMetrics(tick);
+    tickHeight = static_cast<int>(std::ceil(tickMetrics.height()));
+    digitWidth = tickMetrics.horizontalAdvance(u'0');
+}
+
+int PlotTypography::legendHeight() const
+{
+    constexpr int kSpace = 8;
+    return titleHeight + kSpace;
+}
+
+QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels) const
+{
+    constexpr int kUsualLength = 6; // "-0.005"
+    constexpr int kRight = 13;      // half a label of the time axis
+    const int labels = static_cast<int>(std::ceil(digitWidth * std::max(labelLength, kUsualLength)));
+    const int bottom = hasTimeLabels ? tickHeight + kLabelGap + kTickLength + 1 : tickHeight / 2;
+    return {labels + kLabelGap + kTickLength + 1, titleHeight + 2, kRight, bottom};
+}
+
+PlotArrangement::PlotArrangement(const QSize &size, const PlotTypography &typography)
+{
+    constexpr int kSmallestLabelledCell = 165; // px: below this the labels of the upper rows take too much
+    constexpr int kRows = static_cast<int>(kPlotRows);
+    legend = QRect(0, 0, size.width(), typography.legendHeight());
+    const int height = std::max(0, size.height() - legend.height());
+    hasTimeLabelsEverywhere = height / kRows >= kSmallestLabelledCell;
+    const QMargins bare = typography.margins(0, false);
+    const QMargins labelled = typography.margins(0, true);
+    const int extra = hasTimeLabelsEverywhere ? 0 : labelled.bottom() - bare.bottom();
+    const int cellWidth = size.width() / static_cast<int>(kPlotColumns);
+    const int cellHeight = std::max(0, height - extra) / kRows;
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        const int row = static_cast<int>(i / kPlotColumns);
+        const int column = static_cast<int>(i % kPlotColumns);
+        cells[i] = QRect(column * cellWidth, legend.height() + row * cellHeight, cellWidth,
+                         cellHeight + (row == kRows - 1 ? extra : 0));
+    }
+}
+
+bool PlotArrangement::hasTimeLabels(std::size_t plot) const
+{
+    return hasTimeLabelsEverywhere || plot / kPlotColumns == kPlotRows - 1;
+}
+
+QColor colourOf(Ink ink, const SeriesColours &colours)
+{
+    switch (ink) {
+    case Ink::Text: return colours.text;
+    case Ink::Model: return colours.model;
+    case Ink::Reference: return colours.reference;
+    case Ink::Error: return colours.error;
+    case Ink::ErrorOther: return colours.errorOther;
+    }
+    return {};
+}
+
+QPen penOf(Ink ink, const SeriesColours &colours)
+{
+    // Flat ends: round ones would cost five times as much and close the gaps between dashes.
+    return QPen(colourOf(ink, colours), lineWidth(ink), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+}
+
+void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(
+        QPolygonF{tip, tip + QPointF(-0.5 * kMarkSize, kMarkSize), tip + QPointF(0.5 * kMarkSize, kMarkSize)});
+    painter.setBrush(Qt::NoBrush);
+}
+
+void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEntry> &entries,
+                const PlotTypography &typography, const SeriesColours &colours)
+{
+    constexpr int kSample = 33; // three dashes and their gaps
+    constexpr int kMark = 9;
+    constexpr int kGap = 5;
+    constexpr int kBetween = 14;
+    const QFontMetricsF metrics(typography.title);
+    const auto sampleWidth = [](const LegendEntry &entry) {
+        return entry.sample == LegendEntry::Sample::Mark ? kMark : kSample;
+    };
+    double excess = kBetween - rect.width();
+    for (const LegendEntry &entry : entries) {
+        excess += sampleWidth(entry) + kGap + metrics.horizontalAdvance(entry.text) + kBetween;
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(typography.title);
+    double x = rect.left() + kBetween;
+    const double middle = rect.center().y() + 0.5;
+    const double baseline = middle + 0.5 * (metrics.ascent() - metrics.descent());
+    for (const LegendEntry &entry : entries) {
+        switch (entry.sample) {
+        case LegendEntry::Sample::Mark:
+            drawMark(painter, QPointF(x + 0.5 * kMark, middle - 0.5 * kMarkSize), colourOf(entry.ink, colours));
+            break;
+        case LegendEntry::Sample::Solid:
+            painter.setPen(penOf(entry.ink, colours));
+            painter.drawLine(QPointF(x, middle), QPointF(x + kSample, middle));
+            break;
+        case LegendEntry::Sample::Dashed:
+            painter.setPen(penOf(entry.ink, colours));
+            for (double start = 0.0; start < kSample; start += kDash + kDashGap) {
+                painter.drawLine(QPointF(x + start, middle), QPointF(x + start + kDash, middle));
+            }
+            break;
+        }
+        QString text = entry.text;
+        if (entry.mayBeElided && excess > 0.0) {
+            constexpr double kShortest = 60.0;
+            text = metrics.elidedText(text, Qt::ElideMiddle,
+                                      std::max(kShortest, metrics.horizontalAdvance(text) - excess));
+        }
+        x += sampleWidth(entry) + kGap;
+        painter.setPen(colours.text);
+        painter.drawText(QPointF(x, baseline), text);
+        x += metrics.horizontalAdvance(text) + kBetween;
+    }
+    painter.restore();
+}
+
+} // namespace slidercrank
