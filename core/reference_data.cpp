@@ -238,46 +238,56 @@ bool looksNumeric(std::string_view text)
            text.find_first_not_of("0123456789+-.,eE") == std::string_view::npos;
 }
 
+/// The number that all of `digits` are, if they are one; with its point, whatever the file's decimal sign.
+std::optional<double> valueOf(std::string_view digits)
+{
+    const std::size_t first = !digits.empty() && digits.front() == '-' ? 1 : 0;
+    if (first == digits.size() || !(isDigit(digits[first]) || digits[first] == '.')) {
+        return std::nullopt; // also inf, which from_chars would take
+    }
+    double value = 0.0;
+    const char *const end = digits.data() + digits.size();
+    const auto [last, fault] = std::from_chars(digits.data(), end, value);
+    if (last != end || fault == std::errc::invalid_argument) {
+        return std::nullopt;
+    }
+    if (fault == std::errc::result_out_of_range) {
+        const double sizeBeyondDouble = placesOf(digits).first > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+        return sizeBeyondDouble;
+    }
+    return value;
+}
+
 Number readNumber(std::string_view text, DecimalSign decimalSign)
 {
+    const bool comma = decimalSign == DecimalSign::Comma;
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+    Number number;
+    number.digits = plus ? text.substr(1) : text;
+
+    std::optional<double> value;
+    std::array<char, 128> withPoint; // no number needs more
+    if (!comma) {
+        value = valueOf(number.digits);
+    } else if (number.digits.size() <= withPoint.size() && number.digits.find('.') == std::string_view::npos) {
+        std::replace_copy(number.digits.begin(), number.digits.end(), withPoint.begin(), ',', '.');
+        value = valueOf({withPoint.data(), number.digits.size()});
+    }
+    if (value && std::isfinite(*value)) {
+        number.value = *value;
+        return number;
+    }
+    if (value) {
+        return unreadable("not a number: too large");
+    }
     if (text.empty() || equalIgnoringCase(text, "nan") || equalIgnoringCase(text, "-nan")) {
         return {};
     }
-    const char otherSign = decimalSign == DecimalSign::Comma ? '.' : ',';
-    if (looksNumeric(text) && text.find(otherSign) != std::string_view::npos) {
-        return unreadable(decimalSign == DecimalSign::Comma ? "not a number: this file writes a decimal comma"
-                                                            : "not a number: this file writes a decimal point");
+    if (looksNumeric(text) && text.find(comma ? '.' : ',') != std::string_view::npos) {
+        return unreadable(comma ? "not a number: this file writes a decimal comma"
+                                : "not a number: this file writes a decimal point");
     }
-    constexpr const char *kNotANumber = "not a number";
-    std::string_view digits = text.front() == '+' ? text.substr(1) : text;
-    const std::size_t first = !digits.empty() && digits.front() == '-' && text.front() != '+' ? 1 : 0;
-    const char decimal = decimalSign == DecimalSign::Comma ? ',' : '.';
-    if (first >= digits.size() || !(isDigit(digits[first]) || digits[first] == decimal)) {
-        return unreadable(kNotANumber); // also inf, which from_chars would take
-    }
-    std::array<char, 128> withPoint; // no number needs more
-    std::string_view standard = digits;
-    if (decimalSign == DecimalSign::Comma) {
-        if (digits.size() > withPoint.size()) {
-            return unreadable(kNotANumber);
-        }
-        std::replace_copy(digits.begin(), digits.end(), withPoint.begin(), ',', '.');
-        standard = {withPoint.data(), digits.size()};
-    }
-    Number number;
-    number.digits = digits;
-    const char *const end = standard.data() + standard.size();
-    const auto [last, fault] = std::from_chars(standard.data(), end, number.value);
-    if (fault == std::errc::invalid_argument || last != end) {
-        return unreadable(kNotANumber);
-    }
-    if (fault == std::errc::result_out_of_range) {
-        if (placesOf(digits).first > 0) {
-            return unreadable("not a number: too large");
-        }
-        number.value = 0.0; // too small for a double
-    }
-    return number;
+    return unreadable("not a number");
 }
 
 /// The decimal sign of a file whose cells are not separated by commas. The first number that can be read in one way

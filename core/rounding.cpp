@@ -110,48 +110,46 @@ double Rounding::stepAt(double value) const
 
 PrintedPlaces placesOf(std::string_view digits)
 {
-    // Digits are numbered from 0; the n-th stands at (digits before the point - 1 - n) + exponent.
-    int count = 0;
-    int beforePoint = -1;
-    int firstDigit = -1;
-    int lastDigit = -1;
-    std::size_t i = 0;
-    for (; i < digits.size(); ++i) {
-        const char c = digits[i];
-        if (c >= '0' && c <= '9') {
-            if (c != '0') {
-                lastDigit = count;
-                if (firstDigit < 0) {
-                    firstDigit = count;
-                }
-            }
-            ++count;
-        } else if (c == '.' || c == ',') {
-            beforePoint = count;
-        } else if (c == 'e' || c == 'E') {
-            break;
-        }
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    const char *const begin =
+        digits.data() + (!digits.empty() && !isDigit(digits[0]) && digits[0] != '.' && digits[0] != ',' ? 1 : 0);
+    const char *const end = digits.data() + digits.size();
+    const char *point = end;
+    const char *stop = begin; // behind the last digit: the end, or the exponent
+    for (; stop != end && *stop != 'e' && *stop != 'E'; ++stop) {
+        point = isDigit(*stop) ? point : stop;
     }
-    if (beforePoint < 0) {
-        beforePoint = count;
-    }
-    constexpr int kLargest = 100000; // far beyond any double, and no sum of such overflows
     int exponent = 0;
-    bool negative = false;
-    for (; i < digits.size(); ++i) {
-        const char c = digits[i];
-        negative = negative || c == '-';
-        if (c >= '0' && c <= '9') {
-            exponent = std::min(exponent * 10 + (c - '0'), kLargest);
+    for (const char *c = stop; c != end; ++c) {
+        if (isDigit(*c)) {
+            constexpr int kLargest = 100000; // far beyond any double, and no sum of such overflows
+            exponent = std::min(exponent * 10 + (*c - '0'), kLargest);
         }
     }
-    const int units = beforePoint - 1 + (negative ? -exponent : exponent);
+    if (end - stop > 1 && stop[1] == '-') {
+        exponent = -exponent;
+    }
+    point = std::min(point, stop);
+
+    // The digit just before the point stands at 10^exponent.
+    const auto placeOf = [&](const char *digit) {
+        return static_cast<int>(digit < point ? point - digit - 1 : point - digit) + exponent;
+    };
+    const auto isNothing = [](char c) { return c == '0' || c == '.' || c == ','; };
+    const char *last = stop;
+    while (last != begin && isNothing(last[-1])) {
+        --last;
+    }
     PrintedPlaces places;
-    places.zero = firstDigit < 0;
-    places.printed = units - (count - 1);
+    places.printed = stop == point ? exponent : placeOf(stop - 1);
+    places.zero = last == begin;
     if (!places.zero) {
-        places.first = units - firstDigit;
-        places.last = units - lastDigit;
+        const char *first = begin;
+        while (isNothing(*first)) {
+            ++first;
+        }
+        places.first = placeOf(first);
+        places.last = placeOf(last - 1);
     }
     return places;
 }
