@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/error_panel.h"
 
+#include "ui/axis_scale.h"
 #include "ui/number_box.h"
 #include "ui/theme.h"
 
@@ -16,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace slidercrank
 {
@@ -25,14 +27,14 @@ namespace
 
 enum Column {
     Name,
+    Outcome,
     LargestError,
     LargestErrorAt,
     Rms,
     LargestPercent,
     LargestPercentAt,
     PercentOfPeak,
-    RoundingStep,
-    Outcome
+    RoundingStep
 };
 constexpr int kColumnCount = 9;
 constexpr int kErrorDigits = 3;
@@ -44,27 +46,35 @@ QString dash()
 
 QString errorText(const std::optional<double> &value)
 {
-    return value ? shortNumber(*value, kErrorDigits) : dash();
+    return value ? shortNumber(*value, kErrorDigits, QLocale()) : dash();
+}
+
+QString stepText(const std::optional<double> &value)
+{
+    return value ? numberText(*value, kErrorDigits) : dash();
 }
 
 QString instantText(double seconds)
 {
-    return shortNumber(seconds, 6);
+    return numberText(seconds, 6);
 }
 
-/// As the report writes them: θ³, its derivatives with dots, R⁴x.
+/// As the report writes them: θ³, R_x⁴. Derivatives as quotients: a dot over a letter is too small to be told from
+/// none.
 QString symbolOf(Channel channel)
 {
     const auto body = static_cast<int>(channel.coordinate) / 3;
     const auto axis = static_cast<int>(channel.coordinate) % 3;
-    static const QString kBodies = QStringLiteral("¹²³⁴");
-    static const QString kDots[] = {QString(), QStringLiteral("\u0307"), QStringLiteral("\u0308")};
-    const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ") : QStringLiteral("R");
-    const QString symbol = letter + kDots[static_cast<int>(channel.order)] + kBodies[body];
-    if (isAngle(channel.coordinate)) {
-        return symbol;
+    const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ")
+                           : axis == 0                 ? QStringLiteral("R_x")
+                                                       : QStringLiteral("R_y");
+    const QString symbol = letter + QStringLiteral("¹²³⁴")[body];
+    switch (channel.order) {
+    case Order::Position: return symbol;
+    case Order::Velocity: return QStringLiteral("d%1/dt").arg(symbol);
+    case Order::Acceleration: return QStringLiteral("d²%1/dt²").arg(symbol);
     }
-    return symbol + (axis == 0 ? QStringLiteral("x") : QStringLiteral("y"));
+    return {};
 }
 
 QString unitOf(Channel channel)
@@ -121,7 +131,8 @@ QString extentText(const std::vector<ChannelComparison> &comparison)
             }
         }
         if (largest) {
-            return ErrorPanel::tr(", by up to %1 % %2").arg(shortNumber(*largest, kErrorDigits), orderText(order));
+            return ErrorPanel::tr(", by up to %1 % %2")
+                .arg(shortNumber(*largest, kErrorDigits, QLocale()), orderText(order));
         }
     }
     return {};
@@ -130,7 +141,7 @@ QString extentText(const std::vector<ChannelComparison> &comparison)
 QString lengthsText(const Mechanism &mechanism)
 {
     return ErrorPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm")
-        .arg(shortNumber(mechanism.a()), shortNumber(mechanism.b()), shortNumber(mechanism.c()));
+        .arg(numberText(mechanism.a()), numberText(mechanism.b()), numberText(mechanism.c()));
 }
 
 struct Tally {
@@ -287,6 +298,10 @@ QWidget *ErrorPanel::createTablePage()
     };
     const std::array<Header, kColumnCount> headers{{
         {tr("channel"), tr("What is compared, and its unit")},
+        {tr("verdict"),
+         tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
+            "close: none beyond a hundred halves\n"
+            "differs: anything else")},
         {tr("largest error"), tr("max |model − reference|, in the channel's unit")},
         {tr("at [s]"), tr("Instant of the largest error")},
         {tr("rms"), tr("√( mean of (model − reference)² ), in the channel's unit")},
@@ -298,10 +313,6 @@ QWidget *ErrorPanel::createTablePage()
         {tr("file's step"),
          tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
             "channel's unit. Rounding alone makes an error of half of it.")},
-        {tr("verdict"),
-         tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
-            "close: none beyond a hundred halves\n"
-            "differs: anything else")},
     }};
     m_table = new QTableWidget(0, kColumnCount);
     m_table->setObjectName(QStringLiteral("errorTable"));
@@ -325,9 +336,8 @@ QWidget *ErrorPanel::createTablePage()
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->installEventFilter(this);
+    m_table->viewport()->installEventFilter(this);
     connect(m_table, &QTableWidget::cellClicked, this, &ErrorPanel::goToError);
 
     m_leftOut = new QLabel;
@@ -383,7 +393,27 @@ bool ErrorPanel::eventFilter(QObject *watched, QEvent *event)
             return true;
         }
     }
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize) {
+        fitColumns();
+    }
     return QWidget::eventFilter(watched, event);
+}
+
+void ErrorPanel::fitColumns()
+{
+    constexpr int kMostAir = 28;
+    std::array<int, kColumnCount> needed{};
+    int used = 0;
+    for (int column = 0; column < kColumnCount; ++column) {
+        m_table->resizeColumnToContents(column);
+        const int width = m_table->columnWidth(column);
+        needed[static_cast<std::size_t>(column)] = width;
+        used += width;
+    }
+    const int air = std::clamp((m_table->viewport()->width() - used) / kColumnCount, 0, kMostAir);
+    for (int column = 0; column < kColumnCount; ++column) {
+        m_table->setColumnWidth(column, needed[static_cast<std::size_t>(column)] + air);
+    }
 }
 
 void ErrorPanel::fill()
@@ -453,13 +483,14 @@ void ErrorPanel::fill()
         set(LargestPercentAt, channel.maxPercent ? instantText(channel.timeOfMaxPercent) : dash(),
             tr("Click to go to the instant of the largest percentage"));
         set(PercentOfPeak, errorText(channel.percentOfPeak), tr("max |model − reference| / max |reference| · 100"));
-        set(RoundingStep, errorText(channel.roundingStep),
+        set(RoundingStep, stepText(channel.roundingStep),
             channel.roundingStep ? tr("The file writes this channel in steps of %1 at most")
-                                       .arg(withUnit(errorText(channel.roundingStep)))
+                                       .arg(withUnit(stepText(channel.roundingStep)))
                                  : tr("The file does not show how it was rounded"));
         QTableWidgetItem *outcome = set(Outcome, verdictText(channel.verdict));
         outcome->setForeground(verdictColour(channel.verdict, colours));
     }
+    fitColumns();
 }
 
 void ErrorPanel::goToError(int row, int column)

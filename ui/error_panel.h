@@ -42,6 +42,7 @@ private:
     QWidget *createEmptyPage();
     QWidget *createTablePage();
     void fill();
+    void fitColumns(); ///< shares spare width out among them
     void goToError(int row, int column);
 
     std::shared_ptr<const Result> m_result;

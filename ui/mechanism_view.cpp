@@ -32,7 +32,7 @@ constexpr double kBlockHalfHeight = 12.0;
 constexpr double kHatchLength = 7.0;
 constexpr double kHatchSpacing = 7.0;
 constexpr double kGrasp = 18.0;      ///< how far from A a press still takes hold of it
-constexpr double kAroundPins = 30.0; ///< what is drawn around a pin reaches no farther: slider, name
+constexpr double kAroundPins = 42.0; ///< what is drawn around a pin reaches no farther: slider, name
 
 QColor mixed(const QColor &colour, const QColor &background, double share)
 {
@@ -102,6 +102,12 @@ void paintLink(QPainter &painter, QPointF from, QPointF to, double width, const 
     painter.drawLine(from, to);
 }
 
+QPointF unitVector(QPointF vector)
+{
+    const double length = std::hypot(vector.x(), vector.y());
+    return length > 0.0 ? vector / length : QPointF(0.0, -1.0);
+}
+
 void paintJoint(QPainter &painter, QPointF at, const QColor &edge, const QColor &fill)
 {
     painter.setPen(QPen(edge, 1.6));
@@ -161,8 +167,8 @@ void MechanismView::setResult(const std::shared_ptr<const Result> &result)
         setAccessibleDescription(
             tr("Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. Drag the crank "
                "pin A to move through time.")
-                .arg(shortNumber(m_result->mechanism.a()), shortNumber(m_result->mechanism.b()),
-                     shortNumber(m_result->mechanism.c())));
+                .arg(numberText(m_result->mechanism.a()), numberText(m_result->mechanism.b()),
+                     numberText(m_result->mechanism.c())));
     }
 }
 
@@ -271,7 +277,7 @@ void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
     painter.setPen(on.muted);
     painter.drawText(QPointF(4.0, on.size.height() - 4.0), tr("mm"));
     forEachLine(low.x(), high.x(), [&](double x) {
-        const QString text = shortNumber(x);
+        const QString text = numberText(x);
         const double left = on({x, 0.0}).x() + 3.0;
         if (left > cornerWidth && left + painter.fontMetrics().horizontalAdvance(text) < on.size.width()) {
             painter.drawText(QPointF(left, on.size.height() - 4.0), text);
@@ -280,7 +286,7 @@ void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
     forEachLine(low.y(), high.y(), [&](double y) {
         const double baseline = on({0.0, y}).y() - 3.0;
         if (baseline > textHeight && baseline < on.size.height() - 1.5 * textHeight) {
-            painter.drawText(QPointF(4.0, baseline), shortNumber(y));
+            painter.drawText(QPointF(4.0, baseline), numberText(y));
         }
     });
 
@@ -323,12 +329,10 @@ void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
     const double rail = line + kBlockHalfHeight + 1.0;
     paintGround(painter, {on({railLeft, 0.0}).x() - kBlockHalfWidth - 4.0, rail},
                 {on({railRight, 0.0}).x() + kBlockHalfWidth + 4.0, rail});
-    painter.setPen(QPen(on.colours.text, 1.4));
     for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
         if (centre) {
             const double x = on({centre->R4x, 0.0}).x();
-            painter.drawLine(QPointF(x, line - kBlockHalfHeight - 9.0), QPointF(x, line - kBlockHalfHeight - 2.0));
-            painter.drawLine(QPointF(x, line - 4.0), QPointF(x, line + 4.0));
+            painter.drawLine(QPointF(x, line - kBlockHalfHeight - 8.0), QPointF(x, rail));
         }
     }
 
@@ -372,15 +376,15 @@ void MechanismView::paintPose(QPainter &painter, const Canvas &on) const
             paintJoint(painter, joint, edge, paper);
         }
 
-        // The name of A on the far side of the crank, that of B above the slider.
+        // The name of A away from both links, that of B beside the slider's dead centre marks.
         painter.setFont(on.font);
         painter.setPen(edge);
-        const QPointF along = crank - pivot;
-        const double length = std::hypot(along.x(), along.y());
-        const QPointF outwards = length > 0.0 ? along / length : QPointF(0.0, -1.0);
+        const QPointF apart = unitVector(crank - pivot) + unitVector(crank - slider);
+        const QPointF across(-(slider - crank).y(), (slider - crank).x()); // where crank and coupler are in one line
+        const QPointF away = std::hypot(apart.x(), apart.y()) > 0.3 ? unitVector(apart) : unitVector(across);
         const QRectF box(-10.0, -9.0, 20.0, 18.0);
-        painter.drawText(box.translated(crank + 17.0 * outwards), Qt::AlignCenter, tr("A"));
-        painter.drawText(box.translated(slider + QPointF(0.0, -kBlockHalfHeight - 10.0)), Qt::AlignCenter, tr("B"));
+        painter.drawText(box.translated(crank + 17.0 * away), Qt::AlignCenter, tr("A"));
+        painter.drawText(box.translated(slider + QPointF(0.0, -kBlockHalfHeight - 18.0)), Qt::AlignCenter, tr("B"));
     }
     if (!exists) {
         const QPointF wanted = crankPin();
@@ -397,16 +401,23 @@ void MechanismView::paintExplanation(QPainter &painter, const Canvas &on) const
 {
     const QString text = explanation();
     constexpr double kWidest = 440.0;
+    constexpr double kNarrowest = 190.0;
     constexpr double kPadding = 9.0;
-    const double width = std::min(kWidest, on.size.width() - 16.0) - 2.0 * kPadding;
+    constexpr double kApart = 8.0;
+    // Beside the crank circle and away from the slider's line there is nothing to hide, if there is room.
+    const double a = m_result->mechanism.a();
+    const bool open = m_result->mechanism.branch() == Branch::Open;
+    const double beside = (open ? on.size.width() - on({a, 0.0}).x() : on({-a, 0.0}).x()) - 2.0 * kApart;
+    const double whole = on.size.width() - 2.0 * kApart;
+    const bool fits = beside >= kNarrowest;
     painter.setFont(on.font);
-    const QRectF room(0.0, 0.0, width, 1e4);
+    const QRectF room(0.0, 0.0, std::min(kWidest, fits ? beside : whole) - 2.0 * kPadding, 1e4);
     QRectF box = painter.boundingRect(room, Qt::TextWordWrap, text).adjusted(-kPadding, -kPadding, kPadding, kPadding);
-    // Away from the slider's line: there the drawing is.
-    const double bottomEdge = QFontMetricsF(on.font).height() + 10.0; // clear of the scale
+    const double scaleHeight = QFontMetricsF(on.font).height() + 2.0;
     const bool below = m_result->mechanism.c() >= 0.0;
-    box.moveTop(below ? on.size.height() - box.height() - bottomEdge : 8.0);
-    box.moveLeft(0.5 * (on.size.width() - box.width()));
+    box.moveTop(below ? on.size.height() - box.height() - kApart - scaleHeight : kApart);
+    const double middle = 0.5 * (on.size.width() - box.width());
+    box.moveLeft(!fits ? middle : open ? on.size.width() - box.width() - kApart : kApart);
     painter.setPen(QPen(on.colours.warning, 1.5));
     QColor paper = on.colours.background;
     paper.setAlphaF(0.93F);
@@ -425,12 +436,12 @@ QString MechanismView::explanation() const
         return tr("There is no pose at this instant: the crank angle is not a finite number.");
     }
     const Mechanism &mechanism = m_result->mechanism;
-    const QString turning = shortNumber(shortestCouplerForFullTurn(mechanism));
+    const QString turning = numberText(shortestCouplerForFullTurn(mechanism));
     if (m_result->limits.mobility == Mobility::Impossible) {
         return tr("Cannot be assembled at any crank angle: the coupler does not reach the slider's line. b must be "
                   "more than "
                   "%1 mm for any pose; the crank turns round when b is at least %2 mm.")
-            .arg(shortNumber(shortestCouplerForAnyPose(mechanism)), turning);
+            .arg(numberText(shortestCouplerForAnyPose(mechanism)), turning);
     }
     const double angle = m_pose.theta2 - kTurn * std::floor(m_pose.theta2 / kTurn);
     return tr("Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at least %2 "

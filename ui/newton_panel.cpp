@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/newton_panel.h"
 
+#include "ui/axis_scale.h"
 #include "ui/number_box.h"
 #include "ui/theme.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -27,11 +29,6 @@ namespace
 constexpr int kMostSteps = 1'000'000;
 constexpr int kMostIterations = 1000;
 
-QString toleranceText(double tolerance)
-{
-    return shortNumber(tolerance, 17).size() > 8 ? shortNumber(tolerance, 6) : shortNumber(tolerance, 17);
-}
-
 } // namespace
 
 NewtonPanel::NewtonPanel(QWidget *parent)
@@ -43,7 +40,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     m_method = new QComboBox;
     m_method->setObjectName(QStringLiteral("methodBox"));
     m_method->addItem(tr("Newton-Raphson"), static_cast<int>(Method::Newton));
-    m_method->addItem(tr("closed form (exact)"), static_cast<int>(Method::ClosedForm));
+    m_method->addItem(tr("closed form, exact"), static_cast<int>(Method::ClosedForm));
     m_method->setToolTip(tr("How the curves are computed"));
     connect(m_method, &QComboBox::activated, this, [this](int index) {
         SolverSettings solver = m_solver;
@@ -55,6 +52,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     m_steps->setObjectName(QStringLiteral("stepsBox"));
     m_steps->setRange(1, kMostSteps);
     m_steps->setKeyboardTracking(false);
+    m_steps->setAlignment(Qt::AlignRight);
     m_steps->setToolTip(tr("Intervals; one instant more is computed"));
     connect(m_steps, &QSpinBox::valueChanged, this, [this](int steps) {
         Sampling sampling = m_sampling;
@@ -92,6 +90,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     m_iterations->setObjectName(QStringLiteral("iterationsBox"));
     m_iterations->setRange(1, kMostIterations);
     m_iterations->setKeyboardTracking(false);
+    m_iterations->setAlignment(Qt::AlignRight);
     m_iterations->setToolTip(tr("At one instant"));
     connect(m_iterations, &QSpinBox::valueChanged, this, [this](int iterations) {
         SolverSettings solver = m_solver;
@@ -106,6 +105,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
         auto *label = new QLabel(name);
         label->setBuddy(field);
         field->setAccessibleName(name);
+        field->setMaximumWidth(130);
         settings->addWidget(label, row, 2 * column);
         settings->addWidget(field, row, 2 * column + 1);
     };
@@ -115,7 +115,6 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     add(tr("Steps"), m_steps, 0, 1);
     add(tr("Duration"), m_duration, 1, 1);
     add(tr("Start"), m_start, 2, 1);
-    settings->setColumnMinimumWidth(2, 0);
 
     m_iterationsDone = new QLabel;
     m_iterationsDone->setObjectName(QStringLiteral("iterationsLabel"));
@@ -125,7 +124,6 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     m_instants->setObjectName(QStringLiteral("instantsLabel"));
     m_explanation = new QLabel;
     m_explanation->setObjectName(QStringLiteral("explanationLabel"));
-    m_explanation->setWordWrap(true);
     auto *outcome = new QFormLayout;
     outcome->setHorizontalSpacing(8);
     outcome->setVerticalSpacing(4);
@@ -134,20 +132,21 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     outcome->addRow(tr("Instants"), m_instants);
     for (QLabel *label : {m_iterationsDone, m_residual, m_instants, m_explanation}) {
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setWordWrap(true);
     }
     m_residual->setToolTip(
         tr("Of the answers; mm and rad mixed, as in the report. It bounds the residual, not the error."));
 
     auto *beside = new QHBoxLayout;
-    beside->setSpacing(28);
+    beside->setSpacing(20);
     beside->addLayout(settings);
-    beside->addLayout(outcome);
-    beside->addStretch(1);
+    beside->addLayout(outcome, 1);
     auto *rows = new QVBoxLayout(this);
     rows->addLayout(beside);
     rows->addWidget(m_explanation);
     rows->addStretch(1);
     showSettings();
+    colourExplanation();
 }
 
 void NewtonPanel::setSettings(const Sampling &sampling, const SolverSettings &solver)
@@ -167,9 +166,9 @@ void NewtonPanel::setResult(const std::shared_ptr<const Result> &result)
     const std::size_t instants = run.status.size();
     const bool newton = result->solver.method == Method::Newton;
     if (newton) {
-        m_iterationsDone->setText(tr("%1 in all, at most %2 at one instant")
+        m_iterationsDone->setText(tr("%1 in all, at most %2 an instant")
                                       .arg(locale.toString(run.iterations), locale.toString(run.mostIterations)));
-        m_residual->setText(shortNumber(run.largestResidual, 3));
+        m_residual->setText(shortNumber(run.largestResidual, 3, locale));
     } else {
         m_iterationsDone->setText(tr("none: the closed form needs none"));
         m_residual->setText(tr("–"));
@@ -207,6 +206,21 @@ void NewtonPanel::setResult(const std::shared_ptr<const Result> &result)
     m_explanation->setVisible(!sentences.isEmpty());
 }
 
+void NewtonPanel::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        colourExplanation();
+    }
+    QWidget::changeEvent(event);
+}
+
+void NewtonPanel::colourExplanation()
+{
+    QPalette warning = palette();
+    warning.setColor(QPalette::WindowText, seriesColours(warning).warning);
+    m_explanation->setPalette(warning);
+}
+
 void NewtonPanel::showSettings()
 {
     const QSignalBlocker quietSteps(m_steps);
@@ -215,7 +229,7 @@ void NewtonPanel::showSettings()
     m_steps->setValue(m_sampling.steps);
     m_duration->setValue(m_sampling.duration);
     m_start->setValue(m_sampling.start);
-    m_tolerance->setText(toleranceText(m_solver.newton.tolerance));
+    m_tolerance->setText(numberText(m_solver.newton.tolerance, QLocale::FloatingPointShortest));
     m_iterations->setValue(m_solver.newton.maxIterations);
     const bool newton = m_solver.method == Method::Newton;
     m_tolerance->setEnabled(newton);

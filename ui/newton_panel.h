@@ -34,8 +34,12 @@ public slots:
 signals:
     void edited(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     void showSettings();
+    void colourExplanation();
     void edit(const Sampling &sampling, const SolverSettings &solver);
     void editTolerance();
 

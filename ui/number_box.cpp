@@ -59,7 +59,7 @@ std::optional<double> readNumber(const QString &text)
     return std::nullopt;
 }
 
-QString shortNumber(double value, int significantDigits)
+QString numberText(double value, int significantDigits)
 {
     return withShortExponent(localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits));
 }
@@ -197,7 +197,7 @@ QString NumberBox::textFor(double value) const
     if (m_fixedDecimals >= 0) {
         return localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'f', m_fixedDecimals);
     }
-    return shortNumber(value, m_editing ? QLocale::FloatingPointShortest : 6);
+    return numberText(value, m_editing ? QLocale::FloatingPointShortest : 6);
 }
 
 void NumberBox::showValue()

@@ -17,7 +17,7 @@ namespace slidercrank
 std::optional<double> readNumber(const QString &text);
 
 /// At most so many significant digits, in the user's locale, no trailing zeros, no group separators.
-QString shortNumber(double value, int significantDigits = 6);
+QString numberText(double value, int significantDigits = 6);
 
 class NumberBox : public QAbstractSpinBox
 {

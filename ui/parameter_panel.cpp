@@ -174,12 +174,12 @@ protected:
                                             minimum(), maximum(), std::clamp(position, minimum(), maximum()), travel);
         };
         QPainter painter(this);
-        const int top = height() - 4;
+        const int top = height() - 3;
         const QColor colour = seriesColours(palette()).warning;
         const int left = pixel(m_permittedFrom);
         const int right = pixel(m_permittedTo);
-        painter.fillRect(QRect(QPoint(handle.width() / 2, top), QPoint(left - 1, top + 2)), colour);
-        painter.fillRect(QRect(QPoint(right + 1, top), QPoint(handle.width() / 2 + travel, top + 2)), colour);
+        painter.fillRect(QRect(QPoint(handle.width() / 2, top), QPoint(left - 1, top + 1)), colour);
+        painter.fillRect(QRect(QPoint(right + 1, top), QPoint(handle.width() / 2 + travel, top + 1)), colour);
     }
 
 private:
@@ -198,7 +198,7 @@ ParameterPanel::ParameterPanel(QWidget *parent)
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 4);
-    grid->setHorizontalSpacing(6);
+    grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(1, 1);
     for (Row &row : m_rows) {
@@ -273,6 +273,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     row.reset->setObjectName(QStringLiteral("reset_") + wording.key);
     row.reset->setText(QStringLiteral("↺"));
     row.reset->setAutoRaise(true);
+    row.reset->setFixedSize(20, 22); // beside five sliders, which need the width more
     row.reset->setAccessibleName(tr("Reset %1").arg(wording.symbol));
     row.reset->setToolTip(tr("Back to the report's Table 1"));
     grid->addWidget(row.reset, line, 4);
@@ -337,7 +338,9 @@ double ParameterPanel::sliderRangeFor(const Row &row, double value) const
     constexpr double kMuchTooLong = 50.0;
     const double size = isLength(row.parameter) ? std::max({m_parameters.a, m_parameters.b, std::abs(m_parameters.c)})
                                                 : std::max(std::abs(value), usual / kMuchTooLong);
-    const auto fits = [&](double range) { return std::abs(value) <= range && range <= kMuchTooLong * size; };
+    const auto fits = [&](double range) {
+        return range > 0.0 && std::abs(value) <= range && range <= kMuchTooLong * size * (1.0 + 1e-9);
+    };
     if (row.slider->isSliderDown() || fits(row.slider->range())) {
         return row.slider->range(); // under the hand, or good enough: nothing moves
     }

@@ -32,7 +32,7 @@ constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0,
 
 QString speedText(double speed)
 {
-    return Timeline::tr("%1×").arg(shortNumber(speed, 3));
+    return Timeline::tr("%1×").arg(numberText(speed, 3));
 }
 
 /// How far to turn forwards from one angle to the next place where the other is passed, within [0, 2π).
