@@ -305,8 +305,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(Verdict)
-Q_DECLARE_METATYPE(Method)
-
 QTEST_APPLESS_MAIN(TestComparison)
 #include "tst_comparison.moc"

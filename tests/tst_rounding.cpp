@@ -202,7 +202,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(Rounding)
-
 QTEST_APPLESS_MAIN(TestRounding)
 #include "tst_rounding.moc"
