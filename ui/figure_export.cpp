@@ -82,7 +82,7 @@ bool writeSvg(QIODevice &device, const QSize &size, const QString &title, const 
     generator.setResolution(kDotsPerInch);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(title);
+    generator.setTitle(title.toHtmlEscaped()); // it is written as it is
     QPainter painter;
     if (!painter.begin(&generator)) {
         return false;

@@ -179,6 +179,9 @@ Interval PlotFigure::outerRange() const
 std::optional<Interval> PlotFigure::extremesWithin(const Interval &range, std::span<const double> instants,
                                                    std::span<const double> values) const
 {
+    if (values.empty()) {
+        return std::nullopt; // a channel that the file lacks
+    }
     const auto begin = std::lower_bound(instants.begin(), instants.end(), range.lower);
     const auto end = std::upper_bound(begin, instants.end(), range.upper);
     return extremes(

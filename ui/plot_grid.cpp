@@ -281,7 +281,7 @@ PlotGrid::PlotGrid(QWidget *parent)
     m_hint = new QLabel(this);
     m_hint->setObjectName(QStringLiteral("no_reference_hint"));
     m_hint->setTextFormat(Qt::RichText);
-    m_hint->setText(tr("No reference data.<br><a href=\"open\">Open a reference…</a><br>or drop a CSV file here."));
+    m_hint->setText(tr("No reference data.<br><a href=\"open\">Open a reference…</a><br>or drop a CSV here."));
     m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setWordWrap(true);

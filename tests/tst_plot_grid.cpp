@@ -1,0 +1,544 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot_grid.h"
+
+#include "ui/theme.h"
+
+#include <QImage>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolTip>
+#include <QWheelEvent>
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::shared_ptr<const Result> resultOf(const Parameters &parameters, int steps = 200,
+                                       const std::shared_ptr<const Reference> &reference = nullptr)
+{
+    Session session;
+    Sampling sampling;
+    sampling.steps = steps;
+    session.setSampling(sampling);
+    session.setParameters(parameters);
+    if (reference) {
+        session.setReference(reference);
+    }
+    return session.result();
+}
+
+Parameters withCoupler(double b)
+{
+    Parameters parameters;
+    parameters.b = b;
+    return parameters;
+}
+
+/// The motion of another mechanism, as if a file had been read: all six channels, or only some of them.
+std::shared_ptr<Reference> referenceOf(const Parameters &parameters, std::size_t channels = kPlottedChannels.size())
+{
+    const std::shared_ptr<const Result> result = resultOf(parameters, 50);
+    auto reference = std::make_shared<Reference>();
+    reference->name = QStringLiteral("simulation.csv");
+    reference->path = QStringLiteral("/folder/simulation.csv");
+    reference->data.time = result->trajectory.time;
+    for (std::size_t i = 0; i < channels; ++i) {
+        reference->data.series.push_back({kPlottedChannels[i], result->trajectory[kPlottedChannels[i]], {}});
+    }
+    return reference;
+}
+
+/// A grid on the (offscreen) screen, its plots up to date, and how often each was replotted since.
+struct ShownGrid {
+    explicit ShownGrid(const std::shared_ptr<const Result> &result, QSize size = QSize(900, 600))
+    {
+        grid.resize(size);
+        grid.setResult(result);
+        grid.show();
+        settle();
+        for (const QString &name : PlotGrid::plotNames()) {
+            QObject::connect(plot(name), &QCustomPlot::afterReplot, &grid, [this] { ++replots; });
+        }
+    }
+
+    static void settle() { QTest::qWait(1); }
+
+    QCustomPlot *plot(const QString &name) const { return grid.findChild<QCustomPlot *>(name); }
+
+    QPoint pointAt(const QString &name, double part) const
+    {
+        const QRect axes = plot(name)->axisRect()->rect();
+        return {axes.left() + static_cast<int>(part * axes.width()), axes.center().y()};
+    }
+
+    void turnWheel(const QString &name, QPoint at, int notches) const
+    {
+        QCustomPlot *target = plot(name);
+        QWheelEvent event(at, target->mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(target, &event);
+        settle();
+    }
+
+    PlotGrid grid;
+    int replots = 0;
+};
+
+std::size_t gapsIn(const QCPGraph &graph)
+{
+    return static_cast<std::size_t>(std::count_if(graph.data()->constBegin(), graph.data()->constEnd(),
+                                                  [](const QCPGraphData &point) { return std::isnan(point.value); }));
+}
+
+QImage pictureOf(const ShownGrid &shown, const QString &name)
+{
+    return shown.plot(name)->grab().toImage();
+}
+
+} // namespace
+
+class TstPlotGrid : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void namesItsNinePlots();
+    void paintsAllNine();
+    void changesThePictureWithTheParameters();
+    void mergesSeveralResultsIntoOneReplot();
+    void leavesAHiddenGridAlone();
+    void movesTheCursorWithoutAReplot();
+    void hidesTheCursorOutsideTheRange();
+    void leavesAGapWhereTheModelDoesNotExist();
+    void saysSoWhereNothingExists();
+    void leavesAGapWhereTheReferenceIsZero();
+    void showsTheLargestFinitePercentage();
+    void hintsAtLoadingAReference();
+    void drawsTheReferenceOverTheModel();
+    void sparesAChannelThatTheFileLacks();
+    void drawsARunBackwardsInTime();
+    void zoomsAllNineTimeAxesWithTheWheel();
+    void zoomsOneValueAxisWithTheWheelOverIt();
+    void pansAllNineTimeAxes();
+    void showsAllAfterADoubleClick();
+    void keepsTheZoomWhileAParameterChanges();
+    void requestsTheTimeOfAClick();
+    void requestsNoTimeAfterADrag();
+    void readsValuesWhereOneHovers();
+    void offersToExportAPlot();
+    void drawsAsManyPointsAsPixelsAtMost();
+    void keepsTheAxesInPlaceWhileValuesChange();
+    void alignsThePlotsOfAColumn();
+    void recoloursWithThePalette();
+};
+
+void TstPlotGrid::namesItsNinePlots()
+{
+    const QStringList expected{"plot_theta3",       "plot_R4_x",       "plot_error_position",
+                               "plot_theta3_diff",  "plot_R4_x_diff",  "plot_error_velocity",
+                               "plot_theta3_diff2", "plot_R4_x_diff2", "plot_error_acceleration"};
+    QCOMPARE(PlotGrid::plotNames(), expected);
+    PlotGrid grid;
+    for (const QString &name : expected) {
+        const auto *plot = grid.findChild<QCustomPlot *>(name);
+        QVERIFY(plot);
+        QVERIFY(!plot->accessibleName().isEmpty());
+    }
+}
+
+void TstPlotGrid::paintsAllNine()
+{
+    const ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
+    const SeriesColours colours = seriesColours(shown.grid.palette());
+    for (const QString &name : PlotGrid::plotNames()) {
+        const QImage image = pictureOf(shown, name);
+        const QColor wanted = name.contains(QStringLiteral("error")) ? colours.errorOther : colours.model;
+        int pixels = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor pixel = image.pixelColor(x, y);
+                pixels += std::abs(pixel.hue() - wanted.hue()) < 8 && pixel.saturation() > 60 ? 1 : 0;
+            }
+        }
+        QVERIFY2(pixels > 50, qPrintable(name));
+    }
+}
+
+void TstPlotGrid::changesThePictureWithTheParameters()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    std::vector<QImage> before;
+    for (const QString &name : PlotGrid::plotNames()) {
+        before.push_back(pictureOf(shown, name));
+    }
+    shown.grid.setResult(resultOf(withCoupler(64.0)));
+    ShownGrid::settle();
+    for (qsizetype i = 0; i < PlotGrid::plotNames().size(); ++i) {
+        const QString name = PlotGrid::plotNames()[i];
+        if (!name.contains(QStringLiteral("error"))) {
+            QVERIFY2(pictureOf(shown, name) != before[static_cast<std::size_t>(i)], qPrintable(name));
+        }
+    }
+}
+
+void TstPlotGrid::mergesSeveralResultsIntoOneReplot()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    for (const double b : {61.0, 62.0, 63.0}) {
+        shown.grid.setResult(resultOf(withCoupler(b)));
+    }
+    ShownGrid::settle();
+    QCOMPARE(shown.replots, 9);
+}
+
+void TstPlotGrid::leavesAHiddenGridAlone()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    shown.grid.hide();
+    shown.grid.setResult(resultOf(withCoupler(63.0)));
+    ShownGrid::settle();
+    QCOMPARE(shown.replots, 0);
+    shown.grid.show();
+    ShownGrid::settle();
+    QCOMPARE(shown.replots, 9);
+}
+
+void TstPlotGrid::movesTheCursorWithoutAReplot()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const SeriesColours colours = seriesColours(shown.grid.palette());
+    Pose pose;
+    for (const double t : {0.25, 0.75}) {
+        pose.time = t;
+        shown.grid.setPose(pose);
+        ShownGrid::settle();
+        for (const QString &name : PlotGrid::plotNames()) {
+            const QCustomPlot *plot = shown.plot(name);
+            const int x = static_cast<int>(std::lround(plot->xAxis->coordToPixel(t)));
+            const QImage image = pictureOf(shown, name);
+            QCOMPARE(image.pixelColor(x, plot->axisRect()->top() + 2), colours.cursor);
+            QCOMPARE(image.pixelColor(x, plot->axisRect()->bottom() - 2), colours.cursor);
+            QVERIFY(image.pixelColor(x, plot->axisRect()->top() - 2) != colours.cursor);
+        }
+    }
+    QCOMPARE(shown.replots, 0);
+}
+
+void TstPlotGrid::hidesTheCursorOutsideTheRange()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    Pose pose;
+    pose.time = 1.5;
+    shown.grid.setPose(pose);
+    const QImage after = pictureOf(shown, QStringLiteral("plot_theta3"));
+    pose.time = 0.5;
+    shown.grid.setPose(pose);
+    QVERIFY(pictureOf(shown, QStringLiteral("plot_theta3")) != after);
+    pose.time = -1.0;
+    shown.grid.setPose(pose);
+    QCOMPARE(pictureOf(shown, QStringLiteral("plot_theta3")), after);
+}
+
+void TstPlotGrid::leavesAGapWhereTheModelDoesNotExist()
+{
+    for (const int steps : {200, 20000}) {
+        const ShownGrid shown(resultOf(withCoupler(30.0), steps)); // a rocker
+        const QCPGraph *curve = shown.plot(QStringLiteral("plot_theta3"))->graph(0);
+        QVERIFY(gapsIn(*curve) >= 1);
+        QVERIFY(gapsIn(*curve) < static_cast<std::size_t>(curve->dataCount()));
+    }
+}
+
+void TstPlotGrid::saysSoWhereNothingExists()
+{
+    const ShownGrid shown(resultOf(withCoupler(1.0)));
+    const QCustomPlot *plot = shown.plot(QStringLiteral("plot_theta3"));
+    QVERIFY(!plot->yAxis->tickLabels());
+}
+
+void TstPlotGrid::leavesAGapWhereTheReferenceIsZero()
+{
+    const std::shared_ptr<Reference> reference = referenceOf(withCoupler(65.0));
+    constexpr std::size_t kZero = 20;
+    reference->data.series[0].values[kZero] = 0.0; // θ³
+    const ShownGrid shown(resultOf(withCoupler(60.0), 200, reference));
+    const QCustomPlot *plot = shown.plot(QStringLiteral("plot_error_position"));
+    QCOMPARE(gapsIn(*plot->graph(0)), std::size_t(1));
+    QCOMPARE(gapsIn(*plot->graph(1)), std::size_t(0));
+    QVERIFY(std::isnan(plot->graph(0)->data()->at(kZero)->value));
+    QVERIFY(plot->yAxis->range().upper < 1000.0);
+
+    // The mark stands at the top of the axes.
+    const QRect axes = plot->axisRect()->rect();
+    const QPoint mark(static_cast<int>(plot->xAxis->coordToPixel(reference->data.time[kZero])), axes.top() + 5);
+    const QColor pixel = pictureOf(shown, QStringLiteral("plot_error_position")).pixelColor(mark);
+    QVERIFY(std::abs(pixel.hue() - seriesColours(shown.grid.palette()).error.hue()) < 8);
+}
+
+void TstPlotGrid::showsTheLargestFinitePercentage()
+{
+    const std::shared_ptr<const Result> result = resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0)));
+    const ShownGrid shown(result);
+    double largest = 0.0;
+    for (const ChannelComparison &comparison : result->comparison) {
+        if (comparison.channel.order == Order::Velocity) {
+            largest = std::max(largest, comparison.maxPercent.value_or(0.0));
+        }
+    }
+    QVERIFY(largest > 1.0);
+    const QCPRange range = shown.plot(QStringLiteral("plot_error_velocity"))->yAxis->range();
+    QVERIFY(range.upper >= largest);
+    QVERIFY(range.upper < 1.3 * largest);
+    QCOMPARE(range.lower, 0.0);
+}
+
+void TstPlotGrid::hintsAtLoadingAReference()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    auto *hint = shown.grid.findChild<QLabel *>(QStringLiteral("no_reference_hint"));
+    QVERIFY(hint && hint->isVisible());
+    const QRect column = shown.plot(QStringLiteral("plot_error_position"))
+                             ->geometry()
+                             .united(shown.plot(QStringLiteral("plot_error_acceleration"))->geometry());
+    QVERIFY(column.contains(hint->geometry()));
+    QSignalSpy requested(&shown.grid, &PlotGrid::openReferenceRequested);
+    emit hint->linkActivated(QStringLiteral("open"));
+    QCOMPARE(requested.count(), 1);
+    shown.grid.setResult(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
+    QVERIFY(!hint->isVisible());
+}
+
+void TstPlotGrid::drawsTheReferenceOverTheModel()
+{
+    // They coincide: both colours must be there along the curve.
+    const ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(60.0))));
+    const SeriesColours colours = seriesColours(shown.grid.palette());
+    const QImage image = pictureOf(shown, QStringLiteral("plot_theta3"));
+    int model = 0;
+    int reference = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            if (pixel.saturation() > 100) {
+                model += std::abs(pixel.hue() - colours.model.hue()) < 15 ? 1 : 0;
+                reference += std::abs(pixel.hue() - colours.reference.hue()) < 15 ? 1 : 0;
+            }
+        }
+    }
+    QVERIFY(model > 60);
+    QVERIFY(reference > 60);
+}
+
+void TstPlotGrid::sparesAChannelThatTheFileLacks()
+{
+    const ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0), 1))); // θ³ alone
+    QVERIFY(shown.plot(QStringLiteral("plot_theta3"))->graph(1)->dataCount() > 0);
+    QCOMPARE(shown.plot(QStringLiteral("plot_R4_x"))->graph(1)->dataCount(), 0);
+    QVERIFY(shown.plot(QStringLiteral("plot_error_position"))->graph(0)->dataCount() > 0);
+    QCOMPARE(shown.plot(QStringLiteral("plot_error_position"))->graph(1)->dataCount(), 0);
+    QCOMPARE(shown.plot(QStringLiteral("plot_error_velocity"))->graph(0)->dataCount(), 0);
+}
+
+void TstPlotGrid::drawsARunBackwardsInTime()
+{
+    Session session;
+    Sampling sampling;
+    sampling.start = 1.0;
+    sampling.duration = -1.0;
+    session.setSampling(sampling);
+    const ShownGrid backwards(session.result());
+    const ShownGrid forwards(resultOf(Parameters()));
+    const auto *one = backwards.plot(QStringLiteral("plot_theta3"))->graph(0);
+    const auto *other = forwards.plot(QStringLiteral("plot_theta3"))->graph(0);
+    QCOMPARE(one->dataCount(), other->dataCount());
+    for (int i = 0; i < one->dataCount(); ++i) {
+        QVERIFY(std::abs(one->data()->at(i)->key - other->data()->at(i)->key) < 1e-12);
+        QVERIFY(std::abs(one->data()->at(i)->value - other->data()->at(i)->value) < 1e-9);
+    }
+}
+
+void TstPlotGrid::zoomsAllNineTimeAxesWithTheWheel()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const QString over = QStringLiteral("plot_R4_x_diff");
+    const double about = shown.plot(over)->xAxis->pixelToCoord(shown.pointAt(over, 0.5).x());
+    shown.turnWheel(over, shown.pointAt(over, 0.5), 3);
+    const QCPRange range = shown.plot(over)->xAxis->range();
+    QVERIFY(range.size() < 0.7);
+    QVERIFY(range.contains(about));
+    for (const QString &name : PlotGrid::plotNames()) {
+        QCOMPARE(shown.plot(name)->xAxis->range(), range);
+    }
+    shown.turnWheel(over, shown.pointAt(over, 0.5), -30);
+    QCOMPARE(shown.plot(over)->xAxis->range(), QCPRange(0.0, 1.0));
+}
+
+void TstPlotGrid::zoomsOneValueAxisWithTheWheelOverIt()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const QCPRange time = shown.plot(QStringLiteral("plot_theta3"))->xAxis->range();
+    const QCPRange other = shown.plot(QStringLiteral("plot_theta3_diff"))->yAxis->range();
+    const QCPRange before = shown.plot(QStringLiteral("plot_theta3"))->yAxis->range();
+    QPoint onAxis = shown.pointAt(QStringLiteral("plot_theta3"), 0.0);
+    onAxis.rx() -= 10;
+    shown.turnWheel(QStringLiteral("plot_theta3"), onAxis, 2);
+    QVERIFY(shown.plot(QStringLiteral("plot_theta3"))->yAxis->range().size() < 0.8 * before.size());
+    QCOMPARE(shown.plot(QStringLiteral("plot_theta3"))->xAxis->range(), time);
+    QCOMPARE(shown.plot(QStringLiteral("plot_theta3_diff"))->yAxis->range(), other);
+}
+
+void TstPlotGrid::pansAllNineTimeAxes()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const QString over = QStringLiteral("plot_theta3");
+    shown.turnWheel(over, shown.pointAt(over, 0.5), 5);
+    const QCPRange before = shown.plot(over)->xAxis->range();
+    QTest::mousePress(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.6));
+    QTest::mouseMove(shown.plot(over), shown.pointAt(over, 0.4));
+    QTest::mouseRelease(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.4));
+    ShownGrid::settle();
+    const QCPRange after = shown.plot(over)->xAxis->range();
+    QVERIFY(after.lower > before.lower + 0.1 * before.size());
+    QVERIFY(std::abs(after.size() - before.size()) < 1e-9);
+    for (const QString &name : PlotGrid::plotNames()) {
+        QCOMPARE(shown.plot(name)->xAxis->range(), after);
+    }
+}
+
+void TstPlotGrid::showsAllAfterADoubleClick()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const QString over = QStringLiteral("plot_theta3");
+    const QCPRange values = shown.plot(over)->yAxis->range();
+    shown.turnWheel(over, shown.pointAt(over, 0.5), 5);
+    QPoint onAxis = shown.pointAt(over, 0.0);
+    onAxis.rx() -= 10;
+    shown.turnWheel(over, onAxis, 2);
+    QTest::mouseDClick(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.5));
+    ShownGrid::settle();
+    QCOMPARE(shown.plot(over)->xAxis->range(), QCPRange(0.0, 1.0));
+    QCOMPARE(shown.plot(over)->yAxis->range(), values);
+}
+
+void TstPlotGrid::keepsTheZoomWhileAParameterChanges()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const QString over = QStringLiteral("plot_theta3");
+    shown.turnWheel(over, shown.pointAt(over, 0.5), 5);
+    const QCPRange range = shown.plot(over)->xAxis->range();
+    shown.grid.setResult(resultOf(withCoupler(61.0)));
+    ShownGrid::settle();
+    QCOMPARE(shown.plot(over)->xAxis->range(), range);
+}
+
+void TstPlotGrid::requestsTheTimeOfAClick()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    QSignalSpy requested(&shown.grid, &PlotGrid::timeRequested);
+    QTest::mouseClick(shown.plot(QStringLiteral("plot_error_velocity")), Qt::LeftButton, {},
+                      shown.pointAt(QStringLiteral("plot_error_velocity"), 0.25));
+    QCOMPARE(requested.count(), 1);
+    QVERIFY(std::abs(requested[0][0].toDouble() - 0.25) < 0.01);
+    // Outside the axes there is no instant.
+    QTest::mouseClick(shown.plot(QStringLiteral("plot_theta3")), Qt::LeftButton, {}, QPoint(3, 3));
+    QCOMPARE(requested.count(), 1);
+}
+
+void TstPlotGrid::requestsNoTimeAfterADrag()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const QString over = QStringLiteral("plot_theta3");
+    QSignalSpy requested(&shown.grid, &PlotGrid::timeRequested);
+    QTest::mousePress(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.6));
+    QTest::mouseMove(shown.plot(over), shown.pointAt(over, 0.3));
+    QTest::mouseMove(shown.plot(over), shown.pointAt(over, 0.6));
+    QTest::mouseRelease(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.6));
+    QCOMPARE(requested.count(), 0);
+}
+
+void TstPlotGrid::readsValuesWhereOneHovers()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
+    QTest::mouseMove(shown.plot(QStringLiteral("plot_theta3")), shown.pointAt(QStringLiteral("plot_theta3"), 0.5));
+    QTRY_VERIFY(QToolTip::text().contains(QStringLiteral("θ³ = 24.")));
+    QVERIFY(QToolTip::text().contains(QStringLiteral("θ₃ = θ³ + 180° = 204.")));
+    QVERIFY(QToolTip::text().contains(QStringLiteral("reference: 22.")));
+    const QString error = QStringLiteral("plot_error_velocity");
+    QTest::mouseMove(shown.plot(error), shown.pointAt(error, 0.5));
+    QTRY_VERIFY(QToolTip::text().contains(QStringLiteral("error of dθ³/dt: ")));
+    QVERIFY(QToolTip::text().contains(u'%'));
+}
+
+void TstPlotGrid::offersToExportAPlot()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    QSignalSpy requested(&shown.grid, &PlotGrid::exportPlotRequested);
+    QCustomPlot *plot = shown.plot(QStringLiteral("plot_R4_x"));
+    QContextMenuEvent event(QContextMenuEvent::Mouse, QPoint(50, 50), plot->mapToGlobal(QPoint(50, 50)));
+    QCoreApplication::sendEvent(plot, &event);
+    auto *menu = shown.grid.findChild<QMenu *>();
+    QVERIFY(menu);
+    menu->actions().first()->trigger();
+    menu->close();
+    QCOMPARE(requested.count(), 1);
+    QCOMPARE(requested[0][0].toString(), QStringLiteral("plot_R4_x"));
+}
+
+void TstPlotGrid::drawsAsManyPointsAsPixelsAtMost()
+{
+    const ShownGrid shown(resultOf(withCoupler(60.0), 20000));
+    const QCustomPlot *plot = shown.plot(QStringLiteral("plot_R4_x"));
+    QVERIFY(plot->graph(0)->dataCount() <= 2 * plot->axisRect()->width() + 2);
+    QVERIFY(plot->graph(0)->dataCount() >= plot->axisRect()->width());
+}
+
+void TstPlotGrid::keepsTheAxesInPlaceWhileValuesChange()
+{
+    ShownGrid shown(resultOf(withCoupler(46.0)));
+    const QRect before = shown.plot(QStringLiteral("plot_theta3_diff2"))->axisRect()->rect();
+    for (const double b : {50.0, 60.0, 90.0, 150.0}) {
+        shown.grid.setResult(resultOf(withCoupler(b)));
+        ShownGrid::settle();
+        QCOMPARE(shown.plot(QStringLiteral("plot_theta3_diff2"))->axisRect()->rect(), before);
+    }
+}
+
+void TstPlotGrid::alignsThePlotsOfAColumn()
+{
+    const ShownGrid shown(resultOf(withCoupler(60.0)), QSize(620, 480));
+    const QStringList names = PlotGrid::plotNames();
+    for (int i = 3; i < 9; ++i) {
+        const QRect above = shown.plot(names[i - 3])->axisRect()->rect();
+        const QRect below = shown.plot(names[i])->axisRect()->rect();
+        QCOMPARE(below.left(), above.left());
+        QCOMPARE(below.size(), above.size());
+    }
+}
+
+void TstPlotGrid::recoloursWithThePalette()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        const QPalette palette = paletteFor(theme);
+        shown.grid.setPalette(palette);
+        ShownGrid::settle();
+        QCOMPARE(shown.plot(QStringLiteral("plot_theta3"))->graph(0)->pen().color(), seriesColours(palette).model);
+        QCOMPARE(pictureOf(shown, QStringLiteral("plot_theta3")).pixelColor(1, 1), palette.color(QPalette::Base));
+        QCOMPARE(shown.grid.grab().toImage().pixelColor(1, 1), palette.color(QPalette::Base));
+    }
+}
+
+QTEST_MAIN(TstPlotGrid)
+#include "tst_plot_grid.moc"
