@@ -71,6 +71,8 @@ NumberBox::NumberBox(QWidget *parent)
     setFocusPolicy(Qt::StrongFocus); // not by the wheel: scrolling past must change nothing
     setAlignment(Qt::AlignRight);
     connect(this, &QAbstractSpinBox::editingFinished, this, &NumberBox::commit);
+    // Not QLineEdit::isModified(): the spin box clears that before it says that Enter was pressed.
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { m_typed = true; });
     showValue();
 }
 
@@ -83,7 +85,7 @@ void NumberBox::setValue(double value)
         return;
     }
     m_value = value;
-    if (!(m_editing && lineEdit()->isModified())) {
+    if (!(m_editing && m_typed)) {
         showValue();
     }
 }
@@ -164,7 +166,7 @@ void NumberBox::focusOutEvent(QFocusEvent *event)
 
 void NumberBox::keyPressEvent(QKeyEvent *event)
 {
-    if (event->key() == Qt::Key_Escape && lineEdit()->isModified()) {
+    if (event->key() == Qt::Key_Escape && m_typed) {
         showValue();
         selectAll();
         return;
@@ -209,12 +211,12 @@ void NumberBox::showValue()
             lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
         }
     }
-    lineEdit()->setModified(false);
+    m_typed = false;
 }
 
 void NumberBox::commit()
 {
-    if (!lineEdit()->isModified()) {
+    if (!m_typed) {
         return;
     }
     QString text = lineEdit()->text().trimmed();

@@ -69,6 +69,7 @@ private:
     QString m_suffix;
     QString m_widestText;
     bool m_editing = false; ///< has the focus: every digit is shown
+    bool m_typed = false;   ///< the text is somebody's and not taken over yet
 };
 
 } // namespace slidercrank
