@@ -135,7 +135,6 @@ struct MechanismView::Canvas {
 
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
-    , m_frame(-1.0, -1.0, 2.0, 2.0)
 {
     setObjectName(QStringLiteral("mechanismView"));
     setAccessibleName(tr("Mechanism"));
@@ -204,11 +203,12 @@ QPointF MechanismView::toPixels(QPointF model) const
 
 MechanismView::Canvas MechanismView::canvas(const QSizeF &size, const QPalette &palette) const
 {
+    const QRectF frame = m_frame.isNull() ? QRectF(-1.0, -1.0, 2.0, 2.0) : m_frame;
     Canvas canvas;
     canvas.size = size;
-    canvas.scale = std::max(1e-12, std::min(size.width() / m_frame.width(), size.height() / m_frame.height()));
-    canvas.origin = QPointF(0.5 * size.width() - canvas.scale * m_frame.center().x(),
-                            0.5 * size.height() + canvas.scale * m_frame.center().y());
+    canvas.scale = std::min(std::max(1.0, size.width()) / frame.width(), std::max(1.0, size.height()) / frame.height());
+    canvas.origin = QPointF(0.5 * size.width() - canvas.scale * frame.center().x(),
+                            0.5 * size.height() + canvas.scale * frame.center().y());
     canvas.colours = seriesColours(palette);
     canvas.muted = mixed(canvas.colours.text, canvas.colours.background, 0.6);
     canvas.font = font();
@@ -228,14 +228,17 @@ void MechanismView::fitFrame()
     constexpr double kMuchTooLarge = 0.65;
     const QRectF reach = reachOf(*m_result);
     const double least = kLeastRoom * std::max(reach.width(), reach.height());
+    const QRectF needed = reach.adjusted(-least, -least, least, least);
     const QRectF wanted = frameAround(reach, kRoom);
-    const bool first = m_scenery.isNull() && !m_pins;
-    if (first) {
+    if (m_frame.isNull() || wanted.width() < kMuchTooLarge * m_frame.width() ||
+        wanted.height() < kMuchTooLarge * m_frame.height()) {
         m_frame = wanted;
-    } else if (!m_frame.contains(reach.adjusted(-least, -least, least, least))) {
-        m_frame = frameAround(reach, kRoomToGrow);
-    } else if (wanted.width() < kMuchTooLarge * m_frame.width() || wanted.height() < kMuchTooLarge * m_frame.height()) {
-        m_frame = wanted;
+    } else if (!m_frame.contains(needed)) {
+        const QRectF grown = frameAround(reach, kRoomToGrow);
+        m_frame = QRectF(QPointF(needed.left() < m_frame.left() ? grown.left() : m_frame.left(),
+                                 needed.top() < m_frame.top() ? grown.top() : m_frame.top()),
+                         QPointF(needed.right() > m_frame.right() ? grown.right() : m_frame.right(),
+                                 needed.bottom() > m_frame.bottom() ? grown.bottom() : m_frame.bottom()));
     }
 }
 
@@ -418,7 +421,8 @@ void MechanismView::paintExplanation(QPainter &painter, const Canvas &on) const
     box.moveTop(below ? on.size.height() - box.height() - kApart - scaleHeight : kApart);
     const double middle = 0.5 * (on.size.width() - box.width());
     box.moveLeft(!fits ? middle : open ? on.size.width() - box.width() - kApart : kApart);
-    painter.setPen(QPen(on.colours.warning, 1.5));
+    box = QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5); // a crisp border
+    painter.setPen(QPen(on.colours.warning, 1.0));
     QColor paper = on.colours.background;
     paper.setAlphaF(0.93F);
     painter.setBrush(paper);

@@ -73,7 +73,7 @@ private:
     std::shared_ptr<const Result> m_result;
     Pose m_pose;
     std::optional<Pins> m_pins; ///< of the last pose that existed
-    QRectF m_frame;             ///< what is in view, mm
+    QRectF m_frame;             ///< what is in view, mm; null before the first result
     QPixmap m_scenery;          ///< the parts that stand still; null when out of date
     bool m_dragging = false;
 };
