@@ -12,9 +12,8 @@ namespace slidercrank
 namespace
 {
 
-// A value printed to the last digit and read back is off by the representation of decimal numbers in binary: a part of
-// the half step, and so many units in the last place of the value.
-constexpr double kStepSlack = 1e-9;
+/// Decimal numbers are not exact in binary: a value off by exactly half a step may look off by so many units in its
+/// last place more.
 constexpr double kUlpSlack = 4.0;
 
 // The limits of Verdict.
@@ -85,8 +84,7 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
         }
 
         const double step = std::max(reference.rounding.stepAt(value), smallestStep);
-        const double half =
-            0.5 * step * (1.0 + kStepSlack) + kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(value);
+        const double half = 0.5 * step + kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(value);
         spread.withinHalfStep += error <= half ? 1 : 0;
         spread.beyondAgreement += error <= kHalfStepsOfAgreement * half ? 0 : 1;
         spread.beyondCloseness += error <= kHalfStepsOfCloseness * half ? 0 : 1;

@@ -3,6 +3,12 @@
 
 // A simulation's exported motion: a CSV file's bytes → named series in the author's units (mm, °, s), or an error that
 // says line, column and text. Locale-free; nothing throws.
+//
+// The first line that is not blank names the columns: "time" and the channels (nameOf()), in any order and case, each
+// with its unit in brackets or parentheses or none for the author's. Length: mm, cm, m, in. Angle: °, deg, rad.
+// Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms. Cells are separated by commas, semicolons or
+// tabs and may be quoted; a cell never spans lines. Numbers hold a decimal point or, where commas do not separate, a
+// decimal comma, the same throughout a file; separators of thousands are not read. An empty cell or "nan" is a gap.
 
 #include "core/channel.h"
 #include "core/rounding.h"
@@ -35,8 +41,8 @@ struct SkippedRow {
 struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
     std::vector<ReferenceSeries> series;
-    std::vector<SkippedRow> skipped;
-    std::vector<std::string> ignoredColumns; ///< header names that mean no channel
+    std::vector<SkippedRow> skipped;         ///< at most 1000, and then one more that counts the others
+    std::vector<std::string> ignoredColumns; ///< headings that mean no channel, or a channel without any number
 
     const ReferenceSeries *find(Channel channel) const;
 };
@@ -49,7 +55,8 @@ struct ReadError {
     std::string reason; ///< a sentence that says what to do
 };
 
-/// precondition: none; any bytes do.
+/// Reads any bytes. A channel or time that stands there twice, an unknown unit and a time that does not increase are
+/// refused rather than guessed at; a row that cannot be read is left out and reported. Watches `stop`.
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {});
 
 } // namespace slidercrank

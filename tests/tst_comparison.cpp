@@ -194,6 +194,24 @@ private slots:
         QCOMPARE(result.maxAbs.value(), noise);
     }
 
+    void takesTheNaturalScaleFromTheMechanism()
+    {
+        // The ground does not move; a solver may leave a rounding error of the lengths (about 1e-16 of 110 mm) all the
+        // same.
+        const Channel ground{R1x, Order::Position};
+        const std::vector<double> time = instants(kRows);
+        Trajectory model;
+        model.time = time;
+        model.values[indexOf(ground)] = std::vector<double>(kRows, 1e-14);
+        ReferenceData data;
+        data.time = time;
+        data.series.push_back({ground, std::vector<double>(kRows, 0.0), Rounding()});
+        const std::vector<ChannelComparison> comparisons = compare(Mechanism(), model, data);
+        QCOMPARE(comparisons.size(), std::size_t(1));
+        QCOMPARE(comparisons[0].channel, ground);
+        QCOMPARE(comparisons[0].verdict, Verdict::Agrees);
+    }
+
     void promisesNoMoreDigitsThanArithmeticHas()
     {
         const Rounding seventeen{Rounding::Rule::SignificantDigits, 17};

@@ -108,7 +108,7 @@ private slots:
                "a "
                "decimal point)";
         QTest::newRow("thousands are no numbers where a comma is decimal")
-            << QByteArray("time;R4_x\n0,5;1.234\n1;1.234,5\n2;3,5\n")
+            << QByteArray("time;R4_x\n0,500;1.234\n1;1.234,5\n2;3,5\n")
             << "time 2; R4_x 3.5; skipped 2:2 1.234 (not a number: this file writes a decimal comma); skipped 3:2 "
                "1.234,5 (not a number: this file writes a decimal comma)";
         QTest::newRow("a quoted comma is not decimal where commas separate")
@@ -122,6 +122,9 @@ private slots:
             << QByteArray("\"time\",\"the \"\"x\"\", in mm\",\"R4_x\"\n0,\"a,\"\"b,5\n0,7,2\n")
             << "time 0; R4_x 2; skipped 2:2 a,\"\"b,5 (a quotation mark that is not closed at the end of the "
                "cell); ignored the \"x\", in mm";
+        QTest::newRow("text behind a closing quotation mark")
+            << QByteArray("time,R4_x\n0,\"12\"3\n0,5\n")
+            << "time 0; R4_x 5; skipped 2:2 12 (a quotation mark that is not closed at the end of the cell)";
         QTest::newRow("delimiters in quotes")
             << QByteArray("time,note,R4_x\n0,\"a, b \"\"c\"\"\",5\n") << "time 0; R4_x 5; ignored note";
         QTest::newRow("unknown columns are listed, whatever they hold")

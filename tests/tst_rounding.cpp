@@ -124,6 +124,13 @@ private slots:
         QTest::newRow("3 decimals, and zeros")
             << column([](int i) { return i % 3 == 0 ? "0.000000" : withDecimals(irregular(i, 130.0), 3) + "000"; })
             << decimals << 3;
+        QStringList fewSmall =
+            column([](int i) { return asInventorPrints((i % 2 == 0 ? 1500 : 500) + irregular(i, 300.0), 6); });
+        fewSmall << "12.345"
+                 << "23.451"
+                 << "1.234"
+                 << "2.345";
+        QTest::newRow("6 significant digits, and four small values that end early") << fewSmall << significant << 6;
         QTest::newRow("zeros") << column([](int) { return QString("0.000000"); }) << unknown << 0;
         QTest::newRow("nothing") << QStringList() << unknown << 0;
 
