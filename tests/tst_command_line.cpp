@@ -181,6 +181,8 @@ private slots:
     void rendersPicturesOfTheSizeAskedFor_data();
     void rendersPicturesOfTheSizeAskedFor();
     void rendersTheInstantAskedFor();
+    void rendersWhatWasChosen_data();
+    void rendersWhatWasChosen();
     void refusesToRenderABadReference();
 };
 
@@ -905,6 +907,7 @@ void TestCommandLine::rendersTheInstantAskedFor()
     const QByteArray quarter = picture(QStringLiteral("--at 0.25"));
     QVERIFY(!quarter.isEmpty() && quarter != start);
     QCOMPARE(picture(QStringLiteral("--at-angle 90")), quarter);
+    QCOMPARE(picture(QStringLiteral("--at -0.75")), quarter);
     // Far beyond the run: the mechanism alone has a pose at any instant.
     const QByteArray slowQuarter = picture(QStringLiteral("--omega2 0.001 --at-angle 90"));
     QVERIFY(!slowQuarter.isEmpty());
@@ -914,6 +917,45 @@ void TestCommandLine::rendersTheInstantAskedFor()
                                     folder.filePath(QStringLiteral("impossible.png"))});
     QCOMPARE(impossible.status, 4);
     QVERIFY(QFile::exists(folder.filePath(QStringLiteral("impossible.png"))));
+}
+
+void TestCommandLine::rendersWhatWasChosen_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<QString>("other");
+    QTest::newRow("theme") << "--what mechanism --theme dark"
+                           << "--what mechanism";
+    QTest::newRow("reference") << "--what R4_x --reference SAMPLE"
+                               << "--what R4_x";
+    QTest::newRow("channel") << "--what R4_x"
+                             << "--what R4_x_diff";
+    QTest::newRow("mechanism") << "--what R4_x --b 60"
+                               << "--what R4_x";
+    QTest::newRow("branch") << "--what mechanism --branch crossed"
+                            << "--what mechanism";
+    QTest::newRow("run") << "--what R4_x --duration 2"
+                         << "--what R4_x";
+    QTest::newRow("a run that takes a while") << "--what R4_x --steps 20000 --duration 2"
+                                              << "--what R4_x --steps 20000";
+}
+
+void TestCommandLine::rendersWhatWasChosen()
+{
+    QFETCH(QString, options);
+    QFETCH(QString, other);
+    QTemporaryDir folder;
+    const auto picture = [&](const QString &choice, const QString &name) {
+        const QString path = folder.filePath(name);
+        QStringList arguments = QProcess::splitCommand(QStringLiteral("render ") + choice);
+        arguments.replaceInStrings(QStringLiteral("SAMPLE"), sample());
+        const Outcome outcome = run(arguments << QStringLiteral("--output") << path);
+        return outcome.status == 0 ? QImage(path) : QImage();
+    };
+    const QImage chosen = picture(options, QStringLiteral("chosen.png"));
+    const QImage otherwise = picture(other, QStringLiteral("other.png"));
+    QVERIFY(!chosen.isNull() && !otherwise.isNull());
+    QCOMPARE(picture(options, QStringLiteral("again.png")), chosen);
+    QVERIFY(chosen != otherwise);
 }
 
 void TestCommandLine::refusesToRenderABadReference()
