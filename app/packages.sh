@@ -25,6 +25,9 @@ asRoot() {
     fi
 }
 
+# Without a network apt's own patience is minutes.
+aptOptions=(-o Acquire::Retries=1 -o DPkg::Lock::Timeout=300)
+
 # installMissing LOG PACKAGE…: installs those that are missing, and says so. On a system without apt it leaves it to CMake to
 # tell what is missing.
 installMissing() {
@@ -37,7 +40,7 @@ installMissing() {
     if ((${#missing[@]} > 0)); then
         echo "Installing ${missing[*]}" >&2
         # A list that cannot be brought up to date may still be good enough.
-        asRoot apt-get update >"$log" 2>&1 </dev/null || true
+        asRoot apt-get update "${aptOptions[@]}" >"$log" 2>&1 </dev/null || true
     fi
     for package in "${packagesSplitOff[@]}"; do
         if ! isInstalled "$package" && apt-cache show "$package" >/dev/null 2>&1; then
@@ -46,7 +49,7 @@ installMissing() {
     done
     ((${#missing[@]} > 0)) || return 0
     if ! asRoot env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends \
-        -o DPkg::Lock::Timeout=300 "${missing[@]}" >>"$log" 2>&1 </dev/null; then
+        "${aptOptions[@]}" "${missing[@]}" >>"$log" 2>&1 </dev/null; then
         echo "Could not install ${missing[*]} (no network, or no right to? apt-get's own words are in $log)." >&2
         return 1
     fi
