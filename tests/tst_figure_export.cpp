@@ -90,7 +90,9 @@ void TstFigureExport::scalesPngPixelsOnly()
     QCOMPARE(drawn, QSize(200, 100));
     QCOMPARE(QImage(path("a.png")).size(), QSize(500, 250));
     QCOMPARE(exportFigure(path("a.svg"), {QSize(200, 100), 2.5}, {}, draw), std::nullopt);
-    QVERIFY(contents(path("a.svg")).contains("viewBox=\"0 0 200 100\""));
+    const QByteArray svg = contents(path("a.svg"));
+    QVERIFY(svg.contains("viewBox=\"0 0 200 100\""));
+    QVERIFY(svg.contains("width=\"200\" height=\"100\""));
 }
 
 void TstFigureExport::writesSvgWithText()
@@ -110,6 +112,7 @@ void TstFigureExport::writesSvgWithText()
     QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
     QVERIFY(text.contains(QStringLiteral("θ³ [°]")));
     QCOMPARE(title, QStringLiteral("A < B"));
+    QVERIFY(contents(path("a.svg")).contains("', sans-serif\""));
 }
 
 void TstFigureExport::writesAPdfOfTheFiguresSize()

@@ -289,7 +289,9 @@ std::vector<CurvePoint> cutIntoDashes(std::span<const CurvePoint> points, const 
             continue;
         }
         const CurvePoint &from = points[i - 1];
-        const double length = std::hypot((to.t - from.t) * pattern.perT, (to.value - from.value) * pattern.perValue);
+        const double dx = (to.t - from.t) * pattern.perT;
+        const double dy = (to.value - from.value) * pattern.perValue;
+        const double length = std::sqrt(dx * dx + dy * dy);
         double done = 0.0;
         while (length - done > left) {
             done += left;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure_export.h"
 
+#include <QBuffer>
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QDir>
@@ -10,6 +11,7 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QSaveFile>
 #include <QSvgGenerator>
 
@@ -74,11 +76,25 @@ QImage imageOf(const FigureSize &size, const FigureDrawing &draw)
     return image;
 }
 
-/// False when the painter cannot start.
+/// What Qt's generator leaves to be desired: millimetres with three decimals, which viewers round to one pixel too
+/// many, and fonts without a fallback for machines that have none of that name.
+QByteArray polished(const QByteArray &svg, const QSize &size)
+{
+    static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
+    static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
+    QString text = QString::fromUtf8(svg);
+    text.replace(kMillimetres,
+                 QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(size.width()).arg(size.height()));
+    text.replace(kFamily, QStringLiteral(R"re(font-family="'\1', sans-serif")re"));
+    return text.toUtf8();
+}
+
+/// These are false when the painter or the device fails.
 bool writeSvg(QIODevice &device, const QSize &size, const QString &title, const FigureDrawing &draw)
 {
+    QBuffer buffer;
     QSvgGenerator generator;
-    generator.setOutputDevice(&device);
+    generator.setOutputDevice(&buffer);
     generator.setResolution(kDotsPerInch);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
@@ -88,7 +104,11 @@ bool writeSvg(QIODevice &device, const QSize &size, const QString &title, const 
         return false;
     }
     draw(painter, size);
-    return painter.end();
+    if (!painter.end()) {
+        return false;
+    }
+    const QByteArray svg = polished(buffer.data(), size);
+    return device.write(svg) == svg.size();
 }
 
 bool writePdf(QIODevice &device, const QSize &size, const QString &title, const FigureDrawing &draw)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace slidercrank
@@ -60,6 +61,16 @@ Interval united(const Interval &a, const Interval &b)
 std::optional<Interval> united(const std::optional<Interval> &a, const std::optional<Interval> &b)
 {
     return a && b ? united(*a, *b) : a ? a : b;
+}
+
+/// Shifted into the bounds, cut where it is longer than they are.
+Interval broughtInto(const Interval &bounds, Interval range)
+{
+    if (range.length() >= bounds.length()) {
+        return bounds;
+    }
+    const double lower = std::clamp(range.lower, bounds.lower, bounds.upper - range.length());
+    return {lower, lower + range.length()};
 }
 
 /// As many ticks as labels fit side by side.
@@ -166,6 +177,15 @@ Interval PlotFigure::wholeRange() const
     return result ? sampledRange(result->sampling) : Interval{};
 }
 
+void PlotFigure::zoomTime(const Interval &range)
+{
+    const Interval within = broughtInto(outerRange(), range);
+    timeZoom = within;
+    if (within == wholeRange()) {
+        timeZoom.reset();
+    }
+}
+
 Interval PlotFigure::outerRange() const
 {
     const Interval whole = wholeRange();
@@ -212,11 +232,15 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
                               axes.height() / picture.values.length()};
     for (PlotPicture::Curve &curve : picture.curves) {
         curve.points = clip(curve.points, picture.time, picture.values);
-        curve.dots = isolatedPoints(curve.points);
-        if (curve.ink == Ink::Reference) {
+        if (curve.ink != Ink::Reference) {
+            curve.dots = isolatedPoints(curve.points);
+        } else {
             constexpr double kPixelsPerDot = 12.0;
-            if (static_cast<double>(curve.points.size()) * kPixelsPerDot < axes.width()) {
-                curve.dots = curve.points;
+            if (static_cast<double>(curve.points.size()) * kPixelsPerDot >= axes.width()) {
+                curve.dots = isolatedPoints(curve.points);
+            } else {
+                std::copy_if(curve.points.begin(), curve.points.end(), std::back_inserter(curve.dots),
+                             [](const CurvePoint &point) { return !std::isnan(point.value); });
             }
             curve.points = cutIntoDashes(curve.points, pattern);
         }
@@ -241,11 +265,10 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
         picture.remarks = picture.shortRemarks = {{tr("not in the file"), Ink::Reference}};
     }
     // The axis of values stays that of the whole run while one looks at a part of it.
-    const bool isWhole = picture.time == wholeRange();
+    const std::optional<Interval> model =
+        picture.time == wholeRange() ? extremes(picture.curves[0].points) : extremes(channel.model);
     const std::optional<Interval> values =
-        isWhole ? united(extremes(picture.curves[0].points),
-                         extremesWithin(wholeRange(), m_referenceTime, channel.reference))
-                : united(extremes(channel.model), extremesWithin(wholeRange(), m_referenceTime, channel.reference));
+        united(model, extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.reference));
     picture.hasValues = values.has_value();
     if (values) {
         picture.values = roundedOutwards(*values);
@@ -278,7 +301,7 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
         PlotPicture::Curve &curve = picture.curves[i];
         curve.points = decimate(m_referenceTime, channel.percent, pixels);
         curve.marks = channel.zeroReference;
-        values = united(values, extremesWithin(wholeRange(), m_referenceTime, channel.percent));
+        values = united(values, extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.percent));
         if (channel.largestPercent) {
             constexpr int kDigits = 3;
             const QString number = shortNumber(*channel.largestPercent, kDigits, QLocale());

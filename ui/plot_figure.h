@@ -82,11 +82,14 @@ class PlotFigure
     Q_DECLARE_TR_FUNCTIONS(slidercrank::PlotFigure)
 
 public:
-    std::shared_ptr<const Result> result; ///< may be null
-    std::optional<Interval> timeZoom;
+    std::shared_ptr<const Result> result; ///< may be null; set by setResult()
+    std::optional<Interval> timeZoom;     ///< of all nine; set by zoomTime()
     std::array<std::optional<Interval>, kPlotCount> valueZoom;
 
     void setResult(const std::shared_ptr<const Result> &newResult);
+
+    /// As far as there is something to see.
+    void zoomTime(const Interval &range);
 
     /// One plot whose axes have that size in pixels and whose time axis has characters of that width.
     PlotPicture picture(std::size_t plot, const QSize &axes, double digitWidth);

@@ -2,13 +2,10 @@
 #include "ui/plot_grid.h"
 
 #include "ui/axis_scale.h"
-#include "ui/plot_arrangement.h"
-#include "ui/plot_figure.h"
 #include "ui/theme.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
-#include <QFontInfo>
 #include <QFontMetricsF>
 #include <QHelpEvent>
 #include <QLabel>
@@ -22,10 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <span>
-#include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -39,14 +34,6 @@ constexpr qreal kDotSize = 4.0;
 Interval scaled(const Interval &range, double about, double factor)
 {
     return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
-}
-
-/// Shifted into the bounds, cut where it is longer than they are.
-Interval broughtInto(const Interval &bounds, Interval range)
-{
-    const double length = std::min(range.length(), bounds.length());
-    range.lower = std::clamp(range.lower, bounds.lower, bounds.upper - length);
-    return {range.lower, range.lower + length};
 }
 
 } // namespace
@@ -136,14 +123,13 @@ void PlotGrid::Plot::setStyle(const PlotTypography &typography, const SeriesColo
     m_tickFont = typography.tick;
     m_colours = colours;
     setBackground(QBrush(colours.background));
-    QColor frame = colours.text;
     constexpr double kFrameStrength = 0.55;
-    const auto mix = [&](int text, int background) {
+    const auto mixed = [](int text, int background) {
         return static_cast<int>(std::lround(kFrameStrength * text + (1.0 - kFrameStrength) * background));
     };
-    frame =
-        QColor(mix(colours.text.red(), colours.background.red()), mix(colours.text.green(), colours.background.green()),
-               mix(colours.text.blue(), colours.background.blue()));
+    const QColor frame(mixed(colours.text.red(), colours.background.red()),
+                       mixed(colours.text.green(), colours.background.green()),
+                       mixed(colours.text.blue(), colours.background.blue()));
     for (QCPAxis *axis : {xAxis, yAxis}) {
         axis->setBasePen(QPen(frame, 1));
         axis->setTickPen(QPen(frame, 1));
@@ -163,6 +149,11 @@ void PlotGrid::Plot::display(const PlotPicture &picture, const QMargins &margins
     m_valueTicker->scale = picture.valueScale;
     xAxis->setRange(picture.time.lower, picture.time.upper);
     yAxis->setRange(picture.values.lower, picture.values.upper);
+    QString description = picture.title;
+    for (const InkedText &remark : picture.remarks) {
+        description += remark.text;
+    }
+    setAccessibleDescription(description);
     xAxis->setTickLabels(picture.hasTimeLabels);
     yAxis->setTickLabels(picture.hasValues);
     for (std::size_t i = 0; i < picture.curves.size(); ++i) {
@@ -426,19 +417,22 @@ void PlotGrid::updateHint()
 void PlotGrid::zoomTime(double about, double factor)
 {
     const Interval outer = m_figure.outerRange();
-    Interval range = broughtInto(outer, scaled(m_figure.timeRange(), about, factor));
+    const Interval range = scaled(m_figure.timeRange(), about, factor);
     // Closer, neighbouring instants could not be told apart on the axis any more.
     constexpr double kSmallestPart = 1e-10;
     const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
     if (factor < 1.0 && range.length() < kSmallestPart * largest) {
         return;
     }
-    m_figure.timeZoom = range;
+    m_figure.zoomTime(range);
     requestRefresh();
 }
 
 void PlotGrid::zoomValues(std::size_t plot, double about, double factor)
 {
+    if (!m_plots[plot]->yAxis->tickLabels()) {
+        return; // there are no values
+    }
     const Interval range = scaled(m_plots[plot]->valueRange(), about, factor);
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     constexpr double kSmallestPart = 1e-10;
@@ -456,7 +450,7 @@ void PlotGrid::pan(std::size_t plot, const QPoint &to)
     const double dt = shown.xAxis->pixelToCoord(m_drag->last.x()) - shown.xAxis->pixelToCoord(to.x());
     const double dv = shown.yAxis->pixelToCoord(m_drag->last.y()) - shown.yAxis->pixelToCoord(to.y());
     const Interval time = m_figure.timeRange();
-    m_figure.timeZoom = broughtInto(m_figure.outerRange(), {time.lower + dt, time.upper + dt});
+    m_figure.zoomTime({time.lower + dt, time.upper + dt});
     if (std::optional<Interval> &values = m_figure.valueZoom[plot]) {
         values = Interval{values->lower + dv, values->upper + dv};
     }
