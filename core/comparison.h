@@ -32,7 +32,8 @@ struct ChannelComparison {
     double timeOfMaxAbs = 0.0;
     std::optional<double> rms;
 
-    /// |model - reference| / |reference| · 100, over the instants where the reference is not zero.
+    /// |model - reference| / |reference| · 100, over the instants where the reference is not zero (nor so
+    /// near it that no double holds the ratio).
     std::optional<double> maxPercent;
     double timeOfMaxPercent = 0.0;
     std::size_t zeroReference = 0; ///< instants left out of maxPercent
