@@ -200,13 +200,17 @@ void tst_mechanism::indicesAreInTheOrderOfSolve()
     QCOMPARE(indexOf({Theta4, Order::Position}), std::size_t(11));
     QCOMPARE(indexOf({R1x, Order::Velocity}), std::size_t(12));
     QCOMPARE(indexOf({R4x, Order::Acceleration}), std::size_t(33));
-    const char *bodies[] = {"1", "2", "3", "4"};
-    for (std::size_t body = 0; body < 4; ++body) {
-        const std::string r = std::string("R") + bodies[body];
-        QVERIFY(nameOf(channelAt(3 * body)) == r + "_x");
-        QVERIFY(nameOf(channelAt(3 * body + 1)) == r + "_y");
-        QVERIFY(nameOf(channelAt(3 * body + 2)) == std::string("theta") + bodies[body]);
+    std::size_t index = 0;
+    for (const char *derivative : {"", "_diff", "_diff2"}) {
+        for (const char *body : {"1", "2", "3", "4"}) {
+            for (const std::string &name :
+                 {"R" + std::string(body) + "_x", "R" + std::string(body) + "_y", "theta" + std::string(body)}) {
+                QCOMPARE(std::string(nameOf(channelAt(index))), name + derivative);
+                ++index;
+            }
+        }
     }
+    QCOMPARE(index, kChannelCount);
 }
 
 void tst_mechanism::unitsAreThoseOfTheAuthor()
