@@ -33,7 +33,9 @@ void TstAxisScale::writesShortLabels_data()
                                << "mm";
     QTest::newRow("negative zero") << -1.0 << 1.0 << -1e-17 << "0.0"
                                    << "mm";
-    QTest::newRow("tiny") << 0.0 << 4e-4 << 2e-4 << "200"
+    QTest::newRow("small") << 0.0 << 4e-4 << 2e-4 << "0.0002"
+                           << "mm";
+    QTest::newRow("tiny") << 0.0 << 4e-5 << 2e-5 << "20"
                           << "10⁻⁶ mm";
     QTest::newRow("huge") << -2e9 << 2e9 << 1e9 << "1"
                           << "10⁹ mm";

@@ -71,7 +71,7 @@ AxisScale axisScale(const Interval &range, double intervals)
 {
     AxisScale scale;
     scale.step = niceStep(range.length() / std::max(intervals, 1.0));
-    constexpr double kSmallestPlain = 1e-3;
+    constexpr double kSmallestPlain = 1e-4;
     constexpr double kLargestPlain = 1e5;
     const double largest = largestMagnitude(range);
     if (largest > 0.0 && (largest < kSmallestPlain || largest >= kLargestPlain)) {

@@ -304,7 +304,9 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
         values = united(values, extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.percent));
         if (channel.largestPercent) {
             constexpr int kDigits = 3;
-            const QString number = shortNumber(*channel.largestPercent, kDigits, QLocale());
+            constexpr int kFewDigits = 2;
+            const double largest = *channel.largestPercent;
+            const QString number = shortNumber(largest, kDigits, QLocale());
             if (!picture.remarks.empty()) {
                 picture.remarks.push_back({QStringLiteral(" · ")});
                 picture.shortRemarks.push_back({QStringLiteral(" · ")});
@@ -312,7 +314,7 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
             picture.remarks.push_back(
                 {tr("%1 % %2", "largest error: number, quantity").arg(number, quantity(row * kChannelsPerRow + i)),
                  curve.ink});
-            picture.shortRemarks.push_back({number, curve.ink});
+            picture.shortRemarks.push_back({shortNumber(largest, kFewDigits, QLocale()), curve.ink});
         }
     }
     if (!picture.remarks.empty()) {

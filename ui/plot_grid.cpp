@@ -215,12 +215,6 @@ void PlotGrid::Plot::Lettering::drawTitle(QCPPainter &painter, const QRect &axes
     const QFontMetricsF titleMetrics(m_plot->m_titleFont);
     const QFontMetricsF tickMetrics(m_plot->m_tickFont);
     const double baseline = axes.top() - 2.0 - titleMetrics.descent();
-    painter.setFont(m_plot->m_titleFont);
-    painter.setPen(QPen(m_plot->m_colours.text));
-    painter.drawText(QPointF(axes.left(), baseline), picture.title);
-    if (picture.remarks.empty()) {
-        return;
-    }
     const auto widthOf = [&tickMetrics](const std::vector<InkedText> &texts) {
         double width = 0.0;
         for (const InkedText &part : texts) {
@@ -228,16 +222,28 @@ void PlotGrid::Plot::Lettering::drawTitle(QCPPainter &painter, const QRect &axes
         }
         return width;
     };
-    const double right = axes.right();
-    const double room = right - axes.left() - titleMetrics.horizontalAdvance(picture.title) - 2.0 * kLabelGap;
-    const std::vector<InkedText> &texts = widthOf(picture.remarks) <= room ? picture.remarks : picture.shortRemarks;
-    const double width = widthOf(texts);
-    if (width > room) {
-        return;
+    // Title and remarks over the axes; what is too long for that takes the margins too.
+    double left = axes.left();
+    double right = axes.right();
+    const double titleWidth = titleMetrics.horizontalAdvance(picture.title) + 2.0 * kLabelGap;
+    const std::vector<InkedText> *remarks = &picture.remarks;
+    if (titleWidth + widthOf(*remarks) > right - left) {
+        remarks = &picture.shortRemarks;
     }
-    double x = right - width;
+    const double excess = titleWidth + widthOf(*remarks) - (right - left);
+    if (excess > 0.0) {
+        right = m_plot->viewport().width() - kLabelGap;
+        left = std::max<double>(kLabelGap, right - widthOf(*remarks) - titleWidth);
+    }
+    painter.setFont(m_plot->m_titleFont);
+    painter.setPen(QPen(m_plot->m_colours.text));
+    painter.drawText(QPointF(left, baseline), picture.title);
+    double x = right - widthOf(*remarks);
+    if (x < left + titleWidth - kLabelGap) {
+        return; // a plot narrower than any window makes it
+    }
     painter.setFont(m_plot->m_tickFont);
-    for (const InkedText &part : texts) {
+    for (const InkedText &part : *remarks) {
         painter.setPen(QPen(colourOf(part.ink, m_plot->m_colours)));
         painter.drawText(QPointF(x, baseline), part.text);
         x += tickMetrics.horizontalAdvance(part.text);
