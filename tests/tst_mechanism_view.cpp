@@ -275,6 +275,8 @@ private slots:
     void followsThePalette()
     {
         Bench bench;
+        bench.view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.view));
         const QImage light = bench.picture();
         bench.view.setPalette(paletteFor(Theme::Dark));
         const QImage dark = bench.picture();

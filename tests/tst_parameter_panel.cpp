@@ -206,12 +206,16 @@ private slots:
         panel.setParameters(exact);
         QCOMPARE(textOf(child<NumberBox>(panel, "box_b")), QString("60.1235 mm"));
         listenTo(panel);
-        for (const char *name : {"box_b", "box_omega2", "box_theta20"}) { // looking at a box changes nothing
+        panel.activateWindow();
+        for (const char *name : {"box_omega2", "box_theta20", "box_b"}) { // looking at a box changes nothing
             auto *box = child<NumberBox>(panel, name);
             box->setFocus();
+            QTRY_VERIFY(box->hasFocus());
             QTest::keyClick(box, Qt::Key_Return);
         }
         QCOMPARE(m_edits, 0);
+        // Who types sees every digit, and may change one of them.
+        QCOMPARE(textOf(child<NumberBox>(panel, "box_b")), QString("60.12345678901234 mm"));
         type(child<NumberBox>(panel, "box_a"), "25");
         exact.a = 25.0;
         QVERIFY(m_received == exact);
