@@ -4,21 +4,35 @@
 #include "app/command_line.h"
 
 #include <QDir>
+#include <QFileInfo>
 
 #include <cstdio>
 
 namespace slidercrank
 {
 
+namespace
+{
+
+bool isDeviceOrPipe(const QString &path)
+{
+    const QFileInfo file(path);
+    return file.exists() && !file.isFile() && !file.isDir();
+}
+
+} // namespace
+
 Output::Output(const QString &path)
     : m_path(path)
+    , m_isStream(path.isEmpty() || isDeviceOrPipe(path))
+    , m_stream(path)
     , m_file(path)
 {
 }
 
 QFileDevice &Output::device()
 {
-    return m_path.isEmpty() ? static_cast<QFileDevice &>(m_standardOutput) : m_file;
+    return m_isStream ? static_cast<QFileDevice &>(m_stream) : m_file;
 }
 
 QString Output::failure()
@@ -31,7 +45,7 @@ QString Output::failure()
 std::optional<QString> Output::open()
 {
     const bool open =
-        m_path.isEmpty() ? m_standardOutput.open(stdout, QIODevice::WriteOnly) : m_file.open(QIODevice::WriteOnly);
+        m_path.isEmpty() ? m_stream.open(stdout, QIODevice::WriteOnly) : device().open(QIODevice::WriteOnly);
     if (!open) {
         m_failed = true;
         return failure();
@@ -50,7 +64,7 @@ bool Output::write(const QByteArray &bytes)
 std::optional<QString> Output::finish()
 {
     if (!m_failed) {
-        m_failed = m_path.isEmpty() ? !m_standardOutput.flush() : !m_file.commit();
+        m_failed = m_isStream ? !m_stream.flush() : !m_file.commit();
     }
     if (m_failed) {
         return failure();

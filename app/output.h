@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Where a subcommand writes: a file, whole or not at all, or standard output.
+// Where a subcommand writes: a file, whole or not at all; standard output; or what is no plain file (a device, a pipe).
 
 #include <QByteArray>
 #include <QFile>
@@ -33,7 +33,8 @@ private:
     QString failure();
 
     QString m_path;
-    QFile m_standardOutput;
+    bool m_isStream; ///< written as it comes: a QSaveFile would put a plain file in the place of a pipe
+    QFile m_stream;
     QSaveFile m_file;
     bool m_failed = false;
 };

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -165,6 +166,7 @@ private slots:
     void refusesAWrongCommandLine_data();
     void refusesAWrongCommandLine();
     void writesTheSameToAFile();
+    void writesIntoAPipeWithoutReplacingIt();
     void leavesNothingBehindWhereItCannotWrite();
     void readsWhatItWrites_data();
     void readsWhatItWrites();
@@ -542,6 +544,27 @@ void TestCommandLine::writesTheSameToAFile()
     QCOMPARE(toFile.out, QByteArray());
     QCOMPARE(contentOf(path), run(line).out);
     QVERIFY(contentOf(path).size() > 100'000);
+}
+
+void TestCommandLine::writesIntoAPipeWithoutReplacingIt()
+{
+    QTemporaryDir folder;
+    const QString pipe = folder.filePath(QStringLiteral("pipe"));
+    if (QProcess::execute(QStringLiteral("mkfifo"), {pipe}) != 0) {
+        QSKIP("There are no named pipes here.");
+    }
+    QProcess reader;
+    reader.start(QStringLiteral("cat"), {pipe});
+    QVERIFY(reader.waitForStarted());
+    // Little enough for the pipes between the three of us: nobody reads while run() waits.
+    const Outcome outcome = run({"solve", "--steps", "20", "--output", pipe});
+    const bool read = reader.waitForFinished(10'000);
+    reader.kill();
+    reader.waitForFinished();
+    QVERIFY(read);
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(reader.readAllStandardOutput(), run(QStringLiteral("solve --steps 20")).out);
+    QVERIFY(!QFileInfo(pipe).isFile());
 }
 
 void TestCommandLine::leavesNothingBehindWhereItCannotWrite()
