@@ -93,7 +93,7 @@ private slots:
         QVERIFY(table->isVisible());
         QCOMPARE(table->rowCount(), 2);
         QCOMPARE(table->item(0, Name)->text(), QString("θ³ [°]"));
-        QCOMPARE(table->item(1, Name)->text(), QString("dR_x⁴/dt [mm/s]"));
+        QCOMPARE(table->item(1, Name)->text(), QString("dRₓ⁴/dt [mm/s]"));
         QCOMPARE(table->item(0, LargestError)->text(), QString("0.00123"));
         QCOMPARE(table->item(1, LargestError)->text(), QString("14.2"));
         QCOMPARE(table->item(0, LargestErrorAt)->text(), QString("0.25"));

@@ -214,7 +214,7 @@ private slots:
         MechanismView view;
         view.resize(200, 150);
         const QImage picture = view.grab().toImage();
-        QCOMPARE(countOf(picture, view.palette().color(QPalette::Base)), 200 * 150);
+        QCOMPARE(countOf(picture, view.palette().color(QPalette::Base)), picture.width() * picture.height());
     }
 
     void draggingTheCrankPinScrubs_data()
@@ -305,6 +305,9 @@ private slots:
     void aPoseRepaintsWhatItLeft()
     {
         Bench bench;
+        if (bench.view.devicePixelRatioF() != 1.0) {
+            QSKIP("the offscreen platform's screen has one pixel a point");
+        }
         bench.view.show();
         QVERIFY(QTest::qWaitForWindowExposed(&bench.view));
         // The screen, repainted piece by piece, must end as a picture painted at once.

@@ -59,14 +59,14 @@ QString instantText(double seconds)
     return numberText(seconds, 6);
 }
 
-/// As the report writes them: θ³, R_x⁴. Derivatives as quotients: a dot over a letter is too small to be told from
+/// As the report writes them: θ³, Rₓ⁴. Derivatives as quotients: a dot over a letter is too small to be told from
 /// none.
 QString symbolOf(Channel channel)
 {
     const auto body = static_cast<int>(channel.coordinate) / 3;
     const auto axis = static_cast<int>(channel.coordinate) % 3;
     const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ")
-                           : axis == 0                 ? QStringLiteral("R_x")
+                           : axis == 0                 ? QStringLiteral("Rₓ")
                                                        : QStringLiteral("R_y");
     const QString symbol = letter + QStringLiteral("¹²³⁴")[body];
     switch (channel.order) {

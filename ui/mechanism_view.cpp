@@ -486,7 +486,9 @@ void MechanismView::paintEvent(QPaintEvent *event)
     const Canvas on = canvas(size(), palette());
     const double ratio = devicePixelRatioF();
     if (m_scenery.isNull() || m_scenery.devicePixelRatio() != ratio) {
-        m_scenery = QPixmap((QSizeF(size()) * ratio).toSize().expandedTo({1, 1}));
+        // Rounded up: at a ratio of 1.5 the last half pixel has to be painted too.
+        m_scenery =
+            QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
         m_scenery.setDevicePixelRatio(ratio);
         QPainter painter(&m_scenery);
         paintScenery(painter, on);
