@@ -203,8 +203,8 @@ void tst_mechanism::indicesAreInTheOrderOfSolve()
     std::size_t index = 0;
     for (const char *derivative : {"", "_diff", "_diff2"}) {
         for (const char *body : {"1", "2", "3", "4"}) {
-            for (const std::string &name :
-                 {"R" + std::string(body) + "_x", "R" + std::string(body) + "_y", "theta" + std::string(body)}) {
+            const std::string r = std::string("R") + body;
+            for (const std::string &name : {r + "_x", r + "_y", std::string("theta") + body}) {
                 QCOMPARE(std::string(nameOf(channelAt(index))), name + derivative);
                 ++index;
             }
