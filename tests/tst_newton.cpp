@@ -37,7 +37,7 @@ std::vector<Instant> run(const Parameters &parameters, const std::vector<double>
                           ? assemble(mechanism, t, options)
                           : track(mechanism, t, done.back().result.q, options);
         if (here.result.status == Status::Solved) {
-            here.state = differentiate(mechanism, here.result.q);
+            here.state = differentiate(mechanism, here.result.q, here.result.residual());
         } else {
             here.state.status = here.result.status;
         }
@@ -144,7 +144,7 @@ void tst_newton::agreesWithTheClosedFormOnRandomMechanisms()
     Parameters worstParameters;
     for (int i = 0; i < 300; ++i) {
         Parameters p = random.next();
-        const std::vector<double> instants = turn(p, 100);
+        const std::vector<double> instants = turn(p, 40);
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {
             p.branch = branch;
             const std::vector<Instant> done = run(p, instants, kToTheEnd);
@@ -264,8 +264,8 @@ void tst_newton::keepsTheBranchWithFewStepsATurn()
     for (const Branch branch : {Branch::Open, Branch::Crossed}) {
         for (const double c : {25.0, 0.0, -25.0}) {
             for (const double omega2 : {2.0 * std::numbers::pi, -2.0 * std::numbers::pi}) {
-                for (int phase = 0; phase < 8; ++phase) {
-                    const Parameters p{20.0, (20.0 + std::abs(c)) * (1.0 + gap), c, omega2, 0.1 * phase, branch};
+                for (int phase = 0; phase < 4; ++phase) {
+                    const Parameters p{20.0, (20.0 + std::abs(c)) * (1.0 + gap), c, omega2, 0.2 * phase, branch};
                     const ClosedForm closedForm{Mechanism(p)};
                     for (const NewtonOptions &options : {kReport, kToTheEnd}) {
                         for (const Instant &instant : run(p, turn(p, 3 * steps, 3.0), options)) {
@@ -397,8 +397,8 @@ void tst_newton::isSingularAtTheExactToggle()
     const NewtonResult result = assemble(mechanism, t, kToTheEnd);
     QCOMPARE(result.status, Status::Solved);
     const double exact = ClosedForm{mechanism}.stateAt(t).q[Theta3];
-    QVERIFY2(std::abs(result.q[Theta3] - exact) < kSingularCosine, qPrintable(at(which, {t, result, {}})));
-    const State state = differentiate(mechanism, result.q);
+    QVERIFY2(std::abs(result.q[Theta3] - exact) < 1e-7, qPrintable(at(which, {t, result, {}})));
+    const State state = differentiate(mechanism, result.q, result.residual());
     QCOMPARE(state.status, Status::Singular);
     QVERIFY(state.q == result.q);
     QVERIFY(state.qDot.array().isNaN().all());
