@@ -44,6 +44,7 @@ installMissing() {
     fi
     for package in "${packagesSplitOff[@]}"; do
         if ! isInstalled "$package" && apt-cache show "$package" >/dev/null 2>&1; then
+            echo "Installing $package" >&2
             missing+=("$package")
         fi
     done
