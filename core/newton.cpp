@@ -24,11 +24,12 @@ double branchCentre(Branch branch)
     return branch == Branch::Open ? 0.0 : std::numbers::pi;
 }
 
-/// cos θ3 has the branch's sign, but for what cannot be told from 0.
+/// cos θ3 has the branch's sign, but for what rounding cannot tell from 0.
 bool isOnBranch(const Mechanism &mechanism, const Vector12 &q)
 {
+    constexpr double kRoundedCosine = 1.2e-7; // √(kResolvedCosine ε): less has no meaning at a double-precision θ3
     const double fromCentre = std::abs(q[Theta3] - branchCentre(mechanism.branch()));
-    return fromCentre <= 0.5 * std::numbers::pi + kSingularCosine; // false for NaN
+    return fromCentre <= 0.5 * std::numbers::pi + kRoundedCosine; // false for NaN
 }
 
 /// A residual that rounding alone can explain (mm and rad mixed): each row of C sums a few terms of these sizes.
@@ -61,7 +62,9 @@ Ending iterate(const Mechanism &mechanism, double t, const NewtonOptions &option
         const Vector12 step = constraintJacobian(mechanism, result.q).partialPivLu().solve(-C);
         const Vector12 next = result.q + step;
         if (!isOnBranch(mechanism, next)) {
-            return Ending::LeftBranch;
+            // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
+            const double enough = std::max(options.tolerance, roundingResidual(mechanism, result.q));
+            return residual <= enough ? Ending::Converged : Ending::LeftBranch;
         }
         ++result.iterations;
         C = constraints(mechanism, next, t);
@@ -87,8 +90,7 @@ Ending iterate(const Mechanism &mechanism, double t, const NewtonOptions &option
             }
         }
     }
-    const double enough = options.tolerance == 0.0 ? 0.0 : options.tolerance;
-    return residual <= enough ? Ending::Converged : Ending::IterationLimit;
+    return residual <= options.tolerance ? Ending::Converged : Ending::IterationLimit;
 }
 
 void conclude(NewtonResult &result, Ending ending)
@@ -157,15 +159,17 @@ NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, 
     return result;
 }
 
-State differentiate(const Mechanism &mechanism, const Vector12 &q)
+State differentiate(const Mechanism &mechanism, const Vector12 &q, double residual)
 {
     State state;
     state.q = q;
     const Eigen::PartialPivLU<Matrix12> lu = constraintJacobian(mechanism, q).partialPivLu();
     state.qDot = lu.solve(-constraintTimeDerivative(mechanism));
     state.qDDot = lu.solve(quadraticVelocityTerm(mechanism, q, state.qDot));
-    const bool singular = std::abs(std::cos(q[Theta3])) < kSingularCosine;
-    if (singular || !state.qDot.allFinite() || !state.qDDot.allFinite()) {
+    const double cosine = std::cos(q[Theta3]);
+    const double uncertainty = std::max(residual / mechanism.b(), std::numeric_limits<double>::epsilon());
+    const bool resolved = cosine * cosine >= kResolvedCosine * uncertainty;
+    if (!resolved || !state.qDot.allFinite() || !state.qDDot.allFinite()) {
         state.qDot.setConstant(kNone);
         state.qDDot.setConstant(kNone);
         state.status = Status::Singular;

@@ -51,11 +51,13 @@ NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions 
 /// From the coordinates of a neighbouring instant.
 NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, const NewtonOptions &options = {});
 
-/// Velocity and acceleration at a solved position. Status Singular (and NaN) where |cos θ3| < kSingularCosine.
-State differentiate(const Mechanism &mechanism, const Vector12 &q);
+/// Velocity and acceleration with C_q at a solved position, whose residual ‖C‖ (mm and rad mixed) is given. Status
+/// Singular (and NaN) where they do not exist, or are lost in what is left of the residual: see kResolvedCosine.
+State differentiate(const Mechanism &mechanism, const Vector12 &q, double residual = 0.0);
 
-/// Below this |cos θ3| (of 1) a double-precision θ3 found by iteration has no correct digit left in its cosine: θ3 is
-/// known to about u/|cos θ3|, and that reaches |cos θ3| at √u = 1.05e-8. Four times that, so that one digit is left.
-inline constexpr double kSingularCosine = 4.2e-8;
+/// A residual r leaves θ3 uncertain by δ with cos θ3 δ + δ²/2 = r/b, and the derivatives, which go with 1/cos θ3 to
+/// 1/cos³ θ3, by δ/cos θ3 to three times that. They are given where cos² θ3 is at least this many times r/b: δ/cos θ3
+/// is 1.6 % there at most. Where r is 0, rounding leaves θ3 uncertain all the same, as if r/b were about 2.2e-16.
+inline constexpr double kResolvedCosine = 64.0;
 
 } // namespace slidercrank

@@ -92,7 +92,7 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
         trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
         State state = nothing(last.status);
         if (last.status == Status::Solved) {
-            state = differentiate(mechanism, last.q);
+            state = differentiate(mechanism, last.q, last.residual());
             trajectory.largestResidual = std::max(trajectory.largestResidual, last.residual());
         }
         trajectory.status[i] = state.status;

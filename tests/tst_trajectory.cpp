@@ -186,7 +186,7 @@ void tst_trajectory::newtonValuesAreThoseOfTheSolver()
         iterations += last.iterations;
         most = std::max(most, last.iterations);
         residual = std::max(residual, last.residual());
-        const State state = differentiate(mechanism, last.q);
+        const State state = differentiate(mechanism, last.q, last.residual());
         for (std::size_t index = 0; index < kChannelCount; ++index) {
             const Channel channel = channelAt(index);
             QCOMPARE(trajectory[channel][i], inAuthorUnit(channel, valueOf(state, channel)));
