@@ -393,7 +393,6 @@ void tst_newton::isSingularAtTheExactToggle()
 {
     QFETCH(Case, which);
     QFETCH(double, t);
-    constexpr double kPosition = 1e-7; // rad, a few times the square root of 2^-53
     const Mechanism mechanism(which.parameters);
     const NewtonResult result = assemble(mechanism, t, kToTheEnd);
     QCOMPARE(result.status, Status::Solved);
