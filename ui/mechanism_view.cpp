@@ -41,18 +41,6 @@ QColor mixed(const QColor &colour, const QColor &background, double share)
                   blend(colour.blue(), background.blue()));
 }
 
-/// The next of … 1, 2, 5, 10, 20, 50 …
-double roundedUp(double value)
-{
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double mantissa : {1.0, 2.0, 5.0}) {
-        if (mantissa * decade >= value) {
-            return mantissa * decade;
-        }
-    }
-    return 10.0 * decade;
-}
-
 /// Everywhere that the pins A and B can be, mm; y upwards. Empty rectangles do not occur: the crank has a length.
 QRectF reachOf(const Result &result)
 {
@@ -74,7 +62,7 @@ QRectF reachOf(const Result &result)
 QRectF frameAround(const QRectF &reach, double room)
 {
     const double extent = std::max(reach.width(), reach.height());
-    const double step = roundedUp(extent / 20.0);
+    const double step = nextRoundNumber(extent / 20.0);
     const double margin = room * extent;
     const auto down = [step](double x) { return std::floor(x / step) * step; };
     const auto up = [step](double x) { return std::ceil(x / step) * step; };
@@ -254,7 +242,7 @@ void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
 
     // The grid, labelled along the lower and the left edge.
     constexpr double kLeastSpacing = 50.0; // px
-    const double step = roundedUp(kLeastSpacing / on.scale);
+    const double step = nextRoundNumber(kLeastSpacing / on.scale);
     const QPointF low = on.toModel({0.0, on.size.height()});
     const QPointF high = on.toModel({on.size.width(), 0.0});
     QFont small = on.font;

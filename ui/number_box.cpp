@@ -64,6 +64,18 @@ QString numberText(double value, int significantDigits)
     return withShortExponent(localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits));
 }
 
+double nextRoundNumber(double value)
+{
+    constexpr double kSlack = 1e-9; // 0.1 · 20 is 2, whatever its last digit
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double mantissa : {1.0, 2.0, 5.0}) {
+        if (mantissa * decade >= value * (1.0 - kSlack)) {
+            return mantissa * decade;
+        }
+    }
+    return 10.0 * decade;
+}
+
 NumberBox::NumberBox(QWidget *parent)
     : QAbstractSpinBox(parent)
     , m_widestText(QStringLiteral("-000.000"))

@@ -77,18 +77,6 @@ bool isLength(Parameter parameter)
     return parameter == Parameter::A || parameter == Parameter::B || parameter == Parameter::C;
 }
 
-/// The next of … 1, 2, 5, 10, 20, 50 …
-double roundedUp(double value)
-{
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double mantissa : {1.0, 2.0, 5.0}) {
-        if (mantissa * decade >= value * (1.0 - 1e-9)) {
-            return mantissa * decade;
-        }
-    }
-    return 10.0 * decade;
-}
-
 /// What is written about a parameter, and the names by which it is found.
 struct Wording {
     QString key; ///< ends the object names
@@ -140,7 +128,7 @@ public:
         const QSignalBlocker quiet(this);
         if (range != m_range) {
             m_range = range;
-            m_step = roundedUp(range / 200.0);
+            m_step = nextRoundNumber(range / 200.0);
         }
         const int positions = static_cast<int>(std::lround(m_range / m_step));
         setRange(positive ? 1 : -positions, positions);
@@ -344,7 +332,7 @@ double ParameterPanel::sliderRangeFor(const Row &row, double value) const
     if (row.slider->isSliderDown() || fits(row.slider->range())) {
         return row.slider->range(); // under the hand, or good enough: nothing moves
     }
-    return fits(usual) ? usual : roundedUp(1.5 * size);
+    return fits(usual) ? usual : nextRoundNumber(1.5 * size);
 }
 
 void ParameterPanel::showRow(const Row &row)
