@@ -2,7 +2,7 @@
 #include "app/options.h"
 
 #include "app/command_line.h"
-#include "app/crank_instant.h"
+#include "core/crank_instant.h"
 #include "app/help.h"
 #include "ui/figure_export.h"
 

@@ -29,7 +29,7 @@ struct NewtonOptions {
     friend bool operator==(const NewtonOptions &, const NewtonOptions &) = default;
 };
 
-/// A start from afar needs up to 13 iterations, 23 at an exact toggle, so assemble() has a cap of its own.
+/// A start from afar needs up to 13 iterations, 29 at an exact toggle, so assemble() has a cap of its own.
 inline constexpr int kAssemblyIterations = 60;
 
 struct NewtonResult {

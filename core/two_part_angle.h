@@ -36,7 +36,7 @@ struct SinCos {
     double cos = 1.0;
 };
 
-/// Sine and cosine of hi + lo (rad): those of hi, rotated by lo to second order.
+/// Sine and cosine of hi + lo (rad): those of hi, rotated by lo.
 SinCos sinCos(TwoPart angle);
 
 } // namespace slidercrank

@@ -31,13 +31,12 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
         if (error->line == 0) {
             return QStringLiteral("%1: %2").arg(shown, reason);
         }
-        const QString text = QString::fromStdString(error->text);
-        return error->column == 0 ? tr("%1, line %2: %3").arg(shown).arg(error->line).arg(reason)
-                                  : tr("%1, line %2, column %3 (\"%4\"): %5")
-                                        .arg(shown)
-                                        .arg(error->line)
-                                        .arg(error->column)
-                                        .arg(text, reason);
+        const QString line = QString::number(error->line);
+        if (error->column == 0) {
+            return tr("%1, line %2: %3").arg(shown, line, reason);
+        }
+        return tr("%1, line %2, column %3 (\"%4\"): %5")
+            .arg(shown, line, QString::number(error->column), QString::fromStdString(error->text), reason);
     }
     auto reference = std::make_shared<Reference>();
     reference->path = path;

@@ -22,6 +22,9 @@ QPalette lightPalette()
     palette.setColor(QPalette::Link, QColor(0x00, 0x5f, 0xa3));
     palette.setColor(QPalette::ToolTipBase, Qt::white);
     palette.setColor(QPalette::ToolTipText, QColor(0x1c, 0x1c, 0x1c));
+    for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, QColor(0xa0, 0xa0, 0xa0));
+    }
     return palette;
 }
 

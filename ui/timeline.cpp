@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline.h"
 
+#include "core/crank_instant.h"
+
 #include "ui/number_box.h"
 
 #include <QComboBox>
@@ -33,15 +35,6 @@ constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0,
 QString speedText(double speed)
 {
     return Timeline::tr("%1×").arg(numberText(speed, 3));
-}
-
-/// How far to turn forwards from one angle to the next place where the other is passed, within [0, 2π).
-double forwards(double from, double to)
-{
-    constexpr double kHere = 1e-9; // rad: rounding must not make a whole turn of no turn
-    const double turn = to - from;
-    const double rest = turn - kTurn * std::floor(turn / kTurn);
-    return rest > kTurn - kHere ? 0.0 : rest;
 }
 
 } // namespace
@@ -414,19 +407,13 @@ void Timeline::goToAngle(double degrees)
 {
     const double omega2 = m_parameters.omega2;
     if (omega2 != 0.0) {
-        const double wanted = degrees / 180.0 * std::numbers::pi;
-        const auto angleAt = [&](double time) { return omega2 * time + m_parameters.theta20; };
-        const auto turnTo = [&](double from, double to) {
-            return omega2 > 0.0 ? forwards(from, to) : forwards(to, from);
-        };
-        double time = (wanted - m_parameters.theta20) / omega2; // the very angle, whole turns included
+        double time =
+            (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // the very angle, whole turns included
         if (!(time >= first() && time <= last())) {
-            const double turn = turnTo(angleAt(first()), wanted);
-            time = first() + turn / std::abs(omega2);
-            if (!(time <= last())) { // not passed: whichever end is nearer
-                const double beforeFirst = turnTo(wanted, angleAt(first()));
-                const double afterLast = turnTo(angleAt(last()), wanted);
-                time = beforeFirst < afterLast ? first() : last();
+            const double period = 2.0 * std::numbers::pi / std::abs(omega2);
+            time = instantAtCrankAngle(Mechanism(m_parameters), degrees, first()).value_or(first());
+            if (time > last()) { // not passed: whichever end is nearer
+                time = first() - (time - period) < time - last() ? first() : last();
             }
         }
         emit timeRequested(time);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/crank_instant.h"
+#include "core/crank_instant.h"
 
 #include "core/channel.h"
 #include "core/two_part_angle.h"
