@@ -318,6 +318,7 @@ private slots:
         QVERIFY(!tabs->isFolded());
         m_window->resize(1024, 700);
         QTRY_VERIFY(tabs->isFolded());
+        QTRY_VERIFY(tabs->height() < 50); // the room is the plots' now
         QVERIFY(m_window->width() <= 1024 && m_window->height() <= 700);
         m_window->resize(1400, 900);
         QTRY_VERIFY(!tabs->isFolded());

@@ -63,8 +63,7 @@ void FoldingTabs::setFolded(bool folded)
         return;
     }
     m_pages->setHidden(folded);
-    setSizePolicy(QSizePolicy::Preferred, folded ? QSizePolicy::Fixed : QSizePolicy::Preferred);
-    updateGeometry();
+    setMaximumHeight(folded ? m_bar->sizeHint().height() : QWIDGETSIZE_MAX); // the rest goes to the neighbour
     emit foldedChanged(folded);
 }
 

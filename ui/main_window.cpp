@@ -438,21 +438,17 @@ void MainWindow::showAgreement(const std::shared_ptr<const Result> &result)
     m_tabs->setTitle(m_errorPanel, differing > 0 ? tr("Errors ⚠") : tr("Errors"));
     if (m_announceReference && result->reference) {
         m_announceReference = false;
-        announceReference();
+        announceReference(differing);
     }
 }
 
 /// Said once, when a file is opened: whether it is of this mechanism at all.
-void MainWindow::announceReference()
+void MainWindow::announceReference(std::ptrdiff_t differing)
 {
-    const Result &result = *m_session->result();
-    const auto worst = std::max_element(result.comparison.begin(), result.comparison.end(),
-                                        [](const ChannelComparison &x, const ChannelComparison &y) {
-                                            return x.percentOfPeak.value_or(0.0) < y.percentOfPeak.value_or(0.0);
-                                        });
-    if (worst == result.comparison.end() || worst->verdict != Verdict::Differs) {
+    if (differing == 0) {
         return;
     }
+    const Result &result = *m_session->result();
     if (result.reference->path == kSamplePath) {
         m_messageBar->showMessage(MessageBar::Kind::Hint,
                                   tr("The sample is the motion of a mechanism with a coupler of b = 60 mm."),
@@ -463,12 +459,11 @@ void MainWindow::announceReference()
                                   });
         return;
     }
-    const QString channel = QString::fromUtf8(nameOf(worst->channel).data());
     m_messageBar->showMessage(
         MessageBar::Kind::Problem,
-        tr("%1 belongs to another mechanism than the one on show: %2 is off by %3 % of its peak. "
+        tr("%1 belongs to another mechanism than the one on show: %2 of its %3 channels differ. "
            "Compare its lengths with yours.")
-            .arg(result.reference->name, channel, QLocale().toString(worst->percentOfPeak.value_or(0.0), 'g', 3)),
+            .arg(result.reference->name, QString::number(differing), QString::number(result.comparison.size())),
         tr("Show the errors"), [this] { m_tabs->showPage(m_errorPanel); });
 }
 

@@ -68,7 +68,7 @@ private:
 
     void showStatus(const std::shared_ptr<const Result> &result);
     void showAgreement(const std::shared_ptr<const Result> &result);
-    void announceReference();
+    void announceReference(std::ptrdiff_t differing);
     void rememberReference(const QString &path);
     void fillRecentMenu();
     void showAbout();
