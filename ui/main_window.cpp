@@ -46,6 +46,7 @@ namespace
 
 constexpr int kRecentFiles = 8;
 constexpr int kFoldBelowHeight = 800; // px: under this the nine plots need all the room there is
+constexpr int kPanelHeight = 230;     // px: the table of six channels with its sentence
 constexpr int kBusyShownAfter = 250;  // ms: what is done sooner is not worth a flicker
 
 const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
@@ -134,7 +135,11 @@ void MainWindow::buildLayout()
     right->setStretchFactor(0, 1);
     right->setStretchFactor(1, 0);
     right->setChildrenCollapsible(false);
-    right->setSizes({600, 230});
+    right->setSizes({600, kPanelHeight});
+    connect(m_tabs, &FoldingTabs::foldedChanged, right, [right](bool folded) {
+        const int all = right->sizes().value(0) + right->sizes().value(1);
+        right->setSizes(folded ? QList<int>{all, 0} : QList<int>{all - kPanelHeight, kPanelHeight});
+    });
 
     auto *columns = new QSplitter(Qt::Horizontal, this);
     columns->setObjectName(QStringLiteral("columns"));
