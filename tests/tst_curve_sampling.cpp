@@ -68,6 +68,8 @@ private slots:
     void givesDashesTheirLength();
     void beginsADashBehindEveryGap();
     void findsPointsThatNoLineReaches();
+    void dropsOnlyPointsThatTheLinePasses();
+    void keepsCornersAndGapsWhenDroppingPoints();
 };
 
 void TstCurveSampling::drawsEveryOneOfFewSamples()
@@ -246,6 +248,43 @@ void TstCurveSampling::findsPointsThatNoLineReaches()
     QCOMPARE(isolated.size(), std::size_t(2));
     QCOMPARE(isolated[0].t, 0.0);
     QCOMPARE(isolated[1].t, 5.0);
+}
+
+void TstCurveSampling::dropsOnlyPointsThatTheLinePasses()
+{
+    const std::vector<double> time = instants(2001);
+    std::vector<CurvePoint> curve;
+    for (const double t : time) {
+        curve.push_back({t, std::sin(15.0 * t) + 0.2 * std::cos(90.0 * t)});
+    }
+    constexpr double kTolerance = 1e-3;
+    const std::vector<CurvePoint> kept = withoutNeedlessPoints(curve, kTolerance);
+    QVERIFY(kept.size() < curve.size() / 4);
+    QCOMPARE(kept.front().t, curve.front().t);
+    QCOMPARE(kept.back().t, curve.back().t);
+    QVERIFY(isAscending(kept));
+    std::size_t part = 0;
+    for (const CurvePoint &point : curve) {
+        while (part + 2 < kept.size() && kept[part + 1].t < point.t) {
+            ++part;
+        }
+        const double slope = (kept[part + 1].value - kept[part].value) / (kept[part + 1].t - kept[part].t);
+        const double line = kept[part].value + slope * (point.t - kept[part].t);
+        QVERIFY2(std::abs(line - point.value) <= kTolerance * (1.0 + 1e-9), qPrintable(QString::number(point.t)));
+    }
+}
+
+void TstCurveSampling::keepsCornersAndGapsWhenDroppingPoints()
+{
+    const std::vector<CurvePoint> curve{{0, 0}, {1, 1},    {2, 2}, {3, 0}, {4, kNaN},
+                                        {5, 7}, {6, kNaN}, {7, 1}, {8, 1}, {9, 1}};
+    const std::vector<double> expected{0, 2, 3, 4, 5, 6, 7, 9};
+    std::vector<double> kept;
+    for (const CurvePoint &point : withoutNeedlessPoints(curve, 0.01)) {
+        kept.push_back(point.t);
+    }
+    QCOMPARE(kept, expected);
+    QVERIFY(withoutNeedlessPoints({}, 0.01).empty());
 }
 
 QTEST_APPLESS_MAIN(TstCurveSampling)

@@ -173,6 +173,43 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
     return points;
 }
 
+// From the last point kept, the slopes of all lines that pass every point since within the tolerance form a fan, which
+// each further point narrows. The first point outside of the fan ends it: the one before is kept, and a new fan opens
+// there.
+std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance)
+{
+    std::vector<CurvePoint> kept;
+    kept.reserve(points.size());
+    Interval fan{-kInfinity, kInfinity};
+    const CurvePoint *before = nullptr; // passed by the fan, not kept yet
+    for (const CurvePoint &point : points) {
+        if (std::isnan(point.value) || kept.empty() || std::isnan(kept.back().value)) {
+            if (before) {
+                kept.push_back(*before);
+                before = nullptr;
+            }
+            kept.push_back(point);
+            fan = {-kInfinity, kInfinity};
+            continue;
+        }
+        double run = point.t - kept.back().t;
+        double rise = point.value - kept.back().value;
+        if (before && !(fan.lower * run <= rise && rise <= fan.upper * run)) {
+            kept.push_back(*before);
+            fan = {-kInfinity, kInfinity};
+            run = point.t - kept.back().t;
+            rise = point.value - kept.back().value;
+        }
+        fan.lower = std::max(fan.lower, (rise - tolerance) / run);
+        fan.upper = std::min(fan.upper, (rise + tolerance) / run);
+        before = &point;
+    }
+    if (before) {
+        kept.push_back(*before);
+    }
+    return kept;
+}
+
 std::optional<Interval> extremes(std::span<const double> values)
 {
     Run run = scan(values);

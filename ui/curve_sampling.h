@@ -44,6 +44,10 @@ PixelColumns pixelColumns(std::span<const double> time, const Interval &range, s
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values,
                                  const PixelColumns &columns);
 
+/// The polyline without the points that lie within `tolerance` (in values) of the line between those that stay: a
+/// smooth curve is drawn with a quarter of its lines. Gaps and the points beside them stay.
+std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance);
+
 /// The smallest and the largest value that is a number; nothing when there is none.
 std::optional<Interval> extremes(std::span<const double> values);
 std::optional<Interval> extremes(std::span<const CurvePoint> points);

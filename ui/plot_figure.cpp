@@ -230,10 +230,13 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
         QStringLiteral("%1 [%2]").arg(picture.title, picture.hasValues ? picture.valueScale.unit(unit) : unit);
     const DashPattern pattern{kDash, kDashGap, axes.width() / picture.time.length(),
                               axes.height() / picture.values.length()};
+    constexpr double kInvisible = 0.1; // px
+    const double tolerance = kInvisible / pattern.perValue;
     for (PlotPicture::Curve &curve : picture.curves) {
         curve.points = clip(curve.points, picture.time, picture.values);
         if (curve.ink != Ink::Reference) {
             curve.dots = isolatedPoints(curve.points);
+            curve.points = withoutNeedlessPoints(curve.points, tolerance);
         } else {
             constexpr double kPixelsPerDot = 12.0;
             if (static_cast<double>(curve.points.size()) * kPixelsPerDot >= axes.width()) {
@@ -242,7 +245,7 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
                 std::copy_if(curve.points.begin(), curve.points.end(), std::back_inserter(curve.dots),
                              [](const CurvePoint &point) { return !std::isnan(point.value); });
             }
-            curve.points = cutIntoDashes(curve.points, pattern);
+            curve.points = cutIntoDashes(withoutNeedlessPoints(curve.points, tolerance), pattern);
         }
     }
     return picture;
