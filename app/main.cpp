@@ -60,6 +60,17 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
     return std::nullopt;
 }
 
+/// On X11 and Wayland a window needs one of these variables; Qt would abort without.
+bool hasDisplay()
+{
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+#else
+    return true;
+#endif
+}
+
 } // namespace
 
 int main(int argc, char *argv[])
@@ -81,6 +92,12 @@ int main(int argc, char *argv[])
         // Standard error is for our own sentences; what a platform misses in a session without a desktop is not among
         // them.
         QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
+    } else if (!hasDisplay()) {
+        say(QCoreApplication::translate(
+            "slidercrank::CommandLine",
+            "There is no display to open the window on: set DISPLAY, or use solve, compare or "
+            "render, which need none."));
+        return static_cast<int>(ExitStatus::WrongCommandLine);
     }
     const QApplication application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion")); // the one whose palettes are ours to choose, on every platform
