@@ -3,6 +3,7 @@
 
 #include "core/clearance.h"
 #include "core/constraints.h"
+#include "core/structured_system.h"
 
 #include <Eigen/LU>
 
@@ -32,13 +33,72 @@ bool isOnBranch(const Mechanism &mechanism, const Vector12 &q)
     return fromCentre <= 0.5 * std::numbers::pi + kRoundedCosine; // false for NaN
 }
 
-/// A residual that rounding alone can explain (mm and rad mixed): each row of C sums a few terms of these sizes.
-double roundingResidual(const Mechanism &mechanism, const Vector12 &q)
+/// The report's way with the linear systems; StructuredSystem is the other.
+class DenseSystem
 {
-    constexpr double kRoundings = 32.0;
-    const double sizes = mechanism.a() + mechanism.b() + std::abs(mechanism.c()) + std::abs(q[Theta2]) + 1.0;
-    return kRoundings * std::numeric_limits<double>::epsilon() * sizes;
+public:
+    DenseSystem(const Mechanism &mechanism, double t)
+        : m_mechanism(mechanism)
+        , m_t(t)
+    {
+    }
+
+    void moveTo(const Vector12 &q)
+    {
+        m_q = q;
+        m_C = slidercrank::constraints(m_mechanism, q, m_t);
+    }
+
+    const Vector12 &constraints() const { return m_C; }
+
+    Vector12 step() const { return constraintJacobian(m_mechanism, m_q).partialPivLu().solve(-m_C); }
+
+    double cosTheta3() const { return std::cos(m_q[Theta3]); }
+
+    void differentiate(State &state) const
+    {
+        const Eigen::PartialPivLU<Matrix12> lu = constraintJacobian(m_mechanism, m_q).partialPivLu();
+        state.qDot = lu.solve(-constraintTimeDerivative(m_mechanism));
+        state.qDDot = lu.solve(quadraticVelocityTerm(m_mechanism, m_q, state.qDot));
+    }
+
+private:
+    const Mechanism &m_mechanism;
+    double m_t;
+    Vector12 m_q;
+    Vector12 m_C;
+};
+
+double reach(const Mechanism &mechanism)
+{
+    return mechanism.a() + mechanism.b() + std::abs(mechanism.c());
 }
+
+/// The residual as the options want it.
+class Measure
+{
+public:
+    Measure(const Mechanism &mechanism, ToleranceKind kind)
+    {
+        const double lengths = reach(mechanism);
+        const double perLength = kind == ToleranceKind::Relative ? 1.0 / lengths : 1.0;
+        m_weights.setConstant(perLength);
+        m_weights[GroundAngle] = 1.0;
+        m_weights[SliderAngle] = 1.0;
+        m_weights[CrankDrive] = 1.0;
+        constexpr double kRoundings = 32.0; // each row sums a few terms of a length's size, or of an angle's
+        m_rounding = kRoundings * std::numeric_limits<double>::epsilon() * (perLength * lengths + 1.0);
+    }
+
+    double of(const Vector12 &C) const { return m_weights.cwiseProduct(C).norm(); }
+
+    /// What rounding alone can explain.
+    double rounding() const { return m_rounding; }
+
+private:
+    Vector12 m_weights;
+    double m_rounding;
+};
 
 enum class Ending { Converged, IterationLimit, LeftBranch };
 
@@ -50,47 +110,43 @@ void record(NewtonResult &result, double residual)
     result.residuals[static_cast<std::size_t>(result.residualCount - 1)] = residual; // the last place is the newest's
 }
 
-/// Iterates from result.q, counting into result, until an ending.
-Ending iterate(const Mechanism &mechanism, double t, const NewtonOptions &options, int maxIterations,
+/// Iterates from result.q, counting into result, until an ending. Leaves `system` at result.q.
+template <class System>
+Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
                NewtonResult &result)
 {
+    const Measure measure(mechanism, options.toleranceKind);
+    const double tolerance = options.tolerance;
+    const bool testsFirst = options.warmStart == WarmStart::Taylor && tolerance > 0.0;
     result.residualCount = 0;
-    Vector12 C = constraints(mechanism, result.q, t);
-    double residual = C.norm();
+    system.moveTo(result.q);
+    double residual = measure.of(system.constraints());
     record(result, residual);
     for (int iteration = 0; iteration < maxIterations; ++iteration) {
-        const Vector12 step = constraintJacobian(mechanism, result.q).partialPivLu().solve(-C);
-        const Vector12 next = result.q + step;
+        if (testsFirst && residual <= tolerance) {
+            return Ending::Converged;
+        }
+        const Vector12 next = result.q + system.step();
         if (!isOnBranch(mechanism, next)) {
             // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
-            const double enough = std::max(options.tolerance, roundingResidual(mechanism, result.q));
-            return residual <= enough ? Ending::Converged : Ending::LeftBranch;
+            return residual <= std::max(tolerance, measure.rounding()) ? Ending::Converged : Ending::LeftBranch;
         }
         ++result.iterations;
-        C = constraints(mechanism, next, t);
-        const double nextResidual = C.norm();
-        if (options.tolerance == 0.0) {
-            const bool falls = nextResidual < residual;
-            if (!falls && residual <= roundingResidual(mechanism, next)) {
-                return Ending::Converged; // at the q before, which is no worse
-            }
-            result.q = next;
-            residual = nextResidual;
-            record(result, residual);
-            if (residual == 0.0) {
-                return Ending::Converged;
-            }
-        } else {
-            const bool wasBelow = residual <= options.tolerance; // before the update, as in the report
-            result.q = next;
-            residual = nextResidual;
-            record(result, residual);
-            if (wasBelow) {
-                return Ending::Converged;
-            }
+        system.moveTo(next);
+        const double nextResidual = measure.of(system.constraints());
+        if (tolerance == 0.0 && !(nextResidual < residual) && residual <= measure.rounding()) {
+            system.moveTo(result.q); // the q before is no worse
+            return Ending::Converged;
+        }
+        const bool wasBelow = residual <= tolerance; // before the update, as in the report
+        result.q = next;
+        residual = nextResidual;
+        record(result, residual);
+        if (tolerance == 0.0 ? residual == 0.0 : wasBelow) {
+            return Ending::Converged;
         }
     }
-    return residual <= options.tolerance ? Ending::Converged : Ending::IterationLimit;
+    return residual <= tolerance ? Ending::Converged : Ending::IterationLimit;
 }
 
 void conclude(NewtonResult &result, Ending ending)
@@ -106,9 +162,11 @@ void conclude(NewtonResult &result, Ending ending)
 bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
 {
     const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
+    // Rounding is monotone: where this holds of the rounded difference, it does of the exact one.
+    const bool turnsRound = mechanism.b() - mechanism.a() > std::abs(mechanism.c());
     if (!std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
         result.status = Status::NotFinite;
-    } else if (!Clearance(mechanism).at(sinCos(angle)).assemblable()) {
+    } else if (!turnsRound && !Clearance(mechanism).at(sinCos(angle)).assemblable()) {
         result.status = Status::NotAssemblable;
     } else {
         return true;
@@ -118,7 +176,9 @@ bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
 }
 
 /// The start from which Newton's way is monotone: sin θ3 - h/b rises and bends one way between here and the root.
-void assembleFromAfar(const Mechanism &mechanism, double t, const NewtonOptions &options, NewtonResult &result)
+template <class System>
+void assembleFromAfar(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
+                      NewtonResult &result)
 {
     const double theta2 = mechanism.omega2() * t + mechanism.theta20();
     const double theta3 = branchCentre(mechanism.branch());
@@ -128,7 +188,84 @@ void assembleFromAfar(const Mechanism &mechanism, double t, const NewtonOptions 
     result.q << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY, theta3, pinX + couplerX,
         mechanism.c(), 0.0;
     result.startedAfar = true;
-    conclude(result, iterate(mechanism, t, options, std::max(kAssemblyIterations, options.maxIterations), result));
+    conclude(result, iterate(system, mechanism, options, std::max(kAssemblyIterations, options.maxIterations), result));
+}
+
+/// From result.q.
+template <class System>
+void trackFromHere(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
+                   NewtonResult &result)
+{
+    const Ending ending = isOnBranch(mechanism, result.q)
+                              ? iterate(system, mechanism, options, options.maxIterations, result)
+                              : Ending::LeftBranch;
+    if (ending == Ending::LeftBranch) {
+        assembleFromAfar(system, mechanism, t, options, result);
+    } else {
+        conclude(result, ending);
+    }
+}
+
+void setNothing(State &state)
+{
+    state.qDot.setConstant(kNone);
+    state.qDDot.setConstant(kNone);
+}
+
+/// Velocity and acceleration at the q of `system`, whose residual is given in mm.
+template <class System>
+void differentiateHere(const System &system, const Mechanism &mechanism, double residual, State &state)
+{
+    system.differentiate(state);
+    const double cosine = system.cosTheta3();
+    const double uncertainty = std::max(residual / mechanism.b(), std::numeric_limits<double>::epsilon());
+    const bool resolved = cosine * cosine >= kResolvedCosine * uncertainty;
+    const bool exists = resolved && state.qDot.allFinite() && state.qDDot.allFinite();
+    state.status = exists ? Status::Solved : Status::Singular;
+    if (!exists) {
+        setNothing(state);
+    }
+}
+
+bool isWarm(Status status)
+{
+    return status == Status::Solved || status == Status::IterationLimit;
+}
+
+/// What `before` lets expect of t.
+Vector12 expected(const NewtonInstant &before, double t, WarmStart warmStart)
+{
+    if (warmStart == WarmStart::Previous || before.state.status != Status::Solved) {
+        return before.position.q;
+    }
+    const double step = t - before.t;
+    return before.state.q + step * (before.state.qDot + (0.5 * step) * before.state.qDDot);
+}
+
+template <class System>
+void solveInstantWith(const Mechanism &mechanism, const NewtonInstant &before, const NewtonOptions &options,
+                      NewtonInstant &here)
+{
+    NewtonResult &position = here.position;
+    if (canStart(mechanism, here.t, position)) {
+        System system(mechanism, here.t);
+        if (isWarm(before.position.status)) {
+            position.q = expected(before, here.t, options.warmStart);
+            trackFromHere(system, mechanism, here.t, options, position);
+        } else {
+            assembleFromAfar(system, mechanism, here.t, options, position);
+        }
+        if (position.status == Status::Solved) {
+            const bool relative = options.toleranceKind == ToleranceKind::Relative;
+            const double residual = relative ? position.residual() * reach(mechanism) : position.residual();
+            here.state.q = position.q;
+            differentiateHere(system, mechanism, residual, here.state);
+            return;
+        }
+    }
+    here.state.q.setConstant(kNone);
+    setNothing(here.state);
+    here.state.status = position.status;
 }
 
 } // namespace
@@ -136,8 +273,20 @@ void assembleFromAfar(const Mechanism &mechanism, double t, const NewtonOptions 
 NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions &options)
 {
     NewtonResult result;
-    if (canStart(mechanism, t, result)) {
-        assembleFromAfar(mechanism, t, options, result);
+    if (!canStart(mechanism, t, result)) {
+        return result;
+    }
+    switch (options.elimination) {
+    case Elimination::Dense: {
+        DenseSystem system(mechanism, t);
+        assembleFromAfar(system, mechanism, t, options, result);
+        break;
+    }
+    case Elimination::Structured: {
+        StructuredSystem system(mechanism, t);
+        assembleFromAfar(system, mechanism, t, options, result);
+        break;
+    }
     }
     return result;
 }
@@ -149,12 +298,17 @@ NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, 
         return result;
     }
     result.q = start;
-    const Ending ending = isOnBranch(mechanism, start) ? iterate(mechanism, t, options, options.maxIterations, result)
-                                                       : Ending::LeftBranch;
-    if (ending == Ending::LeftBranch) {
-        assembleFromAfar(mechanism, t, options, result);
-    } else {
-        conclude(result, ending);
+    switch (options.elimination) {
+    case Elimination::Dense: {
+        DenseSystem system(mechanism, t);
+        trackFromHere(system, mechanism, t, options, result);
+        break;
+    }
+    case Elimination::Structured: {
+        StructuredSystem system(mechanism, t);
+        trackFromHere(system, mechanism, t, options, result);
+        break;
+    }
     }
     return result;
 }
@@ -163,18 +317,22 @@ State differentiate(const Mechanism &mechanism, const Vector12 &q, double residu
 {
     State state;
     state.q = q;
-    const Eigen::PartialPivLU<Matrix12> lu = constraintJacobian(mechanism, q).partialPivLu();
-    state.qDot = lu.solve(-constraintTimeDerivative(mechanism));
-    state.qDDot = lu.solve(quadraticVelocityTerm(mechanism, q, state.qDot));
-    const double cosine = std::cos(q[Theta3]);
-    const double uncertainty = std::max(residual / mechanism.b(), std::numeric_limits<double>::epsilon());
-    const bool resolved = cosine * cosine >= kResolvedCosine * uncertainty;
-    if (!resolved || !state.qDot.allFinite() || !state.qDDot.allFinite()) {
-        state.qDot.setConstant(kNone);
-        state.qDDot.setConstant(kNone);
-        state.status = Status::Singular;
-    }
+    DenseSystem system(mechanism, 0.0); // C_q, C_t and Q_d do not depend on time
+    system.moveTo(q);
+    differentiateHere(system, mechanism, residual, state);
     return state;
+}
+
+NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonInstant &before,
+                           const NewtonOptions &options)
+{
+    NewtonInstant here;
+    here.t = t;
+    switch (options.elimination) {
+    case Elimination::Dense: solveInstantWith<DenseSystem>(mechanism, before, options, here); break;
+    case Elimination::Structured: solveInstantWith<StructuredSystem>(mechanism, before, options, here); break;
+    }
+    return here;
 }
 
 } // namespace slidercrank

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The report's Newton-Raphson: C_q Δq = -C with a dense 12×12 LU, then velocity and acceleration from C_q at the final
-// q.
+// Newton-Raphson: C_q Δq = -C until C is small, then velocity and acceleration from C_q at the final q. The defaults
+// are the report's: each instant starts from the coordinates of the one before, and a dense 12×12 LU solves the
+// systems.
 //
 // It never leaves the wanted assembly: a warm start whose coupler angle leaves the branch's half turn is started again
 // from afar (assemble), from where Newton's way to the wanted root is monotone. Whether a position exists at all is
@@ -18,13 +19,35 @@
 namespace slidercrank
 {
 
+/// What the residual is.
+enum class ToleranceKind {
+    Absolute, ///< ‖C‖, mm and rad mixed, as in the report
+    Relative  ///< ‖C‖ with the length rows divided by a + b + |c|: the same at every scale
+};
+
+/// Where an instant starts, and with it when the tolerance is tested.
+enum class WarmStart {
+    Previous, ///< q of the instant before; tested on the residual before an update that is made all the same (report)
+    Taylor ///< q + q̇ Δt + q̈ Δt²/2 of the instant before; tested before each update, which may then not be needed
+};
+
+/// How the linear systems are solved. Both give the same iterates to rounding.
+enum class Elimination {
+    Dense,     ///< LU of the 12×12 matrix, as in the report
+    Structured ///< joint by joint, without a matrix: structured_system.h
+};
+
 /// Table 2 of the report.
 struct NewtonOptions {
     int maxIterations = 10;
 
-    /// Iterate until ‖C‖ (mm and rad mixed, before the update, as in the report) is at most this. It bounds the
-    /// residual, not the error. 0: until the residual no longer falls.
+    /// Iterate until the residual is at most this. It bounds the residual, not the error. 0: until the residual no
+    /// longer falls.
     double tolerance = 1e-8;
+
+    ToleranceKind toleranceKind = ToleranceKind::Absolute;
+    WarmStart warmStart = WarmStart::Previous;
+    Elimination elimination = Elimination::Dense;
 
     friend bool operator==(const NewtonOptions &, const NewtonOptions &) = default;
 };
@@ -35,10 +58,10 @@ inline constexpr int kAssemblyIterations = 60;
 struct NewtonResult {
     Vector12 q = Vector12::Zero();     ///< θ3 within the branch's half turn; the last iterate where not converged
     int iterations = 0;                ///< linear systems solved, the abandoned warm start's included
-    Status status = Status::NotFinite; ///< Solved: ‖C‖ ≤ tolerance (or, for 0, no longer falling)
+    Status status = Status::NotFinite; ///< Solved: residual ≤ tolerance (or, for 0, no longer falling)
     bool startedAfar = false;          ///< the start was not (or not any more) the warm one
 
-    /// ‖C‖ before each iteration, then that of the answer; the first kHistory of the last start.
+    /// The residual before each iteration, then that of the answer; the first kHistory of the last start.
     static constexpr int kHistory = 64;
     std::array<double, kHistory> residuals{};
     int residualCount = 0;
@@ -48,12 +71,23 @@ struct NewtonResult {
 /// From afar: θ2 exact, the coupler along x (open: 0, crossed: π).
 NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions &options = {});
 
-/// From the coordinates of a neighbouring instant.
+/// From coordinates near the answer: those of a neighbouring instant, or what is expected of this one.
 NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, const NewtonOptions &options = {});
 
 /// Velocity and acceleration with C_q at a solved position, whose residual ‖C‖ (mm and rad mixed) is given. Status
 /// Singular (and NaN) where they do not exist, or are lost in what is left of the residual: see kResolvedCosine.
 State differentiate(const Mechanism &mechanism, const Vector12 &q, double residual = 0.0);
+
+/// One instant of a run.
+struct NewtonInstant {
+    double t = 0.0;
+    NewtonResult position;
+    State state; ///< NaN as far as it does not exist
+};
+
+/// The state at t, started from `before` as options.warmStart says, or from afar where `before` has no position.
+NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonInstant &before,
+                           const NewtonOptions &options = {});
 
 /// A residual r leaves θ3 uncertain by δ with cos θ3 δ + δ²/2 = r/b, and the derivatives, which go with 1/cos θ3 to
 /// 1/cos³ θ3, by δ/cos θ3 to three times that. They are given where cos² θ3 is at least this many times r/b: δ/cos θ3

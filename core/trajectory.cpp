@@ -66,37 +66,23 @@ private:
     std::size_t m_count = 0;
 };
 
-State nothing(Status status)
-{
-    State state;
-    state.q.setConstant(kNone);
-    state.qDot.setConstant(kNone);
-    state.qDDot.setConstant(kNone);
-    state.status = status;
-    return state;
-}
-
 void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const Columns &columns,
                     Trajectory &trajectory, const std::stop_token &stop)
 {
-    NewtonResult last;
+    NewtonInstant last;
     for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
         if (i % kInstantsPerLook == 0 && stop.stop_requested()) {
             trajectory.complete = false;
             return;
         }
-        const double t = trajectory.time[i];
-        const bool warm = last.status == Status::Solved || last.status == Status::IterationLimit;
-        last = warm ? track(mechanism, t, last.q, options) : assemble(mechanism, t, options);
-        trajectory.iterations += last.iterations;
-        trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
-        State state = nothing(last.status);
-        if (last.status == Status::Solved) {
-            state = differentiate(mechanism, last.q, last.residual());
-            trajectory.largestResidual = std::max(trajectory.largestResidual, last.residual());
+        last = solveInstant(mechanism, trajectory.time[i], last, options);
+        trajectory.iterations += last.position.iterations;
+        trajectory.mostIterations = std::max(trajectory.mostIterations, last.position.iterations);
+        if (last.position.status == Status::Solved) {
+            trajectory.largestResidual = std::max(trajectory.largestResidual, last.position.residual());
         }
-        trajectory.status[i] = state.status;
-        columns.put(i, state);
+        trajectory.status[i] = last.state.status;
+        columns.put(i, last.state);
     }
 }
 

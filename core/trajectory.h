@@ -49,7 +49,7 @@ struct Trajectory {
     // Of Newton-Raphson; 0 for the closed form.
     long long iterations = 0;     ///< in all
     int mostIterations = 0;       ///< at one instant
-    double largestResidual = 0.0; ///< ‖C‖ of the answers, mm and rad mixed
+    double largestResidual = 0.0; ///< of the answers, in the measure of the options
 
     bool complete = true; ///< false when stopped before the end: then the arrays are not to be used
 
