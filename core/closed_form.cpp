@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form.h"
 
+#include "core/motion_kernel-inl.h"
+
 #include <cmath>
 #include <limits>
 
@@ -9,6 +11,8 @@ namespace slidercrank
 
 namespace
 {
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -37,15 +41,67 @@ double accelerationNumerator(const Clearance &lengths, const Clearance::At &at)
            at.x * (at.m * at.m * (3.0 * lengths.b() - at.m) - 2.0 * bSquared * lengths.beta());
 }
 
+/// Puts the one lane of a vector into a Motion.
+struct MotionStore {
+    Motion *motion;
+
+    static constexpr bool wantsTheta3() { return true; }
+    static constexpr bool wantsR4x() { return true; }
+    static constexpr bool wantsVelocity() { return true; }
+    static constexpr bool wantsAcceleration() { return true; }
+
+    template <class D, class V>
+    void storePose(D d, V hi, V lo, V sin2, V cos2, V s) const
+    {
+        hn::StoreU(hn::Add(hi, lo), d, &motion->theta2);
+        hn::StoreU(sin2, d, &motion->crank.sin);
+        hn::StoreU(cos2, d, &motion->crank.cos);
+        hn::StoreU(s, d, &motion->s);
+    }
+    template <class D, class V>
+    void storeTheta3(D d, V theta3) const
+    {
+        hn::StoreU(theta3, d, &motion->theta3);
+    }
+    template <class D, class V>
+    void storeR4x(D d, V R4x) const
+    {
+        hn::StoreU(R4x, d, &motion->R4x);
+    }
+    template <class D, class V>
+    void storeVelocity(D d, V theta3Dot, V sDot, V R4xDot) const
+    {
+        hn::StoreU(theta3Dot, d, &motion->theta3Dot);
+        hn::StoreU(sDot, d, &motion->sDot);
+        hn::StoreU(R4xDot, d, &motion->R4xDot);
+    }
+    template <class D, class V>
+    void storeAcceleration(D d, V theta3DDot, V sDDot, V R4xDDot) const
+    {
+        hn::StoreU(theta3DDot, d, &motion->theta3DDot);
+        hn::StoreU(sDDot, d, &motion->sDDot);
+        hn::StoreU(R4xDDot, d, &motion->R4xDDot);
+    }
+};
+
 } // namespace
 
 ClosedForm::ClosedForm(const Mechanism &mechanism)
     : m_mechanism(mechanism)
     , m_clearance(mechanism)
+    , m_constants(motionConstants(mechanism))
 {
 }
 
 Motion ClosedForm::motionAt(double t) const
+{
+    Motion motion;
+    motion.status = Status::Solved;
+    const hn::CappedTag<double, 1> oneLane;
+    return HWY_NAMESPACE::moveLanes(oneLane, m_constants, &t, MotionStore{&motion}) ? motion : motionStepByStep(t);
+}
+
+Motion ClosedForm::motionStepByStep(double t) const
 {
     const TwoPart angle = crankAngle(m_mechanism.omega2(), t, m_mechanism.theta20());
     Motion motion{angle.hi, {kNone, kNone}, kNone, kNone, kNone, kNone,

@@ -18,6 +18,7 @@
 
 #include "core/clearance.h"
 #include "core/mechanism.h"
+#include "core/motion_constants.h"
 #include "core/two_part_angle.h"
 
 namespace slidercrank
@@ -46,8 +47,11 @@ public:
     State stateAt(double t) const;
 
 private:
+    Motion motionStepByStep(double t) const;
+
     Mechanism m_mechanism;
     Clearance m_clearance;
+    MotionConstants m_constants;
 };
 
 } // namespace slidercrank

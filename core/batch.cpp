@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/batch.cpp"
+
+#if defined(_WIN32) && defined(__GNUC__) && !defined(__clang__) && !defined(HWY_DISABLED_TARGETS)
+// GCC's 64-bit Windows target aligns the stack to 16 bytes only, and stores vectors of 32 and 64 bytes there as if they
+// were aligned: whatever is wider than SSE would crash.
+#define HWY_DISABLED_TARGETS (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL)
+#endif
+
+#include <hwy/foreach_target.h>
+
+#include "core/batch.h"
+#include "core/channel.h"
+#include "core/motion_kernel-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace slidercrank
+{
+namespace HWY_NAMESPACE
+{
+
+/// Writes the wanted columns from the lanes' first instant on.
+struct ColumnStore {
+    PlottedColumns columns;
+
+    bool wantsTheta3() const { return columns.theta3 != nullptr; }
+    bool wantsR4x() const { return columns.R4x != nullptr; }
+    bool wantsVelocity() const { return columns.theta3Dot != nullptr || columns.R4xDot != nullptr; }
+    bool wantsAcceleration() const { return columns.theta3DDot != nullptr || columns.R4xDDot != nullptr; }
+
+    template <class D, class V>
+    HWY_INLINE void storePose(D, V, V, V, V, V) const
+    {
+    }
+    template <class D, class V>
+    HWY_INLINE void storeTheta3(D d, V theta3) const
+    {
+        putAngle(d, theta3, columns.theta3);
+    }
+    template <class D, class V>
+    HWY_INLINE void storeR4x(D d, V R4x) const
+    {
+        putLength(d, R4x, columns.R4x);
+    }
+    template <class D, class V>
+    HWY_INLINE void storeVelocity(D d, V theta3Dot, V, V R4xDot) const
+    {
+        putAngle(d, theta3Dot, columns.theta3Dot);
+        putLength(d, R4xDot, columns.R4xDot);
+    }
+    template <class D, class V>
+    HWY_INLINE void storeAcceleration(D d, V theta3DDot, V, V R4xDDot) const
+    {
+        putAngle(d, theta3DDot, columns.theta3DDot);
+        putLength(d, R4xDDot, columns.R4xDDot);
+    }
+
+private:
+    template <class D, class V>
+    static HWY_INLINE void putAngle(D d, V radians, double *to)
+    {
+        if (to != nullptr) {
+            hn::StoreU(hn::Mul(radians, hn::Set(d, kDegreesPerRadian)), d, to);
+        }
+    }
+    template <class D, class V>
+    static HWY_INLINE void putLength(D d, V value, double *to)
+    {
+        if (to != nullptr) {
+            hn::StoreU(value, d, to);
+        }
+    }
+};
+
+/// Computes instants from the first on, as far as whole vectors of them are Solved and of reducible angle; how many.
+std::size_t moveWhileOrdinary(const MotionConstants &constants, const double *instants, std::size_t count,
+                              const PlottedColumns &columns)
+{
+    const hn::ScalableTag<double> d;
+    const std::size_t lanes = hn::Lanes(d);
+    const MotionConstants k = constants; // a copy of its own: what is stored cannot change it
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        if (!moveLanes(d, k, instants + i, ColumnStore{columns.behind(i)})) {
+            return i;
+        }
+    }
+    if (i == count) {
+        return count;
+    }
+
+    // Fewer than a vector are left: beside room of their own, the last of them again in the lanes too many.
+    constexpr std::size_t kMostLanes = hn::MaxLanes(hn::ScalableTag<double>());
+    HWY_ALIGN double last[kMostLanes];
+    HWY_ALIGN double room[6][kMostLanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        last[lane] = instants[std::min(i + lane, count - 1)];
+    }
+    PlottedColumns beside;
+    double *PlottedColumns::*const members[] = {&PlottedColumns::theta3,     &PlottedColumns::R4x,
+                                                &PlottedColumns::theta3Dot,  &PlottedColumns::R4xDot,
+                                                &PlottedColumns::theta3DDot, &PlottedColumns::R4xDDot};
+    for (std::size_t c = 0; c < std::size(members); ++c) {
+        beside.*members[c] = columns.*members[c] != nullptr ? room[c] : nullptr;
+    }
+    if (!moveLanes(d, k, last, ColumnStore{beside})) {
+        return i;
+    }
+    for (std::size_t c = 0; c < std::size(members); ++c) {
+        if (columns.*members[c] != nullptr) {
+            std::copy(room[c], room[c] + (count - i), columns.*members[c] + i);
+        }
+    }
+    return count;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace slidercrank
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace slidercrank
+{
+
+HWY_EXPORT(moveWhileOrdinary);
+
+PlottedColumns PlottedColumns::behind(std::size_t count) const
+{
+    const auto moved = [count](double *column) { return column == nullptr ? nullptr : column + count; };
+    return {moved(theta3), moved(R4x), moved(theta3Dot), moved(R4xDot), moved(theta3DDot), moved(R4xDDot)};
+}
+
+namespace
+{
+
+void put(double *column, std::size_t i, double value)
+{
+    if (column != nullptr) {
+        column[i] = value;
+    }
+}
+
+} // namespace
+
+ClosedFormBatch::ClosedFormBatch(const Mechanism &mechanism)
+    : m_constants(motionConstants(mechanism))
+    , m_closedForm(mechanism)
+{
+}
+
+void ClosedFormBatch::evaluate(std::span<const double> instants, const PlottedColumns &columns,
+                               std::span<Status> statuses) const
+{
+    // Instants that come one by one are still as many as the widest vector has lanes.
+    constexpr std::size_t kOneByOne = 8;
+    const std::size_t count = instants.size();
+    std::fill(statuses.begin(), statuses.end(), Status::Solved);
+    std::size_t i = 0;
+    while (i < count) {
+        i += HWY_DYNAMIC_DISPATCH(moveWhileOrdinary)(m_constants, instants.data() + i, count - i, columns.behind(i));
+        for (const std::size_t end = std::min(i + kOneByOne, count); i < end; ++i) {
+            const Motion motion = m_closedForm.motionAt(instants[i]);
+            statuses[i] = motion.status;
+            put(columns.theta3, i, motion.theta3 * kDegreesPerRadian);
+            put(columns.R4x, i, motion.R4x);
+            put(columns.theta3Dot, i, motion.theta3Dot * kDegreesPerRadian);
+            put(columns.R4xDot, i, motion.R4xDot);
+            put(columns.theta3DDot, i, motion.theta3DDot * kDegreesPerRadian);
+            put(columns.R4xDDot, i, motion.R4xDDot);
+        }
+    }
+}
+
+} // namespace slidercrank
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the closed form of one mechanism needs at every instant, worked out once. Names as in clearance.h and
+// closed_form.h; lengths in units of the clearance's scale.
+
+#include "core/clearance.h"
+#include "core/mechanism.h"
+
+namespace slidercrank
+{
+
+struct MotionConstants {
+    double omega = 0.0;
+    double omegaUpper = 0.0; ///< its upper 26 bits,
+    double omegaLower = 0.0; ///< ... and the others, for a product without error
+    double theta20 = 0.0;
+
+    double scale = 1.0; ///< mm
+    double a = 0.0;
+    double b = 0.0;
+    double C = 0.0;
+    double epsilon = 0.0;
+    double beta = 0.0;
+    double side = 1.0;          ///< g
+    double branch = 1.0;        ///< +1 open, -1 crossed
+    double straightAngle = 0.0; ///< what ±atan2(g h, |s|) is added to: 0 open, π crossed
+
+    double epsilonReach = 0.0;  ///< ε L
+    double aC = 0.0;            ///< a C
+    double aOmega = 0.0;        ///< a ω
+    double aOmegaSquared = 0.0; ///< a ω²
+    double bSquared = 0.0;
+    double aBSquared = 0.0; ///< a b²
+};
+
+MotionConstants motionConstants(const Mechanism &mechanism);
+
+} // namespace slidercrank
