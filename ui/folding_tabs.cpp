@@ -43,7 +43,10 @@ void FoldingTabs::addPage(QWidget *page, const QString &title)
 
 void FoldingTabs::setTitle(QWidget *page, const QString &title)
 {
-    m_bar->setTabText(m_pages->indexOf(page), title);
+    const int index = m_pages->indexOf(page);
+    if (m_bar->tabText(index) != title) { // the bar would lay the whole window out anew
+        m_bar->setTabText(index, title);
+    }
 }
 
 void FoldingTabs::showPage(QWidget *page)

@@ -22,7 +22,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -80,9 +79,6 @@ MainWindow::MainWindow(QWidget *parent)
     , m_tabs(new FoldingTabs(this))
     , m_errorPanel(new ErrorPanel(this))
     , m_newtonPanel(new NewtonPanel(this))
-    , m_assemblyStatus(new QLabel(this))
-    , m_methodStatus(new QLabel(this))
-    , m_costStatus(new QLabel(this))
     , m_progress(new QProgressBar(this))
     , m_cancelButton(new QToolButton(this))
     , m_busyTimer(new QTimer(this))
@@ -223,9 +219,6 @@ void MainWindow::buildMenus()
 
 void MainWindow::buildStatusBar()
 {
-    m_assemblyStatus->setObjectName(QStringLiteral("assemblyStatus"));
-    m_methodStatus->setObjectName(QStringLiteral("methodStatus"));
-    m_costStatus->setObjectName(QStringLiteral("costStatus"));
     m_progress->setRange(0, 0);
     m_progress->setMaximumWidth(140);
     m_progress->setAccessibleName(tr("Computing"));
@@ -234,9 +227,6 @@ void MainWindow::buildStatusBar()
         statusBar()->addPermanentWidget(busy);
         busy->hide();
     }
-    statusBar()->addWidget(m_assemblyStatus);
-    statusBar()->addWidget(m_methodStatus);
-    statusBar()->addWidget(m_costStatus);
     statusBar()->setSizeGripEnabled(false);
 
     m_busyTimer->setSingleShot(true);
@@ -422,17 +412,17 @@ void MainWindow::showStatus(const std::shared_ptr<const Result> &result)
     if (missing > 0 && result->limits.mobility != Mobility::Impossible) {
         assembly += tr(", no pose at %1 of %2 instants").arg(missing).arg(samples);
     }
-    m_assemblyStatus->setText(assembly);
+    QString method = tr("closed form (exact)");
     if (result->solver.method == Method::Newton) {
-        m_methodStatus->setText(tr("Newton-Raphson: at most %1 iterations, residual %2")
-                                    .arg(trajectory.mostIterations)
-                                    .arg(locale.toString(trajectory.largestResidual, 'g', 2)));
-    } else {
-        m_methodStatus->setText(tr("Closed form (exact)"));
+        method =
+            tr("Newton-Raphson, at most %1 iterations, residual %2")
+                .arg(QString::number(trajectory.mostIterations), locale.toString(trajectory.largestResidual, 'g', 2));
     }
-    m_costStatus->setText(tr("%1 samples computed in %2 ms")
-                              .arg(locale.toString(static_cast<qulonglong>(samples)),
-                                   locale.toString(result->computeSeconds * 1e3, 'g', 2)));
+    const QString cost = tr("%1 samples in %2 ms")
+                             .arg(locale.toString(static_cast<qulonglong>(samples)),
+                                  locale.toString(result->computeSeconds * 1e3, 'g', 2));
+    // A message, not labels: those would lay the whole window out anew with every move of a slider.
+    statusBar()->showMessage(QStringLiteral("%1  ·  %2  ·  %3").arg(assembly, method, cost));
 }
 
 void MainWindow::showAgreement(const std::shared_ptr<const Result> &result)
@@ -506,6 +496,12 @@ void MainWindow::resizeEvent(QResizeEvent *event)
         m_tabs->setFolded(height() < kFoldBelowHeight);
         m_foldedByHand = false;
     }
+}
+
+/// The status line is the session's; menus do not clear it.
+bool MainWindow::event(QEvent *event)
+{
+    return event->type() == QEvent::StatusTip || QMainWindow::event(event);
 }
 
 /// The playback keys (Space, arrows, Home, End) belong to the control that has the focus where it has a use for them.

@@ -9,7 +9,6 @@
 #include <QMainWindow>
 
 class QAction;
-class QLabel;
 class QMenu;
 class QProgressBar;
 class QSplitter;
@@ -53,6 +52,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    bool event(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -82,9 +82,6 @@ private:
     FoldingTabs *m_tabs;
     ErrorPanel *m_errorPanel;
     NewtonPanel *m_newtonPanel;
-    QLabel *m_assemblyStatus;
-    QLabel *m_methodStatus;
-    QLabel *m_costStatus;
     QProgressBar *m_progress;
     QToolButton *m_cancelButton;
     QTimer *m_busyTimer;

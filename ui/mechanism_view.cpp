@@ -149,8 +149,14 @@ void MechanismView::setResult(const std::shared_ptr<const Result> &result)
     if (sameScene) {
         return; // only sampling, solver or reference changed: none of it is drawn here
     }
+    const QRectF frame = m_frame;
     fitFrame();
-    refreshScenery();
+    if (m_frame != frame || m_grid.isNull()) {
+        refreshScenery();
+    } else {
+        m_scenery = QPixmap();
+        update();
+    }
     if (m_result) {
         setAccessibleDescription(
             tr("Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. Drag the crank "
@@ -180,6 +186,7 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     const Canvas on = canvas(size, palette);
     painter.save();
     painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
+    paintGrid(painter, on);
     paintScenery(painter, on);
     paintPose(painter, on);
     painter.restore();
@@ -231,16 +238,13 @@ void MechanismView::fitFrame()
     }
 }
 
-void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
+/// The background with the grid, labelled along the lower and the left edge.
+void MechanismView::paintGrid(QPainter &painter, const Canvas &on) const
 {
     painter.fillRect(QRectF(QPointF(0.0, 0.0), on.size), on.colours.background);
     if (!m_result) {
         return;
     }
-    const Mechanism &mechanism = m_result->mechanism;
-    const MotionLimits &limits = m_result->limits;
-
-    // The grid, labelled along the lower and the left edge.
     constexpr double kLeastSpacing = 50.0; // px
     const double step = nextRoundNumber(kLeastSpacing / on.scale);
     const QPointF low = on.toModel({0.0, on.size.height()});
@@ -281,6 +285,17 @@ void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
             painter.drawText(QPointF(4.0, baseline), numberText(y));
         }
     });
+}
+
+/// What stands still while the mechanism moves, but not while its lengths change.
+void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
+{
+    if (!m_result) {
+        return;
+    }
+    const Mechanism &mechanism = m_result->mechanism;
+    const MotionLimits &limits = m_result->limits;
+    painter.setRenderHint(QPainter::Antialiasing);
 
     // The crank's circle, and the arcs of it where there is no pose.
     const QPointF pivot = on({0.0, 0.0});
@@ -466,6 +481,7 @@ QRect MechanismView::poseArea() const
 
 void MechanismView::refreshScenery()
 {
+    m_grid = QPixmap();
     m_scenery = QPixmap();
     update();
 }
@@ -474,11 +490,16 @@ void MechanismView::paintEvent(QPaintEvent *event)
 {
     const Canvas on = canvas(size(), palette());
     const double ratio = devicePixelRatioF();
-    if (m_scenery.isNull() || m_scenery.devicePixelRatio() != ratio) {
+    if (m_grid.isNull() || m_grid.devicePixelRatio() != ratio) {
         // Rounded up: at a ratio of 1.5 the last half pixel has to be painted too.
-        m_scenery =
-            QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
-        m_scenery.setDevicePixelRatio(ratio);
+        m_grid = QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
+        m_grid.setDevicePixelRatio(ratio);
+        QPainter painter(&m_grid);
+        paintGrid(painter, on);
+        m_scenery = QPixmap();
+    }
+    if (m_scenery.isNull()) {
+        m_scenery = m_grid;
         QPainter painter(&m_scenery);
         paintScenery(painter, on);
     }

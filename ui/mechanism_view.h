@@ -59,6 +59,7 @@ private:
     struct Canvas;
 
     Canvas canvas(const QSizeF &size, const QPalette &palette) const;
+    void paintGrid(QPainter &painter, const Canvas &on) const;
     void paintScenery(QPainter &painter, const Canvas &on) const;
     void paintPose(QPainter &painter, const Canvas &on) const;
     void paintExplanation(QPainter &painter, const Canvas &on) const;
@@ -74,7 +75,8 @@ private:
     Pose m_pose;
     std::optional<Pins> m_pins; ///< of the last pose that existed
     QRectF m_frame;             ///< what is in view, mm; null before the first result
-    QPixmap m_scenery;          ///< the parts that stand still; null when out of date
+    QPixmap m_grid;             ///< of this view; null when out of date
+    QPixmap m_scenery;          ///< the grid and the parts that stand still; null when out of date
     bool m_dragging = false;
 };
 
