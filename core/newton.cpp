@@ -45,60 +45,42 @@ public:
 
     void moveTo(const Vector12 &q)
     {
-        m_q = q;
-        m_C = slidercrank::constraints(m_mechanism, q, m_t);
+        m_C = constraints(m_mechanism, q, m_t);
+        m_cosTheta3 = std::cos(q[Theta3]);
     }
 
-    const Vector12 &constraints() const { return m_C; }
-
-    Vector12 step() const { return constraintJacobian(m_mechanism, m_q).partialPivLu().solve(-m_C); }
-
-    double cosTheta3() const { return std::cos(m_q[Theta3]); }
-
-    void differentiate(State &state) const
+    double residual(double perLength) const
     {
-        const Eigen::PartialPivLU<Matrix12> lu = constraintJacobian(m_mechanism, m_q).partialPivLu();
+        Vector12 scaled = perLength * m_C;
+        for (const Constraint row : {GroundAngle, SliderAngle, CrankDrive}) {
+            scaled[row] = m_C[row];
+        }
+        return scaled.norm();
+    }
+
+    Vector12 next(const Vector12 &q) const { return q + constraintJacobian(m_mechanism, q).partialPivLu().solve(-m_C); }
+
+    double cosTheta3() const { return m_cosTheta3; }
+
+    bool differentiate(State &state) const
+    {
+        const Eigen::PartialPivLU<Matrix12> lu = constraintJacobian(m_mechanism, state.q).partialPivLu();
         state.qDot = lu.solve(-constraintTimeDerivative(m_mechanism));
-        state.qDDot = lu.solve(quadraticVelocityTerm(m_mechanism, m_q, state.qDot));
+        state.qDDot = lu.solve(quadraticVelocityTerm(m_mechanism, state.q, state.qDot));
+        return state.qDot.allFinite() && state.qDDot.allFinite();
     }
 
 private:
     const Mechanism &m_mechanism;
     double m_t;
-    Vector12 m_q;
     Vector12 m_C;
+    double m_cosTheta3;
 };
 
 double reach(const Mechanism &mechanism)
 {
     return mechanism.a() + mechanism.b() + std::abs(mechanism.c());
 }
-
-/// The residual as the options want it.
-class Measure
-{
-public:
-    Measure(const Mechanism &mechanism, ToleranceKind kind)
-    {
-        const double lengths = reach(mechanism);
-        const double perLength = kind == ToleranceKind::Relative ? 1.0 / lengths : 1.0;
-        m_weights.setConstant(perLength);
-        m_weights[GroundAngle] = 1.0;
-        m_weights[SliderAngle] = 1.0;
-        m_weights[CrankDrive] = 1.0;
-        constexpr double kRoundings = 32.0; // each row sums a few terms of a length's size, or of an angle's
-        m_rounding = kRoundings * std::numeric_limits<double>::epsilon() * (perLength * lengths + 1.0);
-    }
-
-    double of(const Vector12 &C) const { return m_weights.cwiseProduct(C).norm(); }
-
-    /// What rounding alone can explain.
-    double rounding() const { return m_rounding; }
-
-private:
-    Vector12 m_weights;
-    double m_rounding;
-};
 
 enum class Ending { Converged, IterationLimit, LeftBranch };
 
@@ -115,26 +97,30 @@ template <class System>
 Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
                NewtonResult &result)
 {
-    const Measure measure(mechanism, options.toleranceKind);
+    const double lengths = reach(mechanism);
+    const double perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / lengths : 1.0;
+    constexpr double kRoundings =
+        32.0; // rounding alone: each row sums a few terms of a length's size, or of an angle's
+    const double rounding = kRoundings * std::numeric_limits<double>::epsilon() * (perLength * lengths + 1.0);
     const double tolerance = options.tolerance;
     const bool testsFirst = options.warmStart == WarmStart::Taylor && tolerance > 0.0;
     result.residualCount = 0;
     system.moveTo(result.q);
-    double residual = measure.of(system.constraints());
+    double residual = system.residual(perLength);
     record(result, residual);
     for (int iteration = 0; iteration < maxIterations; ++iteration) {
         if (testsFirst && residual <= tolerance) {
             return Ending::Converged;
         }
-        const Vector12 next = result.q + system.step();
+        const Vector12 next = system.next(result.q);
         if (!isOnBranch(mechanism, next)) {
             // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
-            return residual <= std::max(tolerance, measure.rounding()) ? Ending::Converged : Ending::LeftBranch;
+            return residual <= std::max(tolerance, rounding) ? Ending::Converged : Ending::LeftBranch;
         }
         ++result.iterations;
         system.moveTo(next);
-        const double nextResidual = measure.of(system.constraints());
-        if (tolerance == 0.0 && !(nextResidual < residual) && residual <= measure.rounding()) {
+        const double nextResidual = system.residual(perLength);
+        if (tolerance == 0.0 && !(nextResidual < residual) && residual <= rounding) {
             system.moveTo(result.q); // the q before is no worse
             return Ending::Converged;
         }
@@ -161,12 +147,15 @@ void conclude(NewtonResult &result, Ending ending)
 /// Whether there is anything to iterate for; otherwise says in `result` why not.
 bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
 {
-    const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
     // Rounding is monotone: where this holds of the rounded difference, it does of the exact one.
     const bool turnsRound = mechanism.b() - mechanism.a() > std::abs(mechanism.c());
+    if (turnsRound && std::abs(t) <= kLargestParameter) {
+        return true; // the ordinary case, without looking at the angle
+    }
+    const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
     if (!std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
         result.status = Status::NotFinite;
-    } else if (!turnsRound && !Clearance(mechanism).at(sinCos(angle)).assemblable()) {
+    } else if (!Clearance(mechanism).at(sinCos(angle)).assemblable()) {
         result.status = Status::NotAssemblable;
     } else {
         return true;
@@ -216,11 +205,10 @@ void setNothing(State &state)
 template <class System>
 void differentiateHere(const System &system, const Mechanism &mechanism, double residual, State &state)
 {
-    system.differentiate(state);
+    const bool finite = system.differentiate(state);
     const double cosine = system.cosTheta3();
     const double uncertainty = std::max(residual / mechanism.b(), std::numeric_limits<double>::epsilon());
-    const bool resolved = cosine * cosine >= kResolvedCosine * uncertainty;
-    const bool exists = resolved && state.qDot.allFinite() && state.qDDot.allFinite();
+    const bool exists = finite && cosine * cosine >= kResolvedCosine * uncertainty;
     state.status = exists ? Status::Solved : Status::Singular;
     if (!exists) {
         setNothing(state);
@@ -233,24 +221,26 @@ bool isWarm(Status status)
 }
 
 /// What `before` lets expect of t.
-Vector12 expected(const NewtonInstant &before, double t, WarmStart warmStart)
+Vector12 expected(const Mechanism &mechanism, const NewtonInstant &before, double t, WarmStart warmStart)
 {
     if (warmStart == WarmStart::Previous || before.state.status != Status::Solved) {
-        return before.position.q;
+        return before.q;
     }
     const double step = t - before.t;
-    return before.state.q + step * (before.state.qDot + (0.5 * step) * before.state.qDDot);
+    Vector12 q = before.q + step * (before.state.qDot + (0.5 * step) * before.state.qDDot);
+    q[Theta2] = mechanism.omega2() * t + mechanism.theta20(); // linear in t: the same, without the rounding
+    return q;
 }
 
 template <class System>
 void solveInstantWith(const Mechanism &mechanism, const NewtonInstant &before, const NewtonOptions &options,
                       NewtonInstant &here)
 {
-    NewtonResult &position = here.position;
+    NewtonResult position;
     if (canStart(mechanism, here.t, position)) {
         System system(mechanism, here.t);
-        if (isWarm(before.position.status)) {
-            position.q = expected(before, here.t, options.warmStart);
+        if (isWarm(before.positionStatus)) {
+            position.q = expected(mechanism, before, here.t, options.warmStart);
             trackFromHere(system, mechanism, here.t, options, position);
         } else {
             assembleFromAfar(system, mechanism, here.t, options, position);
@@ -260,12 +250,18 @@ void solveInstantWith(const Mechanism &mechanism, const NewtonInstant &before, c
             const double residual = relative ? position.residual() * reach(mechanism) : position.residual();
             here.state.q = position.q;
             differentiateHere(system, mechanism, residual, here.state);
-            return;
         }
     }
-    here.state.q.setConstant(kNone);
-    setNothing(here.state);
-    here.state.status = position.status;
+    if (position.status != Status::Solved) {
+        here.state.q.setConstant(kNone);
+        setNothing(here.state);
+        here.state.status = position.status;
+    }
+    here.q = position.q;
+    here.iterations = position.iterations;
+    here.residual = position.residual();
+    here.positionStatus = position.status;
+    here.startedAfar = position.startedAfar;
 }
 
 } // namespace

@@ -56,14 +56,14 @@ struct NewtonOptions {
 inline constexpr int kAssemblyIterations = 60;
 
 struct NewtonResult {
-    Vector12 q = Vector12::Zero();     ///< θ3 within the branch's half turn; the last iterate where not converged
+    Vector12 q;                        ///< θ3 within the branch's half turn; the last iterate where not converged
     int iterations = 0;                ///< linear systems solved, the abandoned warm start's included
     Status status = Status::NotFinite; ///< Solved: residual ≤ tolerance (or, for 0, no longer falling)
     bool startedAfar = false;          ///< the start was not (or not any more) the warm one
 
     /// The residual before each iteration, then that of the answer; the first kHistory of the last start.
     static constexpr int kHistory = 64;
-    std::array<double, kHistory> residuals{};
+    std::array<double, kHistory> residuals; ///< the first residualCount; setting them all would cost as much as a step
     int residualCount = 0;
     double residual() const { return residualCount > 0 ? residuals[static_cast<std::size_t>(residualCount - 1)] : 0.0; }
 };
@@ -81,8 +81,14 @@ State differentiate(const Mechanism &mechanism, const Vector12 &q, double residu
 /// One instant of a run.
 struct NewtonInstant {
     double t = 0.0;
-    NewtonResult position;
     State state; ///< NaN as far as it does not exist
+
+    // As in NewtonResult.
+    Vector12 q;
+    int iterations = 0;
+    double residual = 0.0;
+    Status positionStatus = Status::NotFinite;
+    bool startedAfar = false;
 };
 
 /// The state at t, started from `before` as options.warmStart says, or from afar where `before` has no position.

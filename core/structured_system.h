@@ -14,7 +14,7 @@
 namespace slidercrank
 {
 
-/// C, and the solution of C_q x = r, at one q at a time. Sines and cosines are taken once for each q.
+/// One Newton step, and velocity and acceleration, at one q at a time. Sines and cosines are taken once for each q.
 class StructuredSystem
 {
 public:
@@ -25,26 +25,39 @@ public:
     /// C(q, t), the same to the last bit as constraints().
     const Vector12 &constraints() const { return m_C; }
 
-    /// Δq of C_q Δq = -C. Not finite where the coupler stands square (cos θ3 = 0).
-    Vector12 step() const { return solve(-m_C); }
+    /// ‖C‖ with the length rows multiplied by `perLength`.
+    double residual(double perLength) const;
+
+    /// q + Δq with C_q Δq = -C, for the q moved to. Not finite where the coupler stands square (cos θ3 = 0).
+    Vector12 next(const Vector12 &q) const;
 
     double cosTheta3() const { return m_coupler.cos; }
 
-    /// q̇ of C_q q̇ = -C_t and q̈ of C_q q̈ = Q_d, into `state`.
-    void differentiate(State &state) const;
+    /// q̇ of C_q q̇ = -C_t and q̈ of C_q q̈ = Q_d, into `state`, whose q is the one moved to. Whether they are finite.
+    bool differentiate(State &state) const;
 
 private:
-    Vector12 solve(const Vector12 &r) const;
+    /// A right-hand side, or a solution, one number a name: the compiler keeps them in registers.
+    struct Rows {
+        double groundX, groundY, groundAngle, crankPivotX, crankPivotY, crankPinX, crankPinY, sliderPinX, sliderPinY,
+            sliderAngle, sliderLine, crankDrive;
+    };
+    struct Columns {
+        double R1x, R1y, theta1, R2x, R2y, theta2, R3x, R3y, theta3, R4x, R4y, theta4;
+    };
+    Columns solve(const Rows &r) const;
 
     double m_halfA;
     double m_halfB;
     double m_c;
     double m_omega2;
-    double m_drive;   ///< ω2 t + θ20
-    double m_theta2;  ///< of m_crank, rad
-    SinCos m_crank;   ///< of θ2
-    SinCos m_coupler; ///< of θ3
+    double m_drive;       ///< ω2 t + θ20
+    SinCos m_drivenCrank; ///< of m_drive
+    SinCos m_crank;       ///< of θ2
+    SinCos m_coupler;     ///< of θ3
     Vector12 m_C;
+    double m_lengthsSquared; ///< of the length rows of C
+    double m_anglesSquared;
 };
 
 } // namespace slidercrank

@@ -61,10 +61,10 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
             return;
         }
         last = solveInstant(mechanism, trajectory.time[i], last, options);
-        trajectory.iterations += last.position.iterations;
-        trajectory.mostIterations = std::max(trajectory.mostIterations, last.position.iterations);
-        if (last.position.status == Status::Solved) {
-            trajectory.largestResidual = std::max(trajectory.largestResidual, last.position.residual());
+        trajectory.iterations += last.iterations;
+        trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
+        if (last.positionStatus == Status::Solved) {
+            trajectory.largestResidual = std::max(trajectory.largestResidual, last.residual);
         }
         trajectory.status[i] = last.state.status;
         columns.put(i, last.state);
