@@ -3,12 +3,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/batch.cpp"
 
-#if defined(_WIN32) && defined(__GNUC__) && !defined(__clang__) && !defined(HWY_DISABLED_TARGETS)
-// GCC's 64-bit Windows target aligns the stack to 16 bytes only, and stores vectors of 32 and 64 bytes there as if they
-// were aligned: whatever is wider than SSE would crash.
-#define HWY_DISABLED_TARGETS (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL)
-#endif
-
 #include <hwy/foreach_target.h>
 
 #include "core/batch.h"
@@ -23,23 +17,18 @@ namespace slidercrank
 namespace HWY_NAMESPACE
 {
 
-/// Writes the wanted columns from the lanes' first instant on.
+/// Writes the wanted columns from an instant on.
 struct ColumnStore {
     PlottedColumns columns;
+    std::size_t at;
 
-    bool wantsTheta3() const { return columns.theta3 != nullptr; }
     bool wantsR4x() const { return columns.R4x != nullptr; }
     bool wantsVelocity() const { return columns.theta3Dot != nullptr || columns.R4xDot != nullptr; }
     bool wantsAcceleration() const { return columns.theta3DDot != nullptr || columns.R4xDDot != nullptr; }
 
     template <class D, class V>
-    HWY_INLINE void storePose(D, V, V, V, V, V) const
+    HWY_INLINE void storeS(D, V) const
     {
-    }
-    template <class D, class V>
-    HWY_INLINE void storeTheta3(D d, V theta3) const
-    {
-        putAngle(d, theta3, columns.theta3);
     }
     template <class D, class V>
     HWY_INLINE void storeR4x(D d, V R4x) const
@@ -59,22 +48,60 @@ struct ColumnStore {
         putLength(d, R4xDDot, columns.R4xDDot);
     }
 
-private:
     template <class D, class V>
-    static HWY_INLINE void putAngle(D d, V radians, double *to)
+    HWY_INLINE void putAngle(D d, V radians, double *column) const
     {
-        if (to != nullptr) {
-            hn::StoreU(hn::Mul(radians, hn::Set(d, kDegreesPerRadian)), d, to);
-        }
+        putLength(d, hn::Mul(radians, hn::Set(d, kDegreesPerRadian)), column);
     }
     template <class D, class V>
-    static HWY_INLINE void putLength(D d, V value, double *to)
+    HWY_INLINE void putLength(D d, V value, double *column) const
     {
-        if (to != nullptr) {
-            hn::StoreU(value, d, to);
+        if (column != nullptr) {
+            hn::StoreU(value, d, column + at);
         }
     }
 };
+
+/// Instants that go through one stage before the next begins: stages are short enough for a processor to overlap
+/// several vectors, which it cannot where one vector is carried from its instant to its last channel.
+constexpr std::size_t kBlock = 64;
+
+/// At most kBlock instants, whole vectors: how many of them, from the first on, are in vectors that moveLinks() is for.
+/// Only those are written.
+template <class D>
+HWY_INLINE std::size_t moveBlock(D d, const MotionConstants &k, const double *instants, std::size_t count,
+                                 const PlottedColumns &columns)
+{
+    using V = hn::Vec<D>;
+    HWY_ALIGN double sines[kBlock];
+    HWY_ALIGN double cosines[kBlock];
+    HWY_ALIGN double heights[kBlock];
+    HWY_ALIGN double roots[kBlock];
+    const std::size_t lanes = hn::Lanes(d);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        V hi, lo, sin2, cos2;
+        turnCrank(d, k, hn::LoadU(d, instants + i), hi, lo, sin2, cos2);
+        hn::Store(sin2, d, sines + i);
+        hn::Store(cos2, d, cosines + i);
+    }
+    std::size_t moved = 0;
+    for (; moved < count; moved += lanes) {
+        V height, root;
+        if (!moveLinks(d, k, hn::Load(d, sines + moved), hn::Load(d, cosines + moved), ColumnStore{columns, moved},
+                       height, root)) {
+            break;
+        }
+        hn::Store(height, d, heights + moved);
+        hn::Store(root, d, roots + moved);
+    }
+    if (columns.theta3 != nullptr) {
+        for (std::size_t i = 0; i < moved; i += lanes) {
+            const V theta3 = couplerAngle(d, k, hn::Load(d, heights + i), hn::Load(d, roots + i));
+            ColumnStore{columns, i}.putAngle(d, theta3, columns.theta3);
+        }
+    }
+    return moved;
+}
 
 /// Computes instants from the first on, as far as whole vectors of them are Solved and of reducible angle; how many.
 std::size_t moveWhileOrdinary(const MotionConstants &constants, const double *instants, std::size_t count,
@@ -83,9 +110,13 @@ std::size_t moveWhileOrdinary(const MotionConstants &constants, const double *in
     const hn::ScalableTag<double> d;
     const std::size_t lanes = hn::Lanes(d);
     const MotionConstants k = constants; // a copy of its own: what is stored cannot change it
+    const std::size_t whole = count - count % lanes;
     std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        if (!moveLanes(d, k, instants + i, ColumnStore{columns.behind(i)})) {
+    while (i < whole) {
+        const std::size_t size = std::min(kBlock, whole - i);
+        const std::size_t moved = moveBlock(d, k, instants + i, size, columns.behind(i));
+        i += moved;
+        if (moved < size) {
             return i;
         }
     }
@@ -94,9 +125,8 @@ std::size_t moveWhileOrdinary(const MotionConstants &constants, const double *in
     }
 
     // Fewer than a vector are left: beside room of their own, the last of them again in the lanes too many.
-    constexpr std::size_t kMostLanes = hn::MaxLanes(hn::ScalableTag<double>());
-    HWY_ALIGN double last[kMostLanes];
-    HWY_ALIGN double room[6][kMostLanes];
+    double last[kBlock];
+    double room[6][kBlock];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         last[lane] = instants[std::min(i + lane, count - 1)];
     }
@@ -107,7 +137,7 @@ std::size_t moveWhileOrdinary(const MotionConstants &constants, const double *in
     for (std::size_t c = 0; c < std::size(members); ++c) {
         beside.*members[c] = columns.*members[c] != nullptr ? room[c] : nullptr;
     }
-    if (!moveLanes(d, k, last, ColumnStore{beside})) {
+    if (moveBlock(d, k, last, lanes, beside) == 0) {
         return i;
     }
     for (std::size_t c = 0; c < std::size(members); ++c) {

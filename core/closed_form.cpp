@@ -45,23 +45,14 @@ double accelerationNumerator(const Clearance &lengths, const Clearance::At &at)
 struct MotionStore {
     Motion *motion;
 
-    static constexpr bool wantsTheta3() { return true; }
     static constexpr bool wantsR4x() { return true; }
     static constexpr bool wantsVelocity() { return true; }
     static constexpr bool wantsAcceleration() { return true; }
 
     template <class D, class V>
-    void storePose(D d, V hi, V lo, V sin2, V cos2, V s) const
+    void storeS(D d, V s) const
     {
-        hn::StoreU(hn::Add(hi, lo), d, &motion->theta2);
-        hn::StoreU(sin2, d, &motion->crank.sin);
-        hn::StoreU(cos2, d, &motion->crank.cos);
         hn::StoreU(s, d, &motion->s);
-    }
-    template <class D, class V>
-    void storeTheta3(D d, V theta3) const
-    {
-        hn::StoreU(theta3, d, &motion->theta3);
     }
     template <class D, class V>
     void storeR4x(D d, V R4x) const
@@ -95,10 +86,20 @@ ClosedForm::ClosedForm(const Mechanism &mechanism)
 
 Motion ClosedForm::motionAt(double t) const
 {
+    namespace kernel = HWY_NAMESPACE;
+    const hn::CappedTag<double, 1> d;
+    using V = hn::Vec<decltype(d)>;
+    V hi, lo, sin2, cos2, height, root;
+    kernel::turnCrank(d, m_constants, hn::Set(d, t), hi, lo, sin2, cos2);
     Motion motion;
+    if (!kernel::moveLinks(d, m_constants, sin2, cos2, MotionStore{&motion}, height, root)) {
+        return motionStepByStep(t);
+    }
+    motion.theta2 = hn::GetLane(hn::Add(hi, lo));
+    motion.crank = {hn::GetLane(sin2), hn::GetLane(cos2)};
+    motion.theta3 = hn::GetLane(kernel::couplerAngle(d, m_constants, height, root));
     motion.status = Status::Solved;
-    const hn::CappedTag<double, 1> oneLane;
-    return HWY_NAMESPACE::moveLanes(oneLane, m_constants, &t, MotionStore{&motion}) ? motion : motionStepByStep(t);
+    return motion;
 }
 
 Motion ClosedForm::motionStepByStep(double t) const

@@ -20,6 +20,7 @@
 
 #include <hwy/highway.h>
 
+#include <cmath>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -30,6 +31,32 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Highway's single lane takes signs through integer registers, on the longest chain there is; the standard functions do
+// not.
+#if HWY_TARGET == HWY_SCALAR
+template <class V>
+HWY_INLINE V magnitude(V x)
+{
+    return V(std::fabs(x.raw));
+}
+template <class V>
+HWY_INLINE V withSignOf(V size, V sign)
+{
+    return V(std::copysign(size.raw, sign.raw));
+}
+#else
+template <class V>
+HWY_INLINE V magnitude(V x)
+{
+    return hn::Abs(x);
+}
+template <class V>
+HWY_INLINE V withSignOf(V size, V sign)
+{
+    return hn::CopySignToAbs(size, sign);
+}
+#endif
+
 /// sum + error = x + y exactly.
 template <class V>
 HWY_INLINE void exactSum(V x, V y, V &sum, V &error)
@@ -38,6 +65,14 @@ HWY_INLINE void exactSum(V x, V y, V &sum, V &error)
     const V yRounded = hn::Sub(sum, x);
     const V xRounded = hn::Sub(sum, yRounded);
     error = hn::Add(hn::Sub(x, xRounded), hn::Sub(y, yRounded));
+}
+
+/// The same where x is the larger of the two, or their sum is exact.
+template <class V>
+HWY_INLINE void exactSumOrdered(V x, V y, V &sum, V &error)
+{
+    sum = hn::Add(x, y);
+    error = hn::Sub(y, hn::Sub(sum, x));
 }
 
 /// product + error = ω t exactly.
@@ -63,41 +98,46 @@ HWY_INLINE void exactTurn(D d, const MotionConstants &k, V t, V &product, V &err
 template <class D, class V>
 HWY_INLINE void sineAndCosine(D d, V hi, V lo, V &sine, V &cosine)
 {
-    // r = rHi + rLo = hi + lo - n π/2, |r| <= π/4 and a little. π/2 = P1 + P2 + P3; n P1 and n P2 are exact, since P1
-    // and P2 have 33 bits and n has 20.
+    // r = rHi + rLo = hi + lo - n π/2, |r| <= π/4 and a little, with π/2 = P1 + P2 + P3. P1 and P2 have 33 bits and n
+    // has 20, so that n P1, n P2 and hi - n P1 are exact, and the next difference is where it is not ordered.
     const hn::RebindToUnsigned<D> du;
     const V shifter = hn::Set(d, 6755399441055744.0); // 1.5 · 2^52: the sum's last bits are the rounded integer
     const V shifted = hn::Add(hn::Mul(hi, hn::Set(d, 0x1.45f306dc9c883p-1)), shifter);
     const V n = hn::Sub(shifted, shifter);
     const V first = hn::Sub(hi, hn::Mul(n, hn::Set(d, 0x1.921fb54400000p+0)));
     V second, secondError;
-    exactSum(first, hn::Neg(hn::Mul(n, hn::Set(d, 0x1.0b4611a600000p-34))), second, secondError);
-    const V third = hn::Sub(hn::Add(secondError, lo), hn::Mul(n, hn::Set(d, 0x1.3198a2e037073p-69)));
+    exactSumOrdered(first, hn::Mul(n, hn::Set(d, -0x1.0b4611a600000p-34)), second, secondError);
+    const V third = hn::Add(hn::Add(secondError, lo), hn::Mul(n, hn::Set(d, -0x1.3198a2e037073p-69)));
     V rHi, rLo;
-    exactSum(second, third, rHi, rLo);
+    exactSumOrdered(second, third, rHi, rLo);
 
     const V z = hn::Mul(rHi, rHi);
     const V zz = hn::Mul(z, z);
-    const V one = hn::Set(d, 1.0);
-    const V half = hn::Mul(z, hn::Set(d, 0.5));
-    const V rough = hn::Sub(one, half); // cos r to first order in z
 
     // sin r = r + r z S(z)
     const V s01 = hn::Add(hn::Set(d, -0.16666666666666632), hn::Mul(z, hn::Set(d, 0.00833333333332242)));
     const V s23 = hn::Add(hn::Set(d, -0.00019841269829812546), hn::Mul(z, hn::Set(d, 2.7557313693621505e-06)));
     const V s45 = hn::Add(hn::Set(d, -2.505075839093975e-08), hn::Mul(z, hn::Set(d, 1.589681212937157e-10)));
     const V S = hn::Add(s01, hn::Mul(zz, hn::Add(s23, hn::Mul(zz, s45))));
-    const V sineR = hn::Add(rHi, hn::Add(hn::Mul(rLo, rough), hn::Mul(hn::Mul(rHi, z), S)));
+    const V sineR = hn::Add(rHi, hn::Add(rLo, hn::Mul(hn::Mul(rHi, z), S)));
 
-    // cos r = 1 - z/2 + z² Q(z)
+    // cos r = 1 - (z/2 - z² Q(z))
     const V c01 = hn::Add(hn::Set(d, 0.0416666666666666), hn::Mul(z, hn::Set(d, -0.0013888888888874131)));
     const V c23 = hn::Add(hn::Set(d, 2.4801587289487236e-05), hn::Mul(z, hn::Set(d, -2.755731435384784e-07)));
     const V c45 = hn::Add(hn::Set(d, 2.087572348632916e-09), hn::Mul(z, hn::Set(d, -1.1359659190841573e-11)));
     const V Q = hn::Add(c01, hn::Mul(zz, hn::Add(c23, hn::Mul(zz, c45))));
-    const V roughError = hn::Sub(hn::Sub(one, rough), half);
-    const V cosineR = hn::Add(rough, hn::Add(roughError, hn::Sub(hn::Mul(zz, Q), hn::Mul(rHi, rLo))));
+    const V beyond = hn::Sub(hn::Mul(zz, Q), hn::Mul(rHi, rLo));
+    const V cosineR = hn::Sub(hn::Set(d, 1.0), hn::Sub(hn::Mul(z, hn::Set(d, 0.5)), beyond));
 
     // The quadrant n mod 4: odd exchanges the two, bit 1 of n turns the sine's sign, bit 1 of n + 1 the cosine's.
+#if HWY_TARGET == HWY_SCALAR
+    constexpr double kSineSign[] = {1.0, 1.0, -1.0, -1.0};
+    constexpr double kCosineSign[] = {1.0, -1.0, -1.0, 1.0};
+    const auto quadrant = hn::GetLane(hn::BitCast(du, shifted)) % 4;
+    const bool odd = quadrant % 2 != 0;
+    sine = hn::Mul(odd ? cosineR : sineR, hn::Set(d, kSineSign[quadrant]));
+    cosine = hn::Mul(odd ? sineR : cosineR, hn::Set(d, kCosineSign[quadrant]));
+#else
     const auto quadrant = hn::BitCast(du, shifted);
     const auto unit = hn::Set(du, std::uint64_t{1});
     const auto odd = hn::RebindMask(d, hn::TestBit(quadrant, unit));
@@ -106,6 +146,7 @@ HWY_INLINE void sineAndCosine(D d, V hi, V lo, V &sine, V &cosine)
     const auto cosineSign = hn::And(hn::ShiftLeft<62>(hn::Add(quadrant, unit)), signBit);
     sine = hn::Xor(hn::IfThenElse(odd, cosineR, sineR), hn::BitCast(d, sineSign));
     cosine = hn::Xor(hn::IfThenElse(odd, sineR, cosineR), hn::BitCast(d, cosineSign));
+#endif
 }
 
 /// atan2(y, x) for x >= 0, not both zero.
@@ -114,14 +155,13 @@ HWY_INLINE V halfPlaneAngle(D d, V y, V x)
 {
     // With v = lesser/greater the angle from the nearer axis is atan v, and π/4 + atan((v - 1)/(v + 1)) where v exceeds
     // tan(π/8): one quotient of magnitude at most 0.4143.
-    const V zero = hn::Zero(d);
-    const V height = hn::Abs(y);
+    const V height = magnitude(y);
     const V lesser = hn::Min(height, x);
     const V greater = hn::Max(height, x);
     const auto steep = hn::Gt(height, x);
     const auto diagonal = hn::Gt(lesser, hn::Mul(greater, hn::Set(d, 0.41421356237309503)));
-    const V numerator = hn::IfThenElse(diagonal, hn::Sub(lesser, greater), lesser);
-    const V denominator = hn::IfThenElse(diagonal, hn::Add(lesser, greater), greater);
+    const V numerator = hn::Sub(lesser, hn::IfThenElseZero(diagonal, greater));
+    const V denominator = hn::Add(greater, hn::IfThenElseZero(diagonal, lesser));
     const V v = hn::Div(numerator, denominator);
 
     // atan v = v + v w A(w), w = v²
@@ -139,40 +179,49 @@ HWY_INLINE V halfPlaneAngle(D d, V y, V x)
     const V A = hn::Add(a03, hn::Mul(w4, hn::Add(a47, hn::Mul(w4, a8A))));
     const V arc = hn::Add(v, hn::Mul(hn::Mul(v, w), A));
 
-    // 0 + arc, π/4 + arc, π/4 - arc or π/2 - arc, the constants in two parts.
-    const V quarter = hn::Set(d, 0x1.921fb54442d18p-1);
-    const V quarterLo = hn::Set(d, 0x1.1a62633145c07p-55);
-    const V steepBase = hn::IfThenElse(diagonal, quarter, hn::Add(quarter, quarter));
-    const V steepBaseLo = hn::IfThenElse(diagonal, quarterLo, hn::Add(quarterLo, quarterLo));
-    const V base = hn::IfThenElse(steep, steepBase, hn::IfThenElse(diagonal, quarter, zero));
-    const V baseLo = hn::IfThenElse(steep, steepBaseLo, hn::IfThenElse(diagonal, quarterLo, zero));
+    // 0 + arc, π/4 + arc, π/4 - arc or π/2 - arc; a double π is short of π by 3.9e-17 of itself.
+    const V flatBase = hn::IfThenElseZero(diagonal, hn::Set(d, 0x1.921fb54442d18p-1));
+    const V base = hn::IfThenElse(steep, hn::Sub(hn::Set(d, 0x1.921fb54442d18p+0), flatBase), flatBase);
+    const V baseLo = hn::Mul(base, hn::Set(d, 3.8981718325193755e-17));
     const V signedArc = hn::IfThenElse(steep, hn::Neg(arc), arc);
-    return hn::CopySign(hn::Add(base, hn::Add(baseLo, signedArc)), y);
+    return withSignOf(hn::Add(base, hn::Add(baseLo, signedArc)), y);
 }
 
-/// Computes the instants at `t`, one a lane, and stores what is asked for. `Out` has Has…() and store functions: see
-/// its two kinds. False, and nothing usable stored, when a lane may be anything but Solved or has an angle too large
-/// for the reduction: then those instants are for the scalar form's other way.
-template <class D, class Out>
-HWY_INLINE bool moveLanes(D d, const MotionConstants &k, const double *HWY_RESTRICT instants, const Out &out)
+/// θ2 = hi + lo, its sine and cosine at the instants t. NaN where the angle is too large for the reduction, or no
+/// number.
+template <class D, class V>
+HWY_INLINE void turnCrank(D d, const MotionConstants &k, V t, V &hi, V &lo, V &sin2, V &cos2)
 {
-    using V = hn::Vec<D>;
+    V turned, turnedLo, sumError;
+    exactTurn(d, k, t, turned, turnedLo);
+    exactSum(turned, hn::Set(d, k.theta20), hi, sumError);
+    lo = hn::Add(sumError, turnedLo);
+    const auto reducible = hn::And(hn::Le(magnitude(hi), hn::Set(d, 1.6e6)), hn::Le(magnitude(lo), hn::Set(d, 1e-9)));
+    sineAndCosine(d, hi, lo, sin2, cos2);
+    sin2 = hn::IfThenElse(reducible, sin2, hn::NaN(d));
+}
+
+/// The coupler's angle, b sin θ3 = height, |b cos θ3| = root.
+template <class D, class V>
+HWY_INLINE V couplerAngle(D d, const MotionConstants &k, V height, V root)
+{
+    return hn::Add(hn::Set(d, k.straightAngle), hn::Mul(hn::Set(d, k.branch), halfPlaneAngle(d, height, root)));
+}
+
+/// Height and root for couplerAngle(), and what else `out` wants, stored there. False, and nothing stored, when a lane
+/// may be anything but Solved, or sin θ2 is NaN.
+template <class D, class V, class Out>
+HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V sin2, V cos2, const Out &out, V &height, V &root)
+{
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0);
 
-    V turned, turnedLo, hi, sumError;
-    exactTurn(d, k, hn::LoadU(d, instants), turned, turnedLo);
-    exactSum(turned, hn::Set(d, k.theta20), hi, sumError);
-    const V lo = hn::Add(sumError, turnedLo);
-    const auto reducible = hn::And(hn::Le(hn::Abs(hi), hn::Set(d, 1.6e6)), hn::Le(hn::Abs(lo), hn::Set(d, 1e-9)));
-    V sin2, cos2;
-    sineAndCosine(d, hi, lo, sin2, cos2);
-
     // clearance.h
     const V a = hn::Set(d, k.a);
-    const V x = hn::Mul(hn::Set(d, k.side), sin2);
+    const V side = hn::Set(d, k.side);
+    const V x = hn::Mul(side, sin2);
     const V cosineSquared = hn::Mul(cos2, cos2);
-    const V sumOfLike = hn::Add(one, hn::Abs(x));
+    const V sumOfLike = hn::Add(one, magnitude(x));
     const V differenceOfLike = hn::Div(cosineSquared, sumOfLike);
     const auto below = hn::Lt(x, zero);
     const V sigma = hn::IfThenElse(below, differenceOfLike, sumOfLike);
@@ -181,26 +230,19 @@ HWY_INLINE bool moveLanes(D d, const MotionConstants &k, const double *HWY_RESTR
     const V m = hn::Add(hn::Set(d, k.beta), hn::Mul(a, sigmaMirrored));
     const V h = hn::Sub(hn::Set(d, k.C), hn::Mul(a, x));
     const V sSquared = hn::Mul(p, m);
-    const V root = hn::Sqrt(sSquared);
+    root = hn::Sqrt(sSquared);
 
     // Above this no derivative overflows: the speed is at most 1e12 and lengths are below 4.
     const auto regular = hn::Ge(root, hn::Set(d, 1e-60));
-    const auto assembled = hn::And(hn::Ge(p, zero), hn::Ge(m, zero));
-    if (!hn::AllTrue(d, hn::And(reducible, hn::And(assembled, regular)))) {
+    if (!hn::AllTrue(d, hn::And(regular, hn::Ge(hn::Min(p, m), zero)))) {
         return false;
     }
 
     const V branch = hn::Set(d, k.branch);
     const V scale = hn::Set(d, k.scale);
-    const V side = hn::Set(d, k.side);
     const V s = hn::Mul(branch, root);
-    const V height = hn::Mul(side, h);
-    out.storePose(d, hi, lo, sin2, cos2, hn::Mul(scale, s));
-
-    if (out.wantsTheta3()) {
-        const V steepness = halfPlaneAngle(d, height, root);
-        out.storeTheta3(d, hn::Add(hn::Set(d, k.straightAngle), hn::Mul(branch, steepness)));
-    }
+    height = hn::Mul(side, h);
+    out.storeS(d, hn::Mul(scale, s));
     if (out.wantsR4x()) {
         const V aCos = hn::Mul(a, cos2);
         V R4x = hn::Add(aCos, s);
