@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cases.h"
 #include "core/closed_form.h"
-#include "exact_motion.h"
+#include "core/exact_motion.h"
 #include "random_mechanisms.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cases.h"
+#include "core/exact_motion.h"
 #include "core/mobility.h"
-#include "exact_motion.h"
 #include "random_mechanisms.h"
 
 #include <QTest>

@@ -2,8 +2,8 @@
 #include "core/cases.h"
 #include "core/closed_form.h"
 #include "core/constraints.h"
+#include "core/exact_motion.h"
 #include "core/newton.h"
-#include "exact_motion.h"
 #include "random_mechanisms.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cases.h"
 #include "core/closed_form.h"
+#include "core/exact_motion.h"
 #include "core/trajectory.h"
-#include "exact_motion.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exact_motion.h"
 #include "core/two_part_angle.h"
-#include "exact_motion.h"
 #include "random_mechanisms.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
