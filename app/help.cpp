@@ -56,6 +56,15 @@ constexpr OptionEntry kCompareOptions[] = {
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "exit status 1 when a channel differs")},
 };
 
+constexpr OptionEntry kStudyOptions[] = {
+    {"cases", "nominal|hard|all",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "nominal: the mechanism of these options; hard: the named hard cases, behind the mechanism if "
+                       "one is given; all: the named nominal and hard cases (nominal)")},
+    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+};
+
 constexpr OptionEntry kRenderOptions[] = {
     {"what", "WHAT",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
@@ -96,6 +105,7 @@ QString introductionOf(Subcommand subcommand)
                                "       slidercrank solve [options]             the motion as CSV or JSON\n"
                                "       slidercrank compare FILE [options]      how far a simulation's file is from the "
                                "model\n"
+                               "       slidercrank study [options]             speed against error of every method\n"
                                "       slidercrank render --output FILE [...]  a picture: PNG, SVG or PDF\n"
                                "\n"
                                "Motion of an offset slider-crank. \"slidercrank solve --help\" and so on tell the "
@@ -118,6 +128,20 @@ QString introductionOf(Subcommand subcommand)
                                "95 % of its values are within half a rounding step of the file and none beyond ten "
                                "halves, is close when none\n"
                                "is beyond a hundred halves, and differs otherwise.\n");
+    case Subcommand::Study:
+        return CommandLine::tr("Usage: slidercrank study [options]\n"
+                               "\n"
+                               "Times every method on the same instants and measures its error against the exact motion "
+                               "in 50 to 100 digits: the\n"
+                               "worst of the six plotted channels, relative to the channel's peak, over the instants "
+                               "that the method calls\n"
+                               "solved. Beside it the bound κ·u: the error that rounding the given numbers makes by "
+                               "itself. newton-dense is the\n"
+                               "report's way, with its absolute tolerance; the others measure the residual relative to "
+                               "a + b + |c|.\n"
+                               "finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps "
+                               "N harmonics.\n"
+                               "Times depend on the machine: compare them within one run.\n");
     case Subcommand::Render:
         return CommandLine::tr("Usage: slidercrank render --output FILE.png|.svg|.pdf [options]\n"
                                "\n"
@@ -150,6 +174,15 @@ QString shapeOf(Subcommand subcommand)
                                "       \"zeroReference\",\"percentOfPeak\",\"roundingStep\",\"verdict\"} in mm, ° and "
                                "s; null where there is none.\n"
                                "CSV: the file's name, then the same columns.\n");
+    case Subcommand::Study:
+        return CommandLine::tr("JSON: {\"machine\", \"cases\":[{\"name\", \"methods\":[…]}]}; a method is\n"
+                               "      {\"method\",\"tolerance\",\"channels\",\"nsPerState\",\"spread\","
+                               "\"iterationsPerState\",\"maxError\",\n"
+                               "       \"errorBound\",\"status\",\"counts\",\"silentFailures\"}; spread: between the "
+                               "quartiles, in ns; status: the worst;\n"
+                               "       counts: instants by status; silentFailures: instants called solved and wrong; "
+                               "null where there is none.\n"
+                               "CSV: the case's name, then the same columns, a column a status.\n");
     case Subcommand::Window:
     case Subcommand::Render: break;
     }
@@ -175,6 +208,7 @@ QString wordOf(Subcommand subcommand)
     case Subcommand::Window: return {};
     case Subcommand::Solve: return QStringLiteral("solve");
     case Subcommand::Compare: return QStringLiteral("compare");
+    case Subcommand::Study: return QStringLiteral("study");
     case Subcommand::Render: return QStringLiteral("render");
     }
     return {};
@@ -189,6 +223,8 @@ std::vector<OptionGroup> optionGroupsOf(Subcommand subcommand)
                 {kMethod, kMethodOptions},       {kResult, kSolveOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Compare:
         return {{kMechanism, kMechanismOptions}, {kResult, kCompareOptions}, {kOther, kEverywhereOptions}};
+    case Subcommand::Study:
+        return {{kMechanism, kMechanismOptions}, {kResult, kStudyOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Render:
         return {{kMechanism, kMechanismOptions},
                 {kRun, kRunOptions},

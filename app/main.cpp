@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "app/render.h"
 #include "app/solve.h"
+#include "app/study.h"
 #include "ui/main_window.h"
 
 #include <QApplication>
@@ -57,6 +58,9 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
     if (const CompareOptions *options = std::get_if<CompareOptions>(&command)) {
         return compareFile(*options);
     }
+    if (const StudyOptions *options = std::get_if<StudyOptions>(&command)) {
+        return study(*options);
+    }
     return std::nullopt;
 }
 
@@ -95,8 +99,8 @@ int main(int argc, char *argv[])
     } else if (!hasDisplay()) {
         say(QCoreApplication::translate(
             "slidercrank::CommandLine",
-            "There is no display to open the window on: set DISPLAY, or use solve, compare or "
-            "render, which need none."));
+            "There is no display to open the window on: set DISPLAY, or use solve, compare, study "
+            "or render, which need none."));
         return static_cast<int>(ExitStatus::WrongCommandLine);
     }
     const QApplication application(argc, argv);

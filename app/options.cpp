@@ -4,6 +4,7 @@
 #include "app/command_line.h"
 #include "core/crank_instant.h"
 #include "app/help.h"
+#include "core/study.h"
 #include "ui/figure_export.h"
 
 #include <QCommandLineParser>
@@ -366,6 +367,35 @@ Command readCompare(OptionReader &reader, const QStringList &positional)
     return options;
 }
 
+enum class StudyCases { Nominal, Hard, All };
+
+Command readStudy(OptionReader &reader, const QStringList &positional)
+{
+    StudyOptions options;
+    const Mechanism mechanism = readMechanism(reader);
+    const StudyCases cases =
+        reader.choice("cases", StudyCases::Nominal,
+                      {{"nominal", StudyCases::Nominal}, {"hard", StudyCases::Hard}, {"all", StudyCases::All}});
+    const bool asksForMechanism = mechanism != Mechanism();
+    if (cases == StudyCases::Nominal || asksForMechanism) {
+        options.cases.push_back(studyCase(mechanism.parameters()));
+    }
+    switch (cases) {
+    case StudyCases::Nominal: break;
+    case StudyCases::Hard: options.cases.insert(options.cases.end(), hardCases().begin(), hardCases().end()); break;
+    case StudyCases::All: {
+        const std::vector<Case> all = allCases();
+        options.cases.insert(options.cases.end(), all.begin(), all.end());
+        break;
+    }
+    }
+    options.format =
+        reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
+    options.output = reader.file("output");
+    refusePositional(reader, positional, Subcommand::Study);
+    return options;
+}
+
 std::optional<QSize> parsedSize(const QString &text)
 {
     const QStringList sides = text.split(u'x');
@@ -466,12 +496,14 @@ Command readRender(OptionReader &reader, const QStringList &positional)
 Command readWindow(OptionReader &reader, const QStringList &positional)
 {
     if (!positional.isEmpty()) {
-        const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("render")};
-        reader.refuse(words.contains(positional.first())
-                          ? CommandLine::tr("The command must come first: slidercrank %1 …").arg(positional.first())
-                          : CommandLine::tr("There is no command \"%1\": use solve, compare or render, or no word at "
-                                            "all for the window.")
-                                .arg(positional.first()));
+        const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("study"),
+                                QStringLiteral("render")};
+        reader.refuse(
+            words.contains(positional.first())
+                ? CommandLine::tr("The command must come first: slidercrank %1 …").arg(positional.first())
+                : CommandLine::tr("There is no command \"%1\": use solve, compare, study or render, or no word at "
+                                  "all for the window.")
+                      .arg(positional.first()));
     }
     return WindowOptions{reader.file("reference")};
 }
@@ -518,7 +550,8 @@ std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFor
 Command parseCommandLine(const QStringList &arguments)
 {
     Subcommand subcommand = Subcommand::Window;
-    for (const Subcommand candidate : {Subcommand::Solve, Subcommand::Compare, Subcommand::Render}) {
+    for (const Subcommand candidate :
+         {Subcommand::Solve, Subcommand::Compare, Subcommand::Study, Subcommand::Render}) {
         if (arguments.size() > 1 && arguments[1] == wordOf(candidate)) {
             subcommand = candidate;
         }
@@ -554,6 +587,7 @@ Command parseCommandLine(const QStringList &arguments)
     case Subcommand::Window: command = readWindow(reader, positional); break;
     case Subcommand::Solve: command = readSolve(reader, positional); break;
     case Subcommand::Compare: command = readCompare(reader, positional); break;
+    case Subcommand::Study: command = readStudy(reader, positional); break;
     case Subcommand::Render: command = readRender(reader, positional); break;
     }
     if (reader.fault()) {

@@ -4,6 +4,7 @@
 // The command line → what is to be done, every value checked, or one sentence that says what is wrong and what to do.
 // Numbers are read whole and with a decimal point, whatever the locale.
 
+#include "core/cases.h"
 #include "core/channel.h"
 #include "core/mechanism.h"
 #include "core/trajectory.h"
@@ -15,6 +16,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace slidercrank
 {
@@ -38,6 +40,12 @@ struct CompareOptions {
     QString file;
     Format format = Format::Text;
     bool failOnDifference = false;
+    QString output; ///< empty: standard output
+};
+
+struct StudyOptions {
+    std::vector<Case> cases; ///< at least one
+    Format format = Format::Text;
     QString output; ///< empty: standard output
 };
 
@@ -69,7 +77,8 @@ struct WrongCommandLine {
     QString sentence;
 };
 
-using Command = std::variant<WindowOptions, SolveOptions, CompareOptions, RenderOptions, Answer, WrongCommandLine>;
+using Command =
+    std::variant<WindowOptions, SolveOptions, CompareOptions, StudyOptions, RenderOptions, Answer, WrongCommandLine>;
 
 /// `arguments` as QCoreApplication::arguments() gives them, the program's name first.
 Command parseCommandLine(const QStringList &arguments);

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study.h"
+
+#include "app/output.h"
+#include "core/study.h"
+
+#include <QStringList>
+
+#include <array>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+QString toQString(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// Three digits are what a person compares; a dash for what does not exist.
+QString rounded(std::optional<double> value, int digits = 3)
+{
+    return value ? QString::number(*value, 'g', digits) : QStringLiteral("–");
+}
+
+/// "solved", or "190 solved, 11 singular".
+QString outcomeOf(const MethodResult &row, std::size_t instants)
+{
+    QStringList parts;
+    for (std::size_t i = 0; i < kStatusCount; ++i) {
+        if (row.counts[i] == instants) {
+            return toQString(wordOf(static_cast<Status>(i)));
+        }
+        if (row.counts[i] > 0) {
+            parts += QString::number(row.counts[i]) + u' ' + toQString(wordOf(static_cast<Status>(i)));
+        }
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+/// As wide as anything that comes there.
+constexpr std::array kWidths{25, 9, 8, 10, 9, 10, 9, 9};
+
+QString lineOf(const QStringList &cells)
+{
+    QString line = cells.front().leftJustified(kWidths[0]);
+    for (qsizetype i = 1; i < static_cast<qsizetype>(kWidths.size()); ++i) {
+        line += u' ' + cells[i].rightJustified(kWidths[static_cast<std::size_t>(i)]);
+    }
+    return line + QStringLiteral("  ") + cells.back() + u'\n';
+}
+
+QString tableOf(const CaseResult &which)
+{
+    const Parameters &p = which.parameters;
+    const auto number = [](double value) { return QString::number(value, 'g', 9); };
+    QString text =
+        CommandLine::tr("%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants")
+            .arg(toQString(which.name), number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
+                 p.branch == Branch::Open ? CommandLine::tr("open") : CommandLine::tr("crossed"),
+                 QString::number(which.instants)) +
+        u'\n';
+    text += lineOf({CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
+                    CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),
+                    CommandLine::tr("error"), CommandLine::tr("bound κu"), CommandLine::tr("outcome")});
+    for (const MethodResult &row : which.methods) {
+        std::size_t instants = 0;
+        for (const std::size_t count : row.counts) {
+            instants += count;
+        }
+        QString outcome = outcomeOf(row, instants);
+        if (row.silentFailures.value_or(0) > 0) {
+            outcome += CommandLine::tr(", %1 of them silently wrong").arg(*row.silentFailures);
+        }
+        text += lineOf({toQString(row.method), rounded(row.tolerance), QString::number(row.channels),
+                        rounded(row.nsPerState, 4), rounded(row.spread), rounded(row.iterationsPerState),
+                        rounded(row.maxError), rounded(row.errorBound), outcome});
+    }
+    return text;
+}
+
+QString textOf(const StudyResult &result)
+{
+    QString text;
+    std::size_t silentFailures = 0;
+    for (const CaseResult &which : result.cases) {
+        text += tableOf(which) + u'\n';
+        for (const MethodResult &row : which.methods) {
+            silentFailures += row.silentFailures.value_or(0);
+        }
+    }
+    text += CommandLine::tr("Errors are the worst of the six plotted channels, relative to the channel's peak, against "
+                            "50 to 100 digits, over the\n"
+                            "instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 "
+                            "s.\n")
+                .arg(QString::number(silentFailures), toQString(result.machine), rounded(result.seconds));
+    return text;
+}
+
+} // namespace
+
+ExitStatus study(const StudyOptions &options)
+{
+    Output output(options.output);
+    if (const std::optional<QString> sentence = output.open()) {
+        say(*sentence);
+        return ExitStatus::FileFailed;
+    }
+    StudyRequest request;
+    request.cases = options.cases;
+    const StudyResult result = runStudy(request);
+    switch (options.format) {
+    case Format::Text: output.write(textOf(result).toUtf8()); break;
+    case Format::Csv: output.write(QByteArray::fromStdString(studyCsv(result))); break;
+    case Format::Json: output.write(QByteArray::fromStdString(studyJson(result))); break;
+    }
+    if (const std::optional<QString> sentence = output.finish()) {
+        say(*sentence);
+        return ExitStatus::FileFailed;
+    }
+    return ExitStatus::Done;
+}
+
+} // namespace slidercrank
