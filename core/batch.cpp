@@ -79,19 +79,19 @@ HWY_INLINE std::size_t moveBlock(D d, const MotionConstants &k, const double *in
     HWY_ALIGN double roots[kBlock];
     const std::size_t lanes = hn::Lanes(d);
     for (std::size_t i = 0; i < count; i += lanes) {
-        V hi, lo, sin2, cos2;
-        turnCrank(d, k, hn::LoadU(d, instants + i), hi, lo, sin2, cos2);
-        hn::Store(sin2, d, sines + i);
+        V hi, lo, x, cos2;
+        turnCrank(d, k, hn::LoadU(d, instants + i), hi, lo, x, cos2);
+        hn::Store(x, d, sines + i);
         hn::Store(cos2, d, cosines + i);
     }
     std::size_t moved = 0;
     for (; moved < count; moved += lanes) {
-        V height, root;
-        if (!moveLinks(d, k, hn::Load(d, sines + moved), hn::Load(d, cosines + moved), ColumnStore{columns, moved},
-                       height, root)) {
+        V h, root;
+        if (!moveLinks(d, k, hn::Load(d, sines + moved), hn::Load(d, cosines + moved), ColumnStore{columns, moved}, h,
+                       root)) {
             break;
         }
-        hn::Store(height, d, heights + moved);
+        hn::Store(h, d, heights + moved);
         hn::Store(root, d, roots + moved);
     }
     if (columns.theta3 != nullptr) {

@@ -89,15 +89,15 @@ Motion ClosedForm::motionAt(double t) const
     namespace kernel = HWY_NAMESPACE;
     const hn::CappedTag<double, 1> d;
     using V = hn::Vec<decltype(d)>;
-    V hi, lo, sin2, cos2, height, root;
-    kernel::turnCrank(d, m_constants, hn::Set(d, t), hi, lo, sin2, cos2);
+    V hi, lo, x, cos2, h, root;
+    kernel::turnCrank(d, m_constants, hn::Set(d, t), hi, lo, x, cos2);
     Motion motion;
-    if (!kernel::moveLinks(d, m_constants, sin2, cos2, MotionStore{&motion}, height, root)) {
+    if (!kernel::moveLinks(d, m_constants, x, cos2, MotionStore{&motion}, h, root)) {
         return motionStepByStep(t);
     }
-    motion.theta2 = hn::GetLane(hn::Add(hi, lo));
-    motion.crank = {hn::GetLane(sin2), hn::GetLane(cos2)};
-    motion.theta3 = hn::GetLane(kernel::couplerAngle(d, m_constants, height, root));
+    motion.theta2 = m_constants.side * hn::GetLane(hn::Add(hi, lo));
+    motion.crank = {m_constants.side * hn::GetLane(x), hn::GetLane(cos2)};
+    motion.theta3 = hn::GetLane(kernel::couplerAngle(d, m_constants, h, root));
     motion.status = Status::Solved;
     return motion;
 }

@@ -47,6 +47,8 @@ public:
     State stateAt(double t) const;
 
 private:
+    /// By the standard library's functions, for what the kernel leaves: an instant that is not Solved, or one whose
+    /// angle is too large for its reduction.
     Motion motionStepByStep(double t) const;
 
     Mechanism m_mechanism;

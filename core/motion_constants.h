@@ -11,10 +11,12 @@ namespace slidercrank
 {
 
 struct MotionConstants {
-    double omega = 0.0;
-    double omegaUpper = 0.0; ///< its upper 26 bits,
-    double omegaLower = 0.0; ///< ... and the others, for a product without error
-    double theta20 = 0.0;
+    // The crank's angle is taken as g θ2, whose sine is x.
+    double sideOmega = 0.0;      ///< g ω
+    double sideOmegaUpper = 0.0; ///< its upper 26 bits,
+    double sideOmegaLower = 0.0; ///< ... and the others, for a product without error
+    double sideTheta20 = 0.0;    ///< g θ20
+    double latest = 0.0;         ///< until |t| is that, |θ2| is at most 1.6e6 rad, and so are its parts; < 0: never
 
     double scale = 1.0; ///< mm
     double a = 0.0;

@@ -75,17 +75,17 @@ HWY_INLINE void exactSumOrdered(V x, V y, V &sum, V &error)
     error = hn::Sub(y, hn::Sub(sum, x));
 }
 
-/// product + error = ω t exactly.
+/// product + error = g ω t exactly.
 template <class D, class V>
 HWY_INLINE void exactTurn(D d, const MotionConstants &k, V t, V &product, V &error)
 {
-    const V omega = hn::Set(d, k.omega);
+    const V omega = hn::Set(d, k.sideOmega);
     product = hn::Mul(omega, t);
 #if HWY_NATIVE_FMA
     error = hn::MulSub(omega, t, product);
 #else
-    const V upper = hn::Set(d, k.omegaUpper);
-    const V lower = hn::Set(d, k.omegaLower);
+    const V upper = hn::Set(d, k.sideOmegaUpper);
+    const V lower = hn::Set(d, k.sideOmegaLower);
     const V scaled = hn::Mul(hn::Set(d, 134217729.0), t); // 2^27 + 1
     const V tUpper = hn::Sub(scaled, hn::Sub(scaled, t));
     const V tLower = hn::Sub(t, tUpper);
@@ -187,39 +187,36 @@ HWY_INLINE V halfPlaneAngle(D d, V y, V x)
     return withSignOf(hn::Add(base, hn::Add(baseLo, signedArc)), y);
 }
 
-/// θ2 = hi + lo, its sine and cosine at the instants t. NaN where the angle is too large for the reduction, or no
-/// number.
+/// g θ2 = hi + lo, its sine x and its cosine, which is that of θ2, at the instants t. x is NaN where the angle may be
+/// too large for the reduction, or t is no number.
 template <class D, class V>
-HWY_INLINE void turnCrank(D d, const MotionConstants &k, V t, V &hi, V &lo, V &sin2, V &cos2)
+HWY_INLINE void turnCrank(D d, const MotionConstants &k, V t, V &hi, V &lo, V &x, V &cos2)
 {
     V turned, turnedLo, sumError;
     exactTurn(d, k, t, turned, turnedLo);
-    exactSum(turned, hn::Set(d, k.theta20), hi, sumError);
+    exactSum(turned, hn::Set(d, k.sideTheta20), hi, sumError);
     lo = hn::Add(sumError, turnedLo);
-    const auto reducible = hn::And(hn::Le(magnitude(hi), hn::Set(d, 1.6e6)), hn::Le(magnitude(lo), hn::Set(d, 1e-9)));
-    sineAndCosine(d, hi, lo, sin2, cos2);
-    sin2 = hn::IfThenElse(reducible, sin2, hn::NaN(d));
+    sineAndCosine(d, hi, lo, x, cos2);
+    x = hn::IfThenElse(hn::Le(magnitude(t), hn::Set(d, k.latest)), x, hn::NaN(d));
 }
 
-/// The coupler's angle, b sin θ3 = height, |b cos θ3| = root.
+/// θ3, from h and |s|.
 template <class D, class V>
-HWY_INLINE V couplerAngle(D d, const MotionConstants &k, V height, V root)
+HWY_INLINE V couplerAngle(D d, const MotionConstants &k, V h, V root)
 {
-    return hn::Add(hn::Set(d, k.straightAngle), hn::Mul(hn::Set(d, k.branch), halfPlaneAngle(d, height, root)));
+    return hn::Add(hn::Set(d, k.straightAngle), hn::Mul(hn::Set(d, k.branch * k.side), halfPlaneAngle(d, h, root)));
 }
 
-/// Height and root for couplerAngle(), and what else `out` wants, stored there. False, and nothing stored, when a lane
-/// may be anything but Solved, or sin θ2 is NaN.
+/// h and |s| for couplerAngle(), and what else `out` wants, stored there: s, R4x, velocities (θ̇3, ṡ, Ṙ4x) and
+/// accelerations, in mm and rad. False, and nothing stored, when a lane may be anything but Solved, or x is NaN.
 template <class D, class V, class Out>
-HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V sin2, V cos2, const Out &out, V &height, V &root)
+HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V x, V cos2, const Out &out, V &h, V &root)
 {
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0);
 
     // clearance.h
     const V a = hn::Set(d, k.a);
-    const V side = hn::Set(d, k.side);
-    const V x = hn::Mul(side, sin2);
     const V cosineSquared = hn::Mul(cos2, cos2);
     const V sumOfLike = hn::Add(one, magnitude(x));
     const V differenceOfLike = hn::Div(cosineSquared, sumOfLike);
@@ -228,7 +225,7 @@ HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V sin2, V cos2, const O
     const V sigmaMirrored = hn::IfThenElse(below, sumOfLike, differenceOfLike);
     const V p = hn::Add(hn::Set(d, k.epsilon), hn::Mul(a, sigma));
     const V m = hn::Add(hn::Set(d, k.beta), hn::Mul(a, sigmaMirrored));
-    const V h = hn::Sub(hn::Set(d, k.C), hn::Mul(a, x));
+    h = hn::Sub(hn::Set(d, k.C), hn::Mul(a, x));
     const V sSquared = hn::Mul(p, m);
     root = hn::Sqrt(sSquared);
 
@@ -241,7 +238,6 @@ HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V sin2, V cos2, const O
     const V branch = hn::Set(d, k.branch);
     const V scale = hn::Set(d, k.scale);
     const V s = hn::Mul(branch, root);
-    height = hn::Mul(side, h);
     out.storeS(d, hn::Mul(scale, s));
     if (out.wantsR4x()) {
         const V aCos = hn::Mul(a, cos2);
@@ -260,8 +256,8 @@ HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V sin2, V cos2, const O
     const V inverse = hn::Div(branch, root);
     if (out.wantsVelocity()) {
         const V theta3Dot = hn::Mul(hn::Mul(hn::Set(d, -k.aOmega), cos2), inverse);
-        const V sDot = hn::Neg(hn::Mul(height, theta3Dot));
-        const V R4xDot = hn::Sub(sDot, hn::Mul(hn::Set(d, k.aOmega), sin2));
+        const V sDot = hn::Mul(hn::Mul(hn::Set(d, -k.side), h), theta3Dot);
+        const V R4xDot = hn::Sub(sDot, hn::Mul(hn::Set(d, k.side * k.aOmega), x));
         out.storeVelocity(d, theta3Dot, hn::Mul(scale, sDot), hn::Mul(scale, R4xDot));
     }
     if (out.wantsAcceleration()) {
