@@ -39,6 +39,9 @@ constexpr OptionEntry kMethodOptions[] = {
     {"tolerance", "T",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)")},
+    {"tolerance-kind", "absolute|relative",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "relative: the length rows of C divided by a + b + |c| (absolute: mm and rad as they are)")},
 };
 
 constexpr OptionEntry kSolveOptions[] = {

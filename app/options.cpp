@@ -2,9 +2,9 @@
 #include "app/options.h"
 
 #include "app/command_line.h"
-#include "core/crank_instant.h"
 #include "app/help.h"
 #include "core/study.h"
+#include "core/crank_instant.h"
 #include "ui/figure_export.h"
 
 #include <QCommandLineParser>
@@ -264,6 +264,9 @@ SolverSettings readSolver(OptionReader &reader)
     if (!(solver.newton.tolerance >= 0.0)) {
         reader.refuse(CommandLine::tr("--tolerance must be 0 or more, not %1.").arg(reader.text("tolerance")));
     }
+    solver.newton.toleranceKind =
+        reader.choice("tolerance-kind", solver.newton.toleranceKind,
+                      {{"absolute", ToleranceKind::Absolute}, {"relative", ToleranceKind::Relative}});
     return solver;
 }
 

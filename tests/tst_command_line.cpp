@@ -159,6 +159,7 @@ private slots:
     void printsThePositionWhereTheDerivativesDoNotExist();
     void putsAssemblyBeforeSingularity();
     void tellsWhenNewtonDoesNotConverge();
+    void solvesLengthsOfAnySizeToARelativeTolerance();
     void writesJson();
     void writesNullForWhatDoesNotExist();
     void findsTheInstantOfACrankAngle_data();
@@ -363,6 +364,31 @@ void TestCommandLine::tellsWhenNewtonDoesNotConverge()
     QVERIFY(outcome.out.contains(",nan"));
 }
 
+/// An absolute tolerance is out of reach of a crank of 20 000 km, and met too early by one of 20 pm.
+void TestCommandLine::solvesLengthsOfAnySizeToARelativeTolerance()
+{
+    const QString large = QStringLiteral("solve --a 2e10 --b 6e10 --c 2.5e10 --channels theta3 --angle-unit rad ");
+    const QString small = QStringLiteral("solve --a 2e-8 --b 6e-8 --c 2.5e-8 --channels theta3 --angle-unit rad ");
+    const QString relative = QStringLiteral("--tolerance-kind relative");
+    const Table exact =
+        tableOf(run(QStringLiteral("solve --b 60 --channels theta3 --angle-unit rad --method closed-form")).out);
+    const auto largestError = [&exact](const Table &table) {
+        double largest = 0.0;
+        for (std::size_t i = 0; i < exact.cells.size(); ++i) {
+            largest = std::max(largest, std::abs(table.at(i, "theta3 [rad]") - exact.at(i, "theta3 [rad]")));
+        }
+        return largest;
+    };
+    QCOMPARE(run(large).status, 5);
+    QVERIFY(largestError(tableOf(run(small).out)) > 1e-6);
+    for (const QString &line : {large, small}) {
+        const Outcome outcome = run(line + relative);
+        QCOMPARE(outcome.status, 0);
+        QVERIFY(largestError(tableOf(outcome.out)) < 1e-12);
+    }
+    QCOMPARE(run(small + QStringLiteral("--tolerance-kind absolute")).out, run(small).out);
+}
+
 void TestCommandLine::writesJson()
 {
     const QString choices = QStringLiteral(" --b 60 --c -3.5 --branch crossed --steps 7 --channels R4_x_diff,theta3");
@@ -454,7 +480,6 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("solve --foo", "no option --foo");
     row("solve --omga2 3", "did you mean --omega2?");
     row("solve -5", "no option -5");
-    row("solve --tolerance-kind relative", "no option --tolerance-kind");
     row("solve file.csv", "remove \"file.csv\"");
     row("solve --b", "--b needs a value: --b MM");
     row("solve --b 60 --b 61", "--b is given more than once");
@@ -485,6 +510,7 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("solve --method euler", "--method must be newton or closed-form");
     row("solve --max-iterations 0", "--max-iterations must be a whole number from 1");
     row("solve --tolerance -1e-9", "--tolerance must be 0 or more");
+    row("solve --tolerance-kind loose", "--tolerance-kind must be absolute or relative");
     row("solve --channels R4x", "did you mean R4_x?");
     row("solve --channels theta3,theta3_dif", "did you mean theta3_diff or theta3_diff2?");
     row("solve --channels THETA3", "did you mean theta3?");
@@ -842,8 +868,8 @@ void TestCommandLine::helpsEverywhere()
     QCOMPARE(run(QStringLiteral("solve --foo --b x --help")).status, 0);
     const QByteArray solveHelp = run(QStringLiteral("solve --help")).out;
     for (const char *name : {"--a ", "--b ", "--c ", "--omega2", "--theta20", "--branch", "--steps", "--duration",
-                             "--start", "--at-angle", "--method", "--max-iterations", "--tolerance", "--channels",
-                             "--angle-unit", "--output", "--format", "\"mechanism\""}) {
+                             "--start", "--at-angle", "--method", "--max-iterations", "--tolerance", "--tolerance-kind",
+                             "--channels", "--angle-unit", "--output", "--format", "\"mechanism\""}) {
         QVERIFY2(solveHelp.contains(name), name);
     }
 }
