@@ -217,7 +217,7 @@ void TstPlotGrid::leavesAHiddenGridAlone()
 
 void TstPlotGrid::movesTheCursorWithoutAReplot()
 {
-    ShownGrid shown(resultOf(withCoupler(60.0)));
+    ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
     const SeriesColours colours = seriesColours(shown.grid.palette());
     Pose pose;
     for (const double t : {0.25, 0.75}) {

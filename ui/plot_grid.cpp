@@ -49,6 +49,7 @@ public:
 
     const Interval &timeRange() const { return m_picture.time; }
     const Interval &valueRange() const { return m_picture.values; }
+    bool hasValues() const { return m_picture.hasValues; }
 
 private:
     /// Title, unit of the time axis, marks and dots: what QCustomPlot has no cheap element for.
@@ -394,7 +395,8 @@ void PlotGrid::moveCursors()
 {
     for (std::size_t i = 0; i < kPlotCount; ++i) {
         const QRect axes = m_plots[i]->axisRect()->rect();
-        const bool isInRange = m_cursorTime && m_plots[i]->timeRange().contains(*m_cursorTime) && axes.width() > 1;
+        const bool isInRange = m_cursorTime && m_plots[i]->hasValues() &&
+                               m_plots[i]->timeRange().contains(*m_cursorTime) && axes.width() > 1;
         if (isInRange) {
             const int x = static_cast<int>(std::lround(m_plots[i]->xAxis->coordToPixel(*m_cursorTime)));
             m_cursors[i]->setGeometry(x, axes.top(), 1, axes.height());
