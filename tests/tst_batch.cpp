@@ -296,7 +296,7 @@ void tst_batch::isTheSameInEveryLane()
         const Answer answer = evaluate(Parameters{}, instants);
         for (const std::vector<double> &values : answer.values) {
             for (std::size_t i = 1; i < instants.size(); ++i) {
-                QCOMPARE(values[i], values[0]);
+                QVERIFY(values[i] == values[0]);
             }
         }
     }
