@@ -97,10 +97,14 @@ private slots:
         QCOMPARE(m_solver, (SolverSettings{Method::Newton, {40, 0.0}}));
         QCOMPARE(m_sampling, (Sampling{-1.0, 3.25, 500}));
         QCOMPARE(m_edits, 6);
+        QTest::keyClick(child<QComboBox>(panel, "toleranceKindBox"), Qt::Key_Down);
+        QCOMPARE(m_edits, 7);
+        QCOMPARE(m_solver, (SolverSettings{Method::Newton, {40, 0.0, ToleranceKind::Relative}}));
         auto *method = child<QComboBox>(panel, "methodBox");
         QTest::keyClick(method, Qt::Key_Down);
-        QCOMPARE(m_edits, 7);
-        QCOMPARE(m_solver, (SolverSettings{Method::ClosedForm, {40, 0.0}}));
+        QCOMPARE(m_edits, 8);
+        QCOMPARE(m_solver, (SolverSettings{Method::ClosedForm, {40, 0.0, ToleranceKind::Relative}}));
+        QVERIFY(!child<QComboBox>(panel, "toleranceKindBox")->isEnabled());
         QVERIFY(!child<QLineEdit>(panel, "toleranceBox")->isEnabled());
     }
 
@@ -177,7 +181,8 @@ private slots:
     void everyControlHasANameForThoseWhoCannotSee()
     {
         NewtonPanel panel;
-        for (const char *name : {"methodBox", "stepsBox", "durationBox", "startBox", "toleranceBox", "iterationsBox"}) {
+        for (const char *name : {"methodBox", "stepsBox", "durationBox", "startBox", "toleranceBox", "toleranceKindBox",
+                                 "iterationsBox"}) {
             QVERIFY2(!child<QWidget>(panel, name)->accessibleName().isEmpty(), name);
         }
     }

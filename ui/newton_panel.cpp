@@ -86,6 +86,19 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     m_tolerance->setToolTip(tr("Iterates until ‖C‖ is at most this; 0: until it no longer falls"));
     connect(m_tolerance, &QLineEdit::editingFinished, this, &NewtonPanel::editTolerance);
 
+    m_toleranceKind = new QComboBox;
+    m_toleranceKind->setObjectName(QStringLiteral("toleranceKindBox"));
+    m_toleranceKind->addItem(tr("absolute"), static_cast<int>(ToleranceKind::Absolute));
+    m_toleranceKind->addItem(tr("relative"), static_cast<int>(ToleranceKind::Relative));
+    m_toleranceKind->setToolTip(
+        tr("Absolute: mm and rad mixed, as in the report. Relative: lengths divided by a + b + |c|, the same at every "
+           "scale"));
+    connect(m_toleranceKind, &QComboBox::activated, this, [this](int index) {
+        SolverSettings solver = m_solver;
+        solver.newton.toleranceKind = static_cast<ToleranceKind>(m_toleranceKind->itemData(index).toInt());
+        edit(m_sampling, solver);
+    });
+
     m_iterations = new QSpinBox;
     m_iterations->setObjectName(QStringLiteral("iterationsBox"));
     m_iterations->setRange(1, kMostIterations);
@@ -111,7 +124,8 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     };
     add(tr("Method"), m_method, 0, 0);
     add(tr("Tolerance"), m_tolerance, 1, 0);
-    add(tr("Most iterations"), m_iterations, 2, 0);
+    add(tr("Kind of tolerance"), m_toleranceKind, 2, 0);
+    add(tr("Most iterations"), m_iterations, 3, 0);
     add(tr("Steps"), m_steps, 0, 1);
     add(tr("Duration"), m_duration, 1, 1);
     add(tr("Start"), m_start, 2, 1);
@@ -134,8 +148,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         label->setWordWrap(true);
     }
-    m_residual->setToolTip(
-        tr("Of the answers; mm and rad mixed, as in the report. It bounds the residual, not the error."));
+    m_residual->setToolTip(tr("Of the answers, as the tolerance measures it. It bounds the residual, not the error."));
 
     auto *beside = new QHBoxLayout;
     beside->setSpacing(20);
@@ -230,9 +243,11 @@ void NewtonPanel::showSettings()
     m_duration->setValue(m_sampling.duration);
     m_start->setValue(m_sampling.start);
     m_tolerance->setText(numberText(m_solver.newton.tolerance, QLocale::FloatingPointShortest));
+    m_toleranceKind->setCurrentIndex(m_toleranceKind->findData(static_cast<int>(m_solver.newton.toleranceKind)));
     m_iterations->setValue(m_solver.newton.maxIterations);
     const bool newton = m_solver.method == Method::Newton;
     m_tolerance->setEnabled(newton);
+    m_toleranceKind->setEnabled(newton);
     m_iterations->setEnabled(newton);
 }
 

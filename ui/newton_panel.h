@@ -50,6 +50,7 @@ private:
     NumberBox *m_duration = nullptr;
     NumberBox *m_start = nullptr;
     QLineEdit *m_tolerance = nullptr;
+    QComboBox *m_toleranceKind = nullptr;
     QSpinBox *m_iterations = nullptr;
     QLabel *m_iterationsDone = nullptr;
     QLabel *m_residual = nullptr;
