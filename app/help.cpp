@@ -134,8 +134,8 @@ QString introductionOf(Subcommand subcommand)
     case Subcommand::Study:
         return CommandLine::tr("Usage: slidercrank study [options]\n"
                                "\n"
-                               "Times every method on the same instants and measures its error against the exact motion "
-                               "in 50 to 100 digits: the\n"
+                               "Times every method on the same instants and measures its error against the exact "
+                               "motion in 50 to 100 digits: the\n"
                                "worst of the six plotted channels, relative to the channel's peak, over the instants "
                                "that the method calls\n"
                                "solved. Beside it the bound κ·u: the error that rounding the given numbers makes by "

@@ -553,8 +553,7 @@ std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFor
 Command parseCommandLine(const QStringList &arguments)
 {
     Subcommand subcommand = Subcommand::Window;
-    for (const Subcommand candidate :
-         {Subcommand::Solve, Subcommand::Compare, Subcommand::Study, Subcommand::Render}) {
+    for (const Subcommand candidate : {Subcommand::Solve, Subcommand::Compare, Subcommand::Study, Subcommand::Render}) {
         if (arguments.size() > 1 && arguments[1] == wordOf(candidate)) {
             subcommand = candidate;
         }
