@@ -3,8 +3,8 @@
 
 #include "app/command_line.h"
 #include "app/help.h"
-#include "core/study.h"
 #include "core/crank_instant.h"
+#include "core/study.h"
 #include "ui/figure_export.h"
 
 #include <QCommandLineParser>

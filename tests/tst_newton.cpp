@@ -478,10 +478,10 @@ void tst_newton::isNeverWrongSilently_data()
 }
 
 /// Whatever the way of solving: what is called solved has a position that is right as far as the residual can tell, and
-/// derivatives that are right to a digit of the channel's peak at the very least. With r the tolerance, or what rounding
-/// makes of it, b sin θ3 is known to 2r (four rows make it up), so θ3 to 2r/(b |cos θ3|) and, since sin θ3 is flat
-/// there, to √(4r/b) at worst. Its relative error in cos θ3 is that of each derivative, once more for each division by
-/// it.
+/// derivatives that are right to a digit of the channel's peak at the very least. With r the tolerance, or what
+/// rounding makes of it, b sin θ3 is known to 2r (four rows make it up), so θ3 to 2r/(b |cos θ3|) and, since sin θ3 is
+/// flat there, to √(4r/b) at worst. Its relative error in cos θ3 is that of each derivative, once more for each
+/// division by it.
 void tst_newton::isNeverWrongSilently()
 {
     QFETCH(Case, which);
