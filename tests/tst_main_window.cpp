@@ -5,7 +5,9 @@
 #include "ui/folding_tabs.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/newton_panel.h"
 #include "ui/plot_grid.h"
+#include "ui/study_panel.h"
 #include "ui/timeline.h"
 
 #include <QAbstractButton>
@@ -20,6 +22,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStandardPaths>
+#include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -273,6 +276,25 @@ private slots:
         QVERIFY(impossible != possible);
         m_window->session().setParameters(withCoupler(65.0));
         QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), possible);
+    }
+
+    void makesItsPanelsWhenTheyAreShown()
+    {
+        QVERIFY(!m_window->findChild<NewtonPanel *>());
+        auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
+        Parameters parameters;
+        parameters.b = 70.0;
+        m_window->session().setParameters(parameters);
+        for (int tab = 0; tab < bar->count(); ++tab) {
+            QTest::mouseClick(bar, Qt::LeftButton, Qt::NoModifier, bar->tabRect(tab).center());
+        }
+        QVERIFY(m_window->findChild<StudyPanel *>());
+        auto *method = m_window->findChild<QComboBox *>(QStringLiteral("methodBox"));
+        QVERIFY(method);
+        method->setCurrentIndex(1 - method->currentIndex());
+        emit method->activated(method->currentIndex());
+        QCOMPARE(m_window->session().solver().method, Method::Newton);
+        QVERIFY(m_window->session().result()->trajectory.iterations > 0);
     }
 
     void exportsImagesOfTheRightSize_data()

@@ -32,13 +32,31 @@ FoldingTabs::FoldingTabs(QWidget *parent)
             setFolded(false);
         }
     });
-    connect(m_bar, &QTabBar::currentChanged, m_pages, &QStackedWidget::setCurrentIndex);
+    connect(m_bar, &QTabBar::currentChanged, this, &FoldingTabs::showCurrent);
 }
 
 void FoldingTabs::addPage(QWidget *page, const QString &title)
 {
     m_pages->addWidget(page);
     m_bar->addTab(title);
+}
+
+void FoldingTabs::addPage(const std::function<QWidget *()> &make, const QString &title)
+{
+    m_unmade[m_pages->count()] = make;
+    addPage(new QWidget(this), title);
+}
+
+void FoldingTabs::showCurrent()
+{
+    const int index = m_bar->currentIndex();
+    if (const auto unmade = m_unmade.find(index); unmade != m_unmade.end()) {
+        QWidget *placeholder = m_pages->widget(index);
+        m_pages->insertWidget(index, unmade->second());
+        delete placeholder;
+        m_unmade.erase(unmade);
+    }
+    m_pages->setCurrentIndex(index);
 }
 
 void FoldingTabs::setTitle(QWidget *page, const QString &title)

@@ -5,6 +5,9 @@
 
 #include <QWidget>
 
+#include <functional>
+#include <map>
+
 class QStackedWidget;
 class QTabBar;
 
@@ -19,6 +22,9 @@ public:
     explicit FoldingTabs(QWidget *parent = nullptr);
 
     void addPage(QWidget *page, const QString &title);
+
+    /// A page that is made when it is shown for the first time: nobody waits at the start for what they may never open.
+    void addPage(const std::function<QWidget *()> &make, const QString &title);
     void setTitle(QWidget *page, const QString &title);
 
     /// Unfolds and shows it.
@@ -31,8 +37,11 @@ signals:
     void foldedChanged(bool folded);
 
 private:
+    void showCurrent();
+
     QTabBar *m_bar;
     QStackedWidget *m_pages;
+    std::map<int, std::function<QWidget *()>> m_unmade; ///< by index
 };
 
 } // namespace slidercrank

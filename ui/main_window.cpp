@@ -9,6 +9,7 @@
 #include "ui/newton_panel.h"
 #include "ui/parameter_panel.h"
 #include "ui/plot_grid.h"
+#include "ui/study_panel.h"
 #include "ui/timeline.h"
 
 #include <QAbstractButton>
@@ -78,7 +79,6 @@ MainWindow::MainWindow(QWidget *parent)
     , m_plotGrid(new PlotGrid(this))
     , m_tabs(new FoldingTabs(this))
     , m_errorPanel(new ErrorPanel(this))
-    , m_newtonPanel(new NewtonPanel(this))
     , m_progress(new QProgressBar(this))
     , m_cancelButton(new QToolButton(this))
     , m_busyTimer(new QTimer(this))
@@ -96,12 +96,10 @@ MainWindow::MainWindow(QWidget *parent)
     m_parameterPanel->setParameters(m_session->parameters());
     m_timeline->setParameters(m_session->parameters());
     m_timeline->setSampling(m_session->sampling());
-    m_newtonPanel->setSettings(m_session->sampling(), m_session->solver());
     const std::shared_ptr<const Result> &result = m_session->result();
     m_mechanismView->setResult(result);
     m_plotGrid->setResult(result);
     m_errorPanel->setResult(result);
-    m_newtonPanel->setResult(result);
     showStatus(result);
     m_session->setTime(m_session->sampling().start);
     if (QAbstractButton *play = m_timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
@@ -122,7 +120,8 @@ void MainWindow::buildLayout()
     left->setMinimumWidth(340);
 
     m_tabs->addPage(m_errorPanel, tr("Errors"));
-    m_tabs->addPage(m_newtonPanel, tr("Newton-Raphson"));
+    m_tabs->addPage([this] { return makeNewtonPanel(); }, tr("Newton-Raphson"));
+    m_tabs->addPage([this] { return makeStudyPanel(); }, tr("Speed and accuracy"));
 
     auto *right = new QSplitter(Qt::Vertical, this);
     right->setObjectName(QStringLiteral("plotsAndTabs"));
@@ -253,21 +252,14 @@ void MainWindow::buildStatusBar()
 void MainWindow::connectRooms()
 {
     connect(m_parameterPanel, &ParameterPanel::edited, m_session, &Session::setParameters);
-    connect(m_newtonPanel, &NewtonPanel::edited, m_session,
-            [this](const Sampling &sampling, const SolverSettings &solver) {
-                m_session->setSolver(solver);
-                m_session->setSampling(sampling);
-            });
     connect(m_session, &Session::parametersChanged, m_parameterPanel, &ParameterPanel::setParameters);
     connect(m_session, &Session::parametersChanged, m_timeline, &Timeline::setParameters);
-    connect(m_session, &Session::settingsChanged, m_newtonPanel, &NewtonPanel::setSettings);
     connect(m_session, &Session::settingsChanged, m_timeline,
             [this](const Sampling &sampling) { m_timeline->setSampling(sampling); });
 
     connect(m_session, &Session::resultChanged, m_mechanismView, &MechanismView::setResult);
     connect(m_session, &Session::resultChanged, m_plotGrid, &PlotGrid::setResult);
     connect(m_session, &Session::resultChanged, m_errorPanel, &ErrorPanel::setResult);
-    connect(m_session, &Session::resultChanged, m_newtonPanel, &NewtonPanel::setResult);
     connect(m_session, &Session::resultChanged, this, &MainWindow::showStatus);
     connect(m_session, &Session::resultChanged, this, &MainWindow::showAgreement);
 
@@ -297,6 +289,28 @@ void MainWindow::connectRooms()
         }
     });
     connect(m_tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
+}
+
+QWidget *MainWindow::makeNewtonPanel()
+{
+    auto *panel = new NewtonPanel(this);
+    panel->setSettings(m_session->sampling(), m_session->solver());
+    panel->setResult(m_session->result());
+    connect(panel, &NewtonPanel::edited, m_session, [this](const Sampling &sampling, const SolverSettings &solver) {
+        m_session->setSolver(solver);
+        m_session->setSampling(sampling);
+    });
+    connect(m_session, &Session::settingsChanged, panel, &NewtonPanel::setSettings);
+    connect(m_session, &Session::resultChanged, panel, &NewtonPanel::setResult);
+    return panel;
+}
+
+QWidget *MainWindow::makeStudyPanel()
+{
+    auto *panel = new StudyPanel(this);
+    panel->setParameters(m_session->parameters());
+    connect(m_session, &Session::parametersChanged, panel, &StudyPanel::setParameters);
+    return panel;
 }
 
 void MainWindow::openReference(const QString &path)

@@ -22,7 +22,6 @@ class ErrorPanel;
 class FoldingTabs;
 class MechanismView;
 class MessageBar;
-class NewtonPanel;
 class ParameterPanel;
 class PlotGrid;
 class Timeline;
@@ -60,6 +59,8 @@ private:
     void buildMenus();
     void buildStatusBar();
     void connectRooms();
+    QWidget *makeNewtonPanel();
+    QWidget *makeStudyPanel();
 
     void chooseReference();
     void exportTo(const QString &path, const QSize &size, const std::function<void(QPainter &, const QSize &)> &draw);
@@ -81,7 +82,6 @@ private:
     PlotGrid *m_plotGrid;
     FoldingTabs *m_tabs;
     ErrorPanel *m_errorPanel;
-    NewtonPanel *m_newtonPanel;
     QProgressBar *m_progress;
     QToolButton *m_cancelButton;
     QTimer *m_busyTimer;
