@@ -207,13 +207,15 @@ QPolygonF frontOf(const Axes &axes, const CaseResult &which)
     return line;
 }
 
-/// Beside points, where they hide neither points, lines nor one another; a point for which there is no room has none.
+/// Beside points, where they hide neither points nor one another; over a line only where there is no room else. A point
+/// that is crowded in has none.
 class Labels
 {
 public:
-    Labels(QPainter &painter, const QRectF &area, const std::vector<StudyPoint> &points)
+    Labels(QPainter &painter, const QRectF &area, const QColor &background, const std::vector<StudyPoint> &points)
         : m_painter(painter)
         , m_area(area)
+        , m_background(background)
     {
         for (const StudyPoint &point : points) {
             m_taken.push_back(QRectF(point.at.x() - kRadius, point.at.y() - kRadius, 2.0 * kRadius, 2.0 * kRadius));
@@ -221,10 +223,10 @@ public:
     }
 
     void take(const QRectF &place) { m_taken.push_back(place); }
-    void take(const QPolygonF &line)
+    void avoid(const QPolygonF &line)
     {
         for (qsizetype i = 1; i < line.size(); ++i) {
-            m_taken.push_back(QRectF(line[i - 1], line[i]).normalized().adjusted(-1.0, -1.0, 1.0, 1.0));
+            m_lines.push_back(QRectF(line[i - 1], line[i]).normalized().adjusted(-1.0, -1.0, 1.0, 1.0));
         }
     }
 
@@ -233,31 +235,42 @@ public:
         const QFontMetricsF metrics(m_painter.font());
         const QSizeF size(metrics.horizontalAdvance(text), metrics.height());
         const double away = kRadius + 3.0;
-        const std::array candidates{
-            QPointF(at.x() + away, at.y() - 0.5 * size.height()),
-            QPointF(at.x() - away - size.width(), at.y() - 0.5 * size.height()),
-            QPointF(at.x() - 0.5 * size.width(), at.y() - away - size.height()),
-            QPointF(at.x() - 0.5 * size.width(), at.y() + away),
-            QPointF(at.x() + 2.0, at.y() - away - size.height()),
-            QPointF(at.x() + 2.0, at.y() + away),
-        };
-        for (const QPointF &corner : candidates) {
-            const QRectF place(corner, size);
-            const bool free =
-                m_area.contains(place) && std::none_of(m_taken.begin(), m_taken.end(),
-                                                       [&](const QRectF &other) { return other.intersects(place); });
-            if (free) {
-                m_painter.drawText(place, Qt::AlignCenter, text);
-                m_taken.push_back(place);
-                return;
+        const double right = at.x() + away;
+        const double left = at.x() - away - size.width();
+        const double middle = at.x() - 0.5 * size.width();
+        const double above = at.y() - away - size.height();
+        const double below = at.y() + away;
+        const double beside = at.y() - 0.5 * size.height();
+        const std::array candidates{QPointF(right, beside), QPointF(left, beside),      QPointF(middle, above),
+                                    QPointF(middle, below), QPointF(at.x() + 2, above), QPointF(at.x() + 2, below),
+                                    QPointF(right, above),  QPointF(left, above),       QPointF(left, below)};
+        for (const bool overLines : {false, true}) {
+            for (const QPointF &corner : candidates) {
+                const QRectF place(corner, size);
+                if (m_area.contains(place) && !hits(m_taken, place) && (overLines || !hits(m_lines, place))) {
+                    if (overLines) {
+                        m_painter.fillRect(place, m_background);
+                    }
+                    m_painter.drawText(place, Qt::AlignCenter, text);
+                    m_taken.push_back(place);
+                    return;
+                }
             }
         }
     }
 
 private:
+    static bool hits(const std::vector<QRectF> &others, const QRectF &place)
+    {
+        return std::any_of(others.begin(), others.end(),
+                           [&place](const QRectF &other) { return other.intersects(place); });
+    }
+
     QPainter &m_painter;
     QRectF m_area;
+    QColor m_background;
     std::vector<QRectF> m_taken;
+    std::vector<QRectF> m_lines;
 };
 
 bool isSolvedThroughout(const MethodResult &row)
@@ -357,8 +370,8 @@ void drawStudy(QPainter &painter, const QSize &size, const CaseResult &which, co
     painter.setPen(QPen(colours.cursor, 1.0));
     painter.drawPolyline(frontLine);
 
-    Labels labels(painter, axes.area, points);
-    labels.take(frontLine);
+    Labels labels(painter, axes.area, colours.background, points);
+    labels.avoid(frontLine);
     if (const std::optional<double> bound = boundOf(which)) {
         const double y = axes.heightOf(*bound);
         painter.setPen(QPen(colours.warning, 1.0, Qt::DashLine));
@@ -370,7 +383,7 @@ void drawStudy(QPainter &painter, const QSize &size, const CaseResult &which, co
         painter.setPen(colours.warning);
         painter.drawText(place, Qt::AlignCenter, text);
         labels.take(place);
-        labels.take(QPolygonF({{axes.area.left(), y}, {axes.area.right(), y}}));
+        labels.avoid(QPolygonF({{axes.area.left(), y}, {axes.area.right(), y}}));
     }
 
     for (const StudyPoint &point : points) {
