@@ -177,6 +177,8 @@ private slots:
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
     void tellsWhereTheModelOfAFileCannotBeAssembled();
+    void studiesSpeedAgainstError();
+    void studiesTheMechanismAskedFor();
     void takesAnyFileName();
     void speaksTheSameNumbersInEveryLocale();
     void helpsEverywhere();
@@ -542,7 +544,12 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("render --output x.png --at 3", "outside the run");
     row("render --output x.png --format csv", "no option --format");
     row("identify x.csv", "no command \"identify\"");
-    row("study", "no command \"study\"");
+    row("study --cases soft", "--cases must be nominal, hard or all");
+    row("study --format xml", "--format must be text, csv or json");
+    row("study --steps 100", "no option --steps");
+    row("study --b 0", "--b must be greater than 0");
+    row("study x.csv", "takes options only");
+    row("--cases hard study", "no option --cases");
 }
 
 void TestCommandLine::refusesAWrongCommandLine()
@@ -819,6 +826,50 @@ void TestCommandLine::tellsWhereTheModelOfAFileCannotBeAssembled()
     QVERIFY(outcome.out.contains("theta3_diff2"));
 }
 
+void TestCommandLine::studiesSpeedAgainstError()
+{
+    const Outcome json = run(QStringLiteral("study --format json"));
+    QCOMPARE(json.status, 0);
+    QCOMPARE(json.err, QByteArray());
+    const QJsonObject study = QJsonDocument::fromJson(json.out).object();
+    QVERIFY(study.contains(QStringLiteral("machine")));
+    QCOMPARE(study["cases"].toArray().size(), 1);
+    const QJsonObject nominal = study["cases"][0].toObject();
+    QCOMPARE(nominal["name"].toString(), QStringLiteral("Table 1 of the report"));
+    QStringList methods;
+    for (const QJsonValue &method : nominal["methods"].toArray()) {
+        methods += method["method"].toString();
+        QCOMPARE(method["status"].toString(), QStringLiteral("solved"));
+        QVERIFY(method["nsPerState"].toDouble() > 0.0);
+        if (methods.last() == QStringLiteral("closed-form")) {
+            QVERIFY(method["maxError"].toDouble() < 1e-15);
+        }
+    }
+    for (const char *name : {"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor",
+                             "closed-form", "closed-form-batch", "finite-difference", "harmonic-2"}) {
+        QVERIFY2(methods.contains(QLatin1String(name)), name);
+    }
+
+    const Outcome text = run(QStringLiteral("study"));
+    QCOMPARE(text.status, 0);
+    QVERIFY(text.out.startsWith("Table 1 of the report: a = 20 mm, b = 65 mm"));
+    QVERIFY(text.out.contains("Silently wrong instants: 0."));
+}
+
+void TestCommandLine::studiesTheMechanismAskedFor()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("study.csv"));
+    const Outcome outcome = run({"study", "--b", "40", "--branch", "crossed", "--format", "csv", "--output", path});
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(outcome.out, QByteArray());
+    const Table table = tableOf(contentOf(path));
+    QVERIFY(table.cells.size() > 10);
+    QCOMPARE(table.cells[0][0], QByteArray("\"this mechanism\""));
+    QVERIFY(table.at(0, "not-assemblable") > 0.0); // a rocker; said, and no failure of the study
+    QCOMPARE(table.at(0, "silentFailures"), 0.0);
+}
+
 void TestCommandLine::takesAnyFileName()
 {
     QTemporaryDir folder;
@@ -851,7 +902,8 @@ void TestCommandLine::helpsEverywhere()
 {
     const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
     for (const QString &command :
-         {QString(), QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("render")}) {
+         {QString(), QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("study"),
+          QStringLiteral("render")}) {
         const QStringList words = command.isEmpty() ? QStringList() : QStringList(command);
         const Outcome help = run(words + QStringList(QStringLiteral("--help")));
         QCOMPARE(help.status, 0);
