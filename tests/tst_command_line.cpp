@@ -901,9 +901,8 @@ void TestCommandLine::speaksTheSameNumbersInEveryLocale()
 void TestCommandLine::helpsEverywhere()
 {
     const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
-    for (const QString &command :
-         {QString(), QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("study"),
-          QStringLiteral("render")}) {
+    for (const QString &command : {QString(), QStringLiteral("solve"), QStringLiteral("compare"),
+                                   QStringLiteral("study"), QStringLiteral("render")}) {
         const QStringList words = command.isEmpty() ? QStringList() : QStringList(command);
         const Outcome help = run(words + QStringList(QStringLiteral("--help")));
         QCOMPARE(help.status, 0);
