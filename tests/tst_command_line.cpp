@@ -933,6 +933,11 @@ void TestCommandLine::needsNoPlatformButToRender()
     QCOMPARE(run({"compare", sample()}, noPlatform).status, 0);
     QCOMPARE(run({"--help"}, noPlatform).status, 0);
     QCOMPARE(run({"render", "--output", "x.gif"}, noPlatform).status, 2);
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+    const Outcome window = run(QStringList());
+    QCOMPARE(window.status, 2);
+    QVERIFY(window.err.contains("display"));
+#endif
 }
 
 void TestCommandLine::rendersPicturesOfTheSizeAskedFor_data()
