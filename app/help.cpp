@@ -79,7 +79,7 @@ constexpr OptionEntry kRenderOptions[] = {
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "pixels (figure 1400x1800, mechanism 900x700, plot 900x600)")},
     {"scale", "FACTOR", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "of a PNG's pixels, 0.1 to 10 (1)")},
     {"theme", "light|dark", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "colours (light)")},
-    {"at", "SECONDS", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "instant of the pose and the cursor (--start)")},
+    {"at", "SECONDS", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "instant of the pose, marked in the plots (--start)")},
     {"at-angle", "DEGREES",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "the same by crank angle: the first instant from --start at which θ2 is this angle")},

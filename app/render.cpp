@@ -101,7 +101,9 @@ ExitStatus render(const RenderOptions &options)
         break;
     }
     plots.setResult(session.result());
-    plots.setPose(session.pose());
+    if (options.poseInstant != options.sampling.start) {
+        plots.markTime(options.poseInstant);
+    }
     mechanism.setResult(session.result());
     mechanism.setPose(session.pose());
 

@@ -66,6 +66,7 @@ struct PlotPicture {
     AxisScale valueScale;
     bool hasValues = false;
     bool hasTimeLabels = true;
+    std::optional<double> markedTime; ///< a line across the axes
 };
 
 struct LegendEntry {

@@ -190,6 +190,11 @@ void PlotGrid::Plot::Lettering::draw(QCPPainter *painter)
     if (!picture.note.isEmpty()) {
         painter->drawText(axes.adjusted(kLabelGap, 0, -kLabelGap, 0), Qt::AlignCenter | Qt::TextWordWrap, picture.note);
     }
+    if (picture.markedTime && picture.hasValues && picture.time.contains(*picture.markedTime)) {
+        const double x = m_plot->xAxis->coordToPixel(*picture.markedTime);
+        painter->setPen(QPen(colours.cursor, 1.0));
+        painter->drawLine(QPointF(x, axes.top()), QPointF(x, axes.bottom()));
+    }
     for (const PlotPicture::Curve &curve : picture.curves) {
         const QColor colour = colourOf(curve.ink, colours);
         int lastPixel = std::numeric_limits<int>::min();
@@ -630,7 +635,8 @@ void PlotGrid::paintFigure(QPainter &painter, const QSize &size, const QPalette 
     drawLegend(painter, PlotArrangement(size, m_typography).legend, m_figure.legend(true, true), m_typography, colours);
     Plot plot(nullptr);
     plot.setStyle(m_typography, colours);
-    for (const PlacedPlot &placed : placedPlots(size)) {
+    for (PlacedPlot &placed : placedPlots(size)) {
+        placed.picture.markedTime = m_markedTime;
         plot.display(placed.picture, placed.margins);
         replay(painter, placed.cell, plot);
     }
@@ -646,7 +652,8 @@ void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &si
     painter.fillRect(QRect(QPoint(), size), colours.background);
     drawLegend(painter, legend, m_figure.legend(!isErrorPlot(index), isErrorPlot(index)), m_typography, colours);
     const QSize axes = cell.size().shrunkBy(m_typography.margins(0, true));
-    const PlotPicture picture = m_figure.picture(index, axes, m_typography.digitWidth);
+    PlotPicture picture = m_figure.picture(index, axes, m_typography.digitWidth);
+    picture.markedTime = m_markedTime;
     Plot plot(nullptr);
     plot.setStyle(m_typography, colours);
     plot.display(picture, m_typography.margins(picture.valueScale.labelLength(picture.values), true));

@@ -39,6 +39,9 @@ public:
     void paintFigure(QPainter &painter, const QSize &size, const QPalette &palette);
     void paintPlot(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
+    /// An instant (s) to be marked by a line in what is painted from now on. The cursor on the screen is not.
+    void markTime(double seconds) { m_markedTime = seconds; }
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -86,7 +89,8 @@ private:
     std::array<Plot *, kPlotCount> m_plots{};
     std::array<QWidget *, kPlotCount> m_cursors{};
     QLabel *m_hint = nullptr;
-    std::optional<double> m_cursorTime; ///< s
+    std::optional<double> m_cursorTime;
+    std::optional<double> m_markedTime; ///< s
     bool m_isStale = true;              ///< the plots do not show m_figure yet
     bool m_isRefreshQueued = false;
 
