@@ -292,7 +292,8 @@ void tst_study::knowsTheWorstStatus()
 
 void tst_study::tellsWhatCannotBeAssembled()
 {
-    for (const MethodResult &row : studied(coarse(named("never assemblable"), 10)).methods) {
+    const CaseResult result = studied(coarse(named("never assemblable"), 10));
+    for (const MethodResult &row : result.methods) {
         QCOMPARE(row.status, Status::NotAssemblable);
         QVERIFY(!row.maxError && !row.errorBound);
     }
@@ -404,7 +405,8 @@ void tst_study::measuresTimes()
     StudyRequest request = quick({coarse(nominalCases()[0], 40)});
     request.rounds = 5;
     request.secondsPerRound = 50e-6;
-    for (const MethodResult &row : runStudy(request).cases.front().methods) {
+    const StudyResult result = runStudy(request);
+    for (const MethodResult &row : result.cases.front().methods) {
         QVERIFY2(row.nsPerState > 0.0 && row.spread >= 0.0, row.method.c_str());
         QCOMPARE(row.iterationsPerState.has_value(), row.tolerance.has_value());
     }

@@ -104,7 +104,7 @@ Axes axesOf(const CaseResult &which, const QSize &size)
 {
     Axes axes;
     axes.time = {1, 3};
-    axes.error = {-17, 0};
+    axes.error = {-18, 0}; // with room for names below the last digit of a double
     for (const MethodResult &row : which.methods) {
         if (row.maxError && row.nsPerState > 0.0) {
             axes.time.include(row.nsPerState);
