@@ -26,10 +26,10 @@ double branchCentre(Branch branch)
 }
 
 /// cos θ3 has the branch's sign, but for what rounding cannot tell from 0.
-bool isOnBranch(const Mechanism &mechanism, const Vector12 &q)
+bool isOnBranch(const Mechanism &mechanism, double theta3)
 {
     constexpr double kRoundedCosine = 1.2e-7; // √(kResolvedCosine ε): less has no meaning at a double-precision θ3
-    const double fromCentre = std::abs(q[Theta3] - branchCentre(mechanism.branch()));
+    const double fromCentre = std::abs(theta3 - branchCentre(mechanism.branch()));
     return fromCentre <= 0.5 * std::numbers::pi + kRoundedCosine; // false for NaN
 }
 
@@ -37,6 +37,10 @@ bool isOnBranch(const Mechanism &mechanism, const Vector12 &q)
 class DenseSystem
 {
 public:
+    using Coordinates = Vector12;
+    static const Vector12 &coordinatesOf(const Vector12 &q) { return q; }
+    static void write(const Vector12 &q, Vector12 &to) { to = q; }
+
     DenseSystem(const Mechanism &mechanism, double t)
         : m_mechanism(mechanism)
         , m_t(t)
@@ -48,6 +52,8 @@ public:
         m_C = constraints(m_mechanism, q, m_t);
         m_cosTheta3 = std::cos(q[Theta3]);
     }
+
+    void turnTo(const Vector12 &q) { moveTo(q); }
 
     double residual(double perLength) const
     {
@@ -77,6 +83,16 @@ private:
     double m_cosTheta3;
 };
 
+double theta3Of(const Vector12 &q)
+{
+    return q[Theta3];
+}
+
+double theta3Of(const StructuredSystem::Coordinates &q)
+{
+    return q.theta3;
+}
+
 double reach(const Mechanism &mechanism)
 {
     return mechanism.a() + mechanism.b() + std::abs(mechanism.c());
@@ -92,10 +108,10 @@ void record(NewtonResult &result, double residual)
     result.residuals[static_cast<std::size_t>(result.residualCount - 1)] = residual; // the last place is the newest's
 }
 
-/// Iterates from result.q, counting into result, until an ending. Leaves `system` at result.q.
+/// Iterates from q, counting into result, until an ending. Leaves `system` at the last q.
 template <class System>
-Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
-               NewtonResult &result)
+Ending iterateOn(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
+                 typename System::Coordinates &q, NewtonResult &result)
 {
     const double lengths = reach(mechanism);
     const double perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / lengths : 1.0;
@@ -105,27 +121,31 @@ Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &
     const double tolerance = options.tolerance;
     const bool testsFirst = options.warmStart == WarmStart::Taylor && tolerance > 0.0;
     result.residualCount = 0;
-    system.moveTo(result.q);
+    system.moveTo(q);
     double residual = system.residual(perLength);
     record(result, residual);
     for (int iteration = 0; iteration < maxIterations; ++iteration) {
         if (testsFirst && residual <= tolerance) {
             return Ending::Converged;
         }
-        const Vector12 next = system.next(result.q);
-        if (!isOnBranch(mechanism, next)) {
+        const typename System::Coordinates next = system.next(q);
+        if (!isOnBranch(mechanism, theta3Of(next))) {
             // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
             return residual <= std::max(tolerance, rounding) ? Ending::Converged : Ending::LeftBranch;
         }
         ++result.iterations;
-        system.moveTo(next);
+        const bool wasBelow = residual <= tolerance; // before the update, as in the report
+        if (tolerance > 0.0 && (testsFirst || wasBelow)) {
+            system.turnTo(next); // likely the last
+        } else {
+            system.moveTo(next);
+        }
         const double nextResidual = system.residual(perLength);
         if (tolerance == 0.0 && !(nextResidual < residual) && residual <= rounding) {
-            system.moveTo(result.q); // the q before is no worse
+            system.moveTo(q); // the q before is no worse
             return Ending::Converged;
         }
-        const bool wasBelow = residual <= tolerance; // before the update, as in the report
-        result.q = next;
+        q = next;
         residual = nextResidual;
         record(result, residual);
         if (tolerance == 0.0 ? residual == 0.0 : wasBelow) {
@@ -133,6 +153,17 @@ Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &
         }
     }
     return residual <= tolerance ? Ending::Converged : Ending::IterationLimit;
+}
+
+/// From result.q, and back to it.
+template <class System>
+Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
+               NewtonResult &result)
+{
+    typename System::Coordinates q = System::coordinatesOf(result.q);
+    const Ending ending = iterateOn(system, mechanism, options, maxIterations, q, result);
+    System::write(q, result.q);
+    return ending;
 }
 
 void conclude(NewtonResult &result, Ending ending)
@@ -185,7 +216,7 @@ template <class System>
 void trackFromHere(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
                    NewtonResult &result)
 {
-    const Ending ending = isOnBranch(mechanism, result.q)
+    const Ending ending = isOnBranch(mechanism, result.q[Theta3])
                               ? iterate(system, mechanism, options, options.maxIterations, result)
                               : Ending::LeftBranch;
     if (ending == Ending::LeftBranch) {
@@ -220,48 +251,58 @@ bool isWarm(Status status)
     return status == Status::Solved || status == Status::IterationLimit;
 }
 
-/// What `before` lets expect of t.
-Vector12 expected(const Mechanism &mechanism, const NewtonInstant &before, double t, WarmStart warmStart)
+/// One by one, as they were made: two read at a time would wait until both have left the store buffer.
+void copyNumbers(const Vector12 &from, Vector12 &to)
+{
+    StructuredSystem::write(StructuredSystem::coordinatesOf(from), to);
+}
+
+/// What `before` lets expect of t, into q.
+void expect(const Mechanism &mechanism, const NewtonInstant &before, double t, WarmStart warmStart, Vector12 &q)
 {
     if (warmStart == WarmStart::Previous || before.state.status != Status::Solved) {
-        return before.q;
+        q = before.q;
+        return;
     }
     const double step = t - before.t;
-    Vector12 q = before.q + step * (before.state.qDot + (0.5 * step) * before.state.qDDot);
+    const double half = 0.5 * step;
+    for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+        q[i] = before.q[i] + step * (before.state.qDot[i] + half * before.state.qDDot[i]);
+    }
     q[Theta2] = mechanism.omega2() * t + mechanism.theta20(); // linear in t: the same, without the rounding
-    return q;
 }
 
 template <class System>
-void solveInstantWith(const Mechanism &mechanism, const NewtonInstant &before, const NewtonOptions &options,
-                      NewtonInstant &here)
+void advanceWith(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options)
 {
     NewtonResult position;
-    if (canStart(mechanism, here.t, position)) {
-        System system(mechanism, here.t);
-        if (isWarm(before.positionStatus)) {
-            position.q = expected(mechanism, before, here.t, options.warmStart);
-            trackFromHere(system, mechanism, here.t, options, position);
+    State &state = instant.state;
+    if (canStart(mechanism, t, position)) {
+        System system(mechanism, t);
+        if (isWarm(instant.positionStatus)) {
+            expect(mechanism, instant, t, options.warmStart, position.q);
+            trackFromHere(system, mechanism, t, options, position);
         } else {
-            assembleFromAfar(system, mechanism, here.t, options, position);
+            assembleFromAfar(system, mechanism, t, options, position);
         }
         if (position.status == Status::Solved) {
             const bool relative = options.toleranceKind == ToleranceKind::Relative;
             const double residual = relative ? position.residual() * reach(mechanism) : position.residual();
-            here.state.q = position.q;
-            differentiateHere(system, mechanism, residual, here.state);
+            copyNumbers(position.q, state.q);
+            differentiateHere(system, mechanism, residual, state);
         }
     }
     if (position.status != Status::Solved) {
-        here.state.q.setConstant(kNone);
-        setNothing(here.state);
-        here.state.status = position.status;
+        state.q.setConstant(kNone);
+        setNothing(state);
+        state.status = position.status;
     }
-    here.q = position.q;
-    here.iterations = position.iterations;
-    here.residual = position.residual();
-    here.positionStatus = position.status;
-    here.startedAfar = position.startedAfar;
+    instant.t = t;
+    copyNumbers(position.q, instant.q);
+    instant.iterations = position.iterations;
+    instant.residual = position.residual();
+    instant.positionStatus = position.status;
+    instant.startedAfar = position.startedAfar;
 }
 
 } // namespace
@@ -319,15 +360,19 @@ State differentiate(const Mechanism &mechanism, const Vector12 &q, double residu
     return state;
 }
 
+void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options)
+{
+    switch (options.elimination) {
+    case Elimination::Dense: advanceWith<DenseSystem>(mechanism, t, instant, options); break;
+    case Elimination::Structured: advanceWith<StructuredSystem>(mechanism, t, instant, options); break;
+    }
+}
+
 NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonInstant &before,
                            const NewtonOptions &options)
 {
-    NewtonInstant here;
-    here.t = t;
-    switch (options.elimination) {
-    case Elimination::Dense: solveInstantWith<DenseSystem>(mechanism, before, options, here); break;
-    case Elimination::Structured: solveInstantWith<StructuredSystem>(mechanism, before, options, here); break;
-    }
+    NewtonInstant here = before;
+    advance(mechanism, t, here, options);
     return here;
 }
 

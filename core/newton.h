@@ -95,6 +95,9 @@ struct NewtonInstant {
 NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonInstant &before,
                            const NewtonOptions &options = {});
 
+/// The same in place, from the instant that `instant` holds to the one at t: a run then copies nothing.
+void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options = {});
+
 /// A residual r leaves θ3 uncertain by δ with cos θ3 δ + δ²/2 = r/b, and the derivatives, which go with 1/cos θ3 to
 /// 1/cos³ θ3, by δ/cos θ3 to three times that. They are given where cos² θ3 is at least this many times r/b: δ/cos θ3
 /// is 1.6 % there at most (3 % where all four rows that make up sin θ3 pull one way). Where r is 0, rounding leaves θ3

@@ -41,7 +41,7 @@ StudyMethod newton(std::string name, NewtonOptions options)
             NewtonInstant last;
             answers.iterations = 0;
             for (std::size_t i = 0; i < instants.size(); ++i) {
-                last = solveInstant(mechanism, instants[i], last, options);
+                advance(mechanism, instants[i], last, options);
                 answers.iterations += last.iterations;
                 put(answers, i, last.state);
             }

@@ -60,7 +60,7 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
             trajectory.complete = false;
             return;
         }
-        last = solveInstant(mechanism, trajectory.time[i], last, options);
+        advance(mechanism, trajectory.time[i], last, options);
         trajectory.iterations += last.iterations;
         trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
         if (last.positionStatus == Status::Solved) {

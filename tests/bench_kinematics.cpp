@@ -160,7 +160,7 @@ void newton36(benchmark::State &state, WarmStart warmStart, Elimination eliminat
         NewtonInstant last;
         iterations = 0;
         for (const double t : instants) {
-            last = solveInstant(mechanism, t, last, options);
+            advance(mechanism, t, last, options);
             benchmark::DoNotOptimize(last);
             iterations += last.iterations;
         }
