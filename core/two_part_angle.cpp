@@ -2,6 +2,7 @@
 #include "core/two_part_angle.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -19,6 +20,43 @@ TwoPart split(double x)
     return {upper, x - upper};
 }
 #endif
+
+TwoPart sum(TwoPart x, double y)
+{
+    const TwoPart total = twoSum(x.hi, y);
+    return twoSum(total.hi, total.lo + x.lo);
+}
+
+TwoPart product(TwoPart x, TwoPart y)
+{
+    const TwoPart total = twoProduct(x.hi, y.hi);
+    return twoSum(total.hi, total.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+TwoPart quotient(TwoPart x, double divisor)
+{
+    const double first = x.hi / divisor;
+    const TwoPart back = twoProduct(first, divisor);
+    return twoSum(first, ((x.hi - back.hi) - back.lo + x.lo) / divisor);
+}
+
+/// 1 - z/(k (k+1)) (1 - z/((k+2) (k+3)) (1 - ...)) for 0 <= z <= (π/4)², k = 2 or 3. What follows the first eight terms
+/// is below half a unit in the last place of 1, where one part is enough.
+TwoPart alternatingSeries(TwoPart z, int k)
+{
+    constexpr int kTwoPartTerms = 8;
+    constexpr int kTerms = 14;
+    const auto divisor = [k](int term) { return static_cast<double>((k + 2 * term) * (k + 2 * term + 1)); };
+    double tail = 1.0;
+    for (int term = kTerms - 1; term >= kTwoPartTerms; --term) {
+        tail = 1.0 - z.hi * tail / divisor(term);
+    }
+    TwoPart series{tail, 0.0};
+    for (int term = kTwoPartTerms - 1; term >= 0; --term) {
+        series = sum(quotient(product(z, series), -divisor(term)), 1.0);
+    }
+    return series;
+}
 
 } // namespace
 
@@ -54,6 +92,28 @@ SinCos sinCos(TwoPart angle)
         versineLo = 2.0 * sinHalf * sinHalf;
     }
     return {s + (c * sinLo - s * versineLo), c - (s * sinLo + c * versineLo)};
+}
+
+FineSine fineSine(TwoPart angle)
+{
+    // r = hi + lo - n π/2 with π/2 in three parts; hi - n P1 is exact but for the product's own lower part.
+    const double n = std::round(angle.hi * (2.0 / std::numbers::pi));
+    const TwoPart first = twoProduct(n, 0x1.921fb54442d18p+0);
+    const TwoPart second = twoProduct(n, 0x1.1a62633145c07p-54);
+    TwoPart r = twoSum(angle.hi - first.hi, -first.lo);
+    r = sum(r, angle.lo);
+    r = sum(r, -second.hi);
+    r = sum(r, -second.lo - n * -0x1.f1976b7ed8fbcp-110);
+
+    const TwoPart z = product(r, r);
+    const int quadrant = static_cast<int>(n - 4.0 * std::floor(0.25 * n));
+    const double sign = quadrant < 2 ? 1.0 : -1.0;
+    if (quadrant % 2 == 0) {
+        const TwoPart sine = product(r, alternatingSeries(z, 2));
+        return {0.0, {sign * sine.hi, sign * sine.lo}};
+    }
+    const TwoPart versine = product({0.5 * z.hi, 0.5 * z.lo}, alternatingSeries(z, 3));
+    return {sign, {-sign * versine.hi, -sign * versine.lo}};
 }
 
 } // namespace slidercrank

@@ -39,4 +39,17 @@ struct SinCos {
 /// Sine and cosine of hi + lo (rad): those of hi, rotated by lo.
 SinCos sinCos(TwoPart angle);
 
+/// A sine to some 30 digits: whole + part. The part is right to 30 digits of its own where the sine is near 0 or ±1.
+struct FineSine {
+    double whole = 0.0; ///< -1, 0 or 1
+    TwoPart part;       ///< at most 0.71 in magnitude
+};
+
+/// The largest |hi| that fineSine() takes (rad); an angle's two parts hold less than 16 digits of a turn's fraction far
+/// beyond it.
+inline constexpr double kLargestFineAngle = 1e12;
+
+/// Of hi + lo (rad). Some ten times the cost of sinCos().
+FineSine fineSine(TwoPart angle);
+
 } // namespace slidercrank

@@ -47,6 +47,7 @@ private slots:
     void crankAngleAtKnownInstants();
     void sineAndCosineKeepTheSecondPart();
     void cosineIsExactNextToNinetyDegrees();
+    void fineSineHasTwiceTheDigits();
 };
 
 void tst_two_part_angle::sumIsExact()
@@ -139,6 +140,37 @@ void tst_two_part_angle::cosineIsExactNextToNinetyDegrees()
             QVERIFY2(error <= kRelative * std::abs(exact), qPrintable(numbers({quarter, away, got.cos, exact, error})));
         }
     }
+}
+
+/// Beside every multiple of 90° the part has some 30 digits of its own, but for what the last digits of the angle make
+/// of it.
+void tst_two_part_angle::fineSineHasTwiceTheDigits()
+{
+    constexpr double kRelative = 1e-30;
+    constexpr double kLastDigits = 1e-31;
+    RandomMechanisms random(5);
+    double worst = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        const double size = std::pow(10.0, random.uniform(-3.0, std::log10(kLargestFineAngle)));
+        double hi = random.uniform(-size, size);
+        if (i % 2 == 0) {
+            hi = 0.5 * std::numbers::pi * std::round(hi) + std::pow(10.0, random.uniform(-20.0, -1.0));
+            hi = std::clamp(hi, -kLargestFineAngle, kLargestFineAngle);
+        }
+        const TwoPart angle = twoSum(hi, hi * random.uniform(-1e-16, 1e-16));
+        const FineSine got = fineSine(angle);
+        const Digits100 exact = sin(Digits100(angle.hi) + Digits100(angle.lo)) - Digits100(got.whole);
+        const double partSize = static_cast<double>(abs(exact));
+        const double error = static_cast<double>(abs(Digits100(got.part.hi) + Digits100(got.part.lo) - exact));
+        const double slope = got.whole == 0.0 ? 1.0 : std::sqrt(2.0 * partSize);
+        const double spacing = std::nextafter(std::abs(hi), 1e300) - std::abs(hi);
+        const double tolerance = kRelative * partSize + kLastDigits * slope * spacing;
+        worst = std::max(worst, error / tolerance);
+        QVERIFY2(partSize < 0.71 && error <= tolerance,
+                 qPrintable(numbers({angle.hi, angle.lo, got.whole, got.part.hi, error, tolerance})));
+        QVERIFY(isNormalized(got.part));
+    }
+    qInfo("worst: %.3g of the tolerance", worst);
 }
 
 QTEST_APPLESS_MAIN(tst_two_part_angle)
