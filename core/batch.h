@@ -3,8 +3,8 @@
 
 // The six plotted channels of the exact motion at many instants at once: the formulas of closed_form.h in the widest
 // vectors that the processor has, chosen when the program runs. The numbers are those of ClosedForm to the last bit,
-// whatever the processor and wherever an instant stands in the run. Beyond 1.6e6 rad, and where not everything exists,
-// instants are computed one by one.
+// whatever the processor and wherever an instant stands in the run. Beyond 1.6e6 rad, near the limits of a rocker, and
+// where not everything exists, instants are computed one by one.
 
 #include "core/closed_form.h"
 #include "core/motion_constants.h"

@@ -21,6 +21,23 @@ double cube(double x)
     return x * x * x;
 }
 
+/// a C σ² + x ε L of θ̈3. For a rocker the two may cancel where x > 0; there it is taken from x p m + a h cos²θ2, or,
+/// where that cancels too, from the first one's mirror image.
+double turnNumerator(const Clearance &lengths, const Clearance::At &at)
+{
+    const double a = lengths.a();
+    const double C = lengths.offset();
+    if (lengths.epsilon() < 0.0 && at.x > 0.0) {
+        const double first = at.x * at.p * at.m;
+        const double second = a * at.h * at.cosine * at.cosine;
+        if (at.h >= 0.0 || first < -0.5 * second) {
+            return first + second;
+        }
+        return a * C * at.sigmaMirrored * at.sigmaMirrored + at.x * lengths.beta() * lengths.gamma();
+    }
+    return a * C * at.sigma * at.sigma + at.x * lengths.epsilon() * lengths.reach();
+}
+
 /// G of s̈ = -a ω² G / s³, that is a b² cos²θ2 + h x s², which cancels where the coupler is steep. There, with h = b - p
 /// and p = ε + aσ, the terms that cancel are
 ///     a b² (1 - x²) + 2 b² x p = a b² σ² + 2 b² x ε,
@@ -30,7 +47,8 @@ double accelerationNumerator(const Clearance &lengths, const Clearance::At &at)
     const double a = lengths.a();
     const double bSquared = lengths.b() * lengths.b();
     const double sSquared = at.p * at.m;
-    if (sSquared >= 0.75 * bSquared) {
+    const bool likeTerms = lengths.epsilon() < 0.0 && at.x >= 0.0 && at.h >= 0.0;
+    if (likeTerms || sSquared >= 0.75 * bSquared) {
         return a * bSquared * at.cosine * at.cosine + at.h * at.x * sSquared;
     }
     if (at.h >= 0.0) {
@@ -39,6 +57,28 @@ double accelerationNumerator(const Clearance &lengths, const Clearance::At &at)
     }
     return a * bSquared * at.sigmaMirrored * at.sigmaMirrored +
            at.x * (at.m * at.m * (3.0 * lengths.b() - at.m) - 2.0 * bSquared * lengths.beta());
+}
+
+/// a cos θ2 + s; where the two would cancel, (s² - a² cos²θ2) / (s - a cos θ2) with the numerator rearranged,
+///     ε L + 2 a C σ   or its mirror image   β γ - 2 a C σ'.
+/// While ε >= 0 the first cannot cancel. For a rocker either can, beyond what it is to save.
+double sliderPosition(const Clearance &lengths, const Clearance::At &at, double s)
+{
+    const double aCos = lengths.a() * at.cosine;
+    if (at.cosine * s >= 0.0) {
+        return aCos + s;
+    }
+    const double difference = s - aCos;
+    const double twice = 2.0 * lengths.a() * lengths.offset();
+    if (lengths.epsilon() >= 0.0) {
+        return (lengths.epsilon() * lengths.reach() + twice * at.sigma) / difference;
+    }
+    const bool mirrored = at.x > 0.0;
+    const double constant = mirrored ? lengths.beta() * lengths.gamma() : lengths.epsilon() * lengths.reach();
+    if (std::abs(constant) > difference * difference) {
+        return aCos + s;
+    }
+    return (constant + (mirrored ? -twice * at.sigmaMirrored : twice * at.sigma)) / difference;
 }
 
 /// Puts the one lane of a vector into a Motion.
@@ -111,8 +151,8 @@ Motion ClosedForm::motionStepByStep(double t) const
         motion.status = Status::NotFinite;
         return motion;
     }
-    motion.crank = sinCos(angle);
-    const Clearance::At at = m_clearance.at(motion.crank);
+    const Clearance::At at = m_clearance.at(angle);
+    motion.crank = {m_clearance.side() * at.x, at.cosine};
     if (!at.assemblable()) {
         motion.status = Status::NotAssemblable;
         return motion;
@@ -132,21 +172,11 @@ Motion ClosedForm::motionStepByStep(double t) const
     const double steepness = std::atan2(side * at.h, root);
     motion.theta3 = open ? steepness : std::numbers::pi - steepness;
     motion.s = scale * s;
-
-    // a cos θ2 + s; where the two would cancel, (s² - a² cos²θ2) / (s - a cos θ2) with the numerator rearranged.
-    double R4x = a * cos2 + s;
-    if (cos2 * s < 0.0) {
-        const double numerator =
-            m_clearance.epsilon() * m_clearance.reach() + 2.0 * a * m_clearance.offset() * at.sigma;
-        R4x = numerator / (s - a * cos2);
-    }
-    motion.R4x = scale * R4x;
+    motion.R4x = scale * sliderPosition(m_clearance, at, s);
 
     const double sCubed = cube(s);
     const double theta3Dot = -a * omega * cos2 / s;
-    const double theta3DDot =
-        side * a * omega * omega *
-        (a * m_clearance.offset() * at.sigma * at.sigma + at.x * m_clearance.epsilon() * m_clearance.reach()) / sCubed;
+    const double theta3DDot = side * a * omega * omega * turnNumerator(m_clearance, at) / sCubed;
     const double sDot = -side * at.h * theta3Dot;
     const double sDDot = -a * omega * omega * accelerationNumerator(m_clearance, at) / sCubed;
     if (!std::isfinite(theta3Dot) || !std::isfinite(theta3DDot) || !std::isfinite(sDDot)) {

@@ -13,6 +13,8 @@
 //     ṡ   = -(g h) θ̇3                   s̈   = -a ω² G / s³
 //     R4x = a cos θ2 + s
 //
+// For a rocker (ε < 0) p or m is a difference near a limit, and is then taken from a sine to some 30 digits.
+//
 // They are the textbook's (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15) freed of every difference of nearly
 // equal numbers. Lengths in mm, angles in rad, time in s.
 
@@ -47,8 +49,8 @@ public:
     State stateAt(double t) const;
 
 private:
-    /// By the standard library's functions, for what the kernel leaves: an instant that is not Solved, or one whose
-    /// angle is too large for its reduction.
+    /// By the standard library's functions, for what the kernel leaves: an instant that is not Solved, one near a
+    /// limit of a rocker, or one whose angle is too large for its reduction.
     Motion motionStepByStep(double t) const;
 
     Mechanism m_mechanism;

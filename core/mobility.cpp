@@ -45,9 +45,7 @@ struct Sums {
 
 Sums sumsOf(const Clearance &lengths)
 {
-    const TwoPart links = twoSum(lengths.a(), lengths.b());
-    const TwoPart rest = twoSum(links.hi, -lengths.offset());
-    return {lengths.epsilon(), lengths.beta(), rest.hi + (rest.lo + links.lo), lengths.reach()};
+    return {lengths.epsilon(), lengths.beta(), lengths.gamma(), lengths.reach()};
 }
 
 Mobility mobilityOf(const Sums &sums)

@@ -30,6 +30,7 @@ MotionConstants motionConstants(const Mechanism &mechanism)
     k.C = lengths.offset();
     k.epsilon = lengths.epsilon();
     k.beta = lengths.beta();
+    k.nearLimit = lengths.nearLimit();
     k.side = lengths.side();
     k.branch = open ? 1.0 : -1.0;
     k.straightAngle = open ? 0.0 : std::numbers::pi;

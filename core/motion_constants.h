@@ -24,6 +24,7 @@ struct MotionConstants {
     double C = 0.0;
     double epsilon = 0.0;
     double beta = 0.0;
+    double nearLimit = 0.0;     ///< where p or m is less, the kernel leaves an instant to the clearance
     double side = 1.0;          ///< g
     double branch = 1.0;        ///< +1 open, -1 crossed
     double straightAngle = 0.0; ///< what ±atan2(g h, |s|) is added to: 0 open, π crossed

@@ -208,7 +208,8 @@ HWY_INLINE V couplerAngle(D d, const MotionConstants &k, V h, V root)
 }
 
 /// h and |s| for couplerAngle(), and what else `out` wants, stored there: s, R4x, velocities (θ̇3, ṡ, Ṙ4x) and
-/// accelerations, in mm and rad. False, and nothing stored, when a lane may be anything but Solved, or x is NaN.
+/// accelerations, in mm and rad. False, and nothing stored, when a lane may be anything but Solved, is
+/// near a limit of a rocker, or its x is NaN.
 template <class D, class V, class Out>
 HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V x, V cos2, const Out &out, V &h, V &root)
 {
@@ -231,7 +232,7 @@ HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V x, V cos2, const Out 
 
     // Above this no derivative overflows: the speed is at most 1e12 and lengths are below 4.
     const auto regular = hn::Ge(root, hn::Set(d, 1e-60));
-    if (!hn::AllTrue(d, hn::And(regular, hn::Ge(hn::Min(p, m), zero)))) {
+    if (!hn::AllTrue(d, hn::And(regular, hn::Ge(hn::Min(p, m), hn::Set(d, k.nearLimit))))) {
         return false;
     }
 

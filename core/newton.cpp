@@ -186,7 +186,7 @@ bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
     const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
     if (!std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
         result.status = Status::NotFinite;
-    } else if (!Clearance(mechanism).at(sinCos(angle)).assemblable()) {
+    } else if (!Clearance(mechanism).at(angle).assemblable()) {
         result.status = Status::NotAssemblable;
     } else {
         return true;
