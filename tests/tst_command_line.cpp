@@ -1028,8 +1028,10 @@ void TestCommandLine::rendersWhatWasChosen_data()
 {
     QTest::addColumn<QString>("options");
     QTest::addColumn<QString>("other");
-    QTest::newRow("instant in a plot") << "--what theta3 --at 0.3" << "--what theta3";
-    QTest::newRow("angle in the figure") << "--at-angle 60" << "--at-angle 61";
+    QTest::newRow("instant in a plot") << "--what theta3 --at 0.3"
+                                       << "--what theta3";
+    QTest::newRow("angle in the figure") << "--at-angle 60"
+                                         << "--at-angle 61";
     QTest::newRow("theme") << "--what mechanism --theme dark"
                            << "--what mechanism";
     QTest::newRow("reference") << "--what R4_x --reference SAMPLE"
