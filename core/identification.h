@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Which mechanism made these data: (a, b, c, ω2, θ20) and the assembly, from any of the six plotted channels, by
+// weighted least squares. A start is found from the data themselves, then Levenberg-Marquardt with exact derivatives;
+// each value weighs by the step that the file rounded it to. What the given columns cannot fix is said, and kept as it
+// was.
+//
+// Source: K. Levenberg 1944, D. W. Marquardt 1963 as in J. J. Moré, "The Levenberg-Marquardt algorithm", 1978.
+// Lengths in mm, angles in rad, time in s; the data in the author's units (mm, °, s).
+
+#include "core/mechanism.h"
+#include "core/reference_data.h"
+
+#include <array>
+#include <cstddef>
+#include <stop_token>
+#include <vector>
+
+namespace slidercrank
+{
+
+inline constexpr std::size_t kParameterCount = 5;
+
+constexpr std::size_t indexOf(Parameter parameter)
+{
+    return static_cast<std::size_t>(parameter);
+}
+
+struct Identification {
+    enum class Status {
+        Found,      ///< the data agree with it, or come as close as a least-squares minimum does
+        TooFewData, ///< fewer values than parameters, or none of the six channels
+        NotFound,   ///< no start led to a mechanism that resembles the data
+        Stopped
+    };
+    Status status = Status::NotFound;
+
+    Parameters parameters; ///< θ20 in (-π, π]; what is not identifiable is as in the start
+
+    /// One standard deviation, by indexOf(Parameter), in the parameter's unit; NaN where not identifiable.
+    std::array<double, kParameterCount> standardError{};
+    std::array<bool, kParameterCount> identifiable{};
+
+    /// θ3 alone fixes only the ratios b/a and c/a, R4x alone a mechanism or its mirror image (c and θ20 negated with
+    /// ω2).
+    bool onlyRatios = false;
+    bool mirrorImagePossible = false;
+
+    int iterations = 0;
+    double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
+    double rms = 0.0;             ///< of the weighted residuals: about 0.29 when only rounding is left
+};
+
+/// `start` gives what the data cannot fix, and is itself one of the starts tried.
+Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop = {});
+
+/// One parameter of the mechanism fitted alone, all others held: how much of the squared error that explains.
+struct Attribution {
+    Parameter parameter = Parameter::A;
+    double value = 0.0;     ///< fitted
+    double explained = 0.0; ///< 0 … 1: the part of the weighted sum of squares that is gone
+};
+
+/// Each of the five parameters, the one that explains most first. Empty when stopped, or where there is nothing to
+/// compare.
+std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop = {});
+
+} // namespace slidercrank
