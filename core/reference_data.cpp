@@ -207,8 +207,6 @@ private:
 
 // ---- numbers -------------------------------------------------------------------------------------------------------
 
-enum class DecimalSign { Point, Comma };
-
 /// A cell's number, NaN where the cell is a gap, or a clause that says why it is neither.
 struct Number {
     double value = kMissing;
@@ -401,6 +399,7 @@ struct Column {
 };
 
 struct Layout {
+    FileLayout file;
     char delimiter = ',';
     DecimalSign decimalSign = DecimalSign::Point;
     std::vector<Column> columns;
@@ -575,6 +574,18 @@ std::variant<Layout, ReadError> readLayout(std::string_view bytes)
                                                                     : heading.printed);
             break;
         }
+        FileColumn described;
+        described.heading = heading.printed;
+        described.unit = heading.unit;
+        described.reason = heading.printed.empty() ? ColumnReason::NoName : ColumnReason::UnknownName;
+        if (column.kind != Column::Kind::Ignored) {
+            described.reason = ColumnReason::KnownName;
+            described.role = column.kind == Column::Kind::Time ? ColumnRole::Time : ColumnRole::Channel;
+        }
+        if (column.kind == Column::Kind::Series) {
+            described.channel = layout.channels.back();
+        }
+        layout.file.columns.push_back(std::move(described));
         layout.columns.push_back(column);
         layout.names.push_back(heading.printed);
     }
@@ -603,6 +614,9 @@ std::variant<Layout, ReadError> readLayout(std::string_view bytes)
     if (layout.delimiter != ',') { // where the comma separates cells it is never a decimal comma as well
         layout.decimalSign = findDecimalSign(CellScanner(layout.data, layout.delimiter, layout.firstDataLine));
     }
+    layout.file.delimiter = layout.delimiter;
+    layout.file.decimalSign = layout.decimalSign;
+    layout.file.headerLine = line;
     return layout;
 }
 
@@ -773,12 +787,15 @@ public:
     {
         m_data.skipped = skipped.take();
         m_data.ignoredColumns = layout.ignoredColumns;
+        m_data.layout = layout.file;
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {
             const Column &column = layout.columns[i];
             if (column.kind == Column::Kind::Series) {
                 m_data.series[column.series].rounding = m_observers[column.series].infer(column.unitFactor);
                 if (isEmpty(m_data.series[column.series])) {
                     m_data.ignoredColumns.push_back(layout.names[i]);
+                    m_data.layout.columns[i].role = ColumnRole::Ignored;
+                    m_data.layout.columns[i].reason = ColumnReason::NoNumber;
                 }
             }
         }
@@ -812,7 +829,8 @@ const ReferenceSeries *ReferenceData::find(Channel channel) const
     return found == series.end() ? nullptr : &*found;
 }
 
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop)
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop,
+                                                         const ReadOptions &options)
 {
     if (std::optional<ReadError> error = findForeignFormat(bytes)) {
         return *std::move(error);
@@ -833,8 +851,13 @@ std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes,
     row.numbers.resize(layout.channels.size());
     CellScanner scanner(layout.data, layout.delimiter, layout.firstDataLine);
     for (std::size_t count = 0; !scanner.atEnd(); ++count) {
-        if (count % kRowsBetweenPolls == 0 && stop.stop_requested()) {
-            return wholeFile("Reading was stopped.");
+        if (count % kRowsBetweenPolls == 0) {
+            if (stop.stop_requested()) {
+                return wholeFile("Reading was stopped.");
+            }
+            if (options.progress) {
+                options.progress(static_cast<std::size_t>(scanner.position() - bytes.data()), bytes.size());
+            }
         }
         const std::size_t line = scanner.line();
         if (const std::optional<RowFault> fault = readRow(scanner, layout, row)) {

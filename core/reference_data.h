@@ -11,9 +11,11 @@
 // decimal comma, the same throughout a file; separators of thousands are not read. An empty cell or "nan" is a gap.
 
 #include "core/channel.h"
+#include "core/file_layout.h"
 #include "core/rounding.h"
 
 #include <cstddef>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -43,6 +45,7 @@ struct ReferenceData {
     std::vector<ReferenceSeries> series;
     std::vector<SkippedRow> skipped;         ///< at most 1000, and then one more that counts the others
     std::vector<std::string> ignoredColumns; ///< headings that mean no channel, or a channel without any number
+    FileLayout layout;                       ///< how the file is written, and what each column became and why
 
     const ReferenceSeries *find(Channel channel) const;
 };
@@ -52,11 +55,20 @@ struct ReadError {
     std::size_t line = 0;
     std::size_t column = 0;
     std::string text;
-    std::string reason; ///< a sentence that says what to do
+    std::string reason;  ///< a sentence that says what to do
+    FileLayout layout{}; ///< what was found; with columns, a person's choice of them may still help
+};
+
+struct ReadOptions {
+    std::vector<ColumnChoice> columns; ///< the columns not named here are what they were without
+
+    /// Called from the reading thread now and then, with the bytes done of all. May be empty.
+    std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
 /// Reads any bytes. A channel or time that stands there twice, an unknown unit and a time that does not increase are
 /// refused rather than guessed at; a row that cannot be read is left out and reported. Watches `stop`.
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {});
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
+                                                         const ReadOptions &options = {});
 
 } // namespace slidercrank
