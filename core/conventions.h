@@ -4,6 +4,23 @@
 // What a file may mean otherwise than it says: radians for degrees, metres for millimetres, an axis that points the
 // other way, the textbook's θ_3 for θ³, the other assembly, a late start, a derivative that is none. Each is found by
 // trying it, and offered; nothing is ever applied silently.
+//
+// Some readings cannot be told from another mechanism. The motions of all mechanisms are the same set
+//
+//     mirrored at x     θ → -θ, x → x            c → -c, ω2 → -ω2, θ20 → -θ20
+//     mirrored at y     θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
+//     turned by 180°    θ → θ + 180°, x → -x     c → -c, θ20 → θ20 + 180°, the other assembly
+//     enlarged          θ → θ, x → k x           a, b, c times k
+//     started late      t → t + τ                θ20 + ω2 τ
+//     timed otherwise   t → f t and every derivative by its power of f     ω2 / f
+//
+// (θ and x with their derivatives; θ up to whole turns). So the sense of rotation, the length unit of the whole file,
+// the instants and derivatives per millisecond, a late start and the other assembly are found only where the file
+// agrees with the mechanism at hand; where it does not, they are taken for another mechanism and no finding. And
+// without the mechanism at hand, θ turned by 180° and x negated are one fault with two names: the name is then the one
+// that brings the data nearer to the mechanism at hand if it resembles it, else the half turn.
+// In a file of θ̇3 and θ̈3 only, the other assembly is the other sign, and named so; where one column alone is
+// negated beside one other, it is the derivative's.
 
 #include "core/mechanism.h"
 #include "core/reference_data.h"
@@ -18,17 +35,20 @@ struct Convention {
     enum class Kind {
         AngleUnit,      ///< angles in another unit than the heading says (or the author's): multiplied by amount
         LengthUnit,     ///< lengths: multiplied by amount
-        TimeUnit,       ///< the instants: multiplied by amount
+        TimeUnit,       ///< the instants: multiplied by amount; derivatives per that unit too: by its inverse powers
         Sign,           ///< the axis, or the sense of rotation, is the opposite one: multiplied by amount = -1
-        HalfTurn,       ///< the textbook's θ_3, seen from B: amount = ±180° is added
-        WholeTurns,     ///< amount = ±360°, … is added
+        HalfTurn,       ///< the textbook's θ_3, seen from B: made continuous, and amount = ±180°, … is added
+        WholeTurns,     ///< made continuous where it jumps by a turn, and amount = 0, ±360°, … is added
         SwappedColumns, ///< the two channels stand under each other's names
         Branch,         ///< the motion of the other assembly: the model changes, not the data
         TimeShift,      ///< the clock of the file started early or late: amount (s) is added to its instants
         NotDerivative   ///< a derivative column is not the derivative of its position column: it is left out
     };
     Kind kind = Kind::AngleUnit;
-    std::vector<Channel> channels; ///< whose columns it concerns
+
+    /// The columns that it changes. Of TimeUnit the derivatives that count in that unit too, maybe none; of Branch and
+    /// TimeShift none.
+    std::vector<Channel> channels;
     double amount = 1.0;
 
     friend bool operator==(const Convention &, const Convention &) = default;
@@ -41,7 +61,8 @@ ReferenceData applied(const Convention &convention, ReferenceData data);
 struct ConventionFinding {
     Convention convention;
 
-    /// Largest error of the channels concerned, as % of their peak, without and with it (and all findings before it).
+    /// Largest error of the columns that it changes (of all where it changes the instants or the model), as % of the
+    /// motion's peak, without and with it, all other findings being applied. 0 where nothing is left to compare.
     double before = 0.0;
     double after = 0.0;
 };
