@@ -22,6 +22,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStandardPaths>
+#include <QStyleOptionSlider>
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -152,6 +153,33 @@ private slots:
         control->setValue(control->value() + (control->maximum() - control->minimum()) / 20);
         QVERIFY(!(m_window->session().parameters() == parameters));
         QVERIFY(pictureOf(*m_window, plot) != before);
+    }
+
+    void aDragOfASliderIsUndoneByItsKey()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *slider = m_window->findChild<QSlider *>(QStringLiteral("slider_b"));
+        QStyleOptionSlider option;
+        option.initFrom(slider);
+        option.orientation = Qt::Horizontal;
+        option.minimum = slider->minimum();
+        option.maximum = slider->maximum();
+        option.sliderPosition = option.sliderValue = slider->sliderPosition();
+        const QPoint handle =
+            slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider).center();
+        QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, handle);
+        for (const int pixels : {5, 10, 15}) {
+            QTest::mouseMove(slider, handle + QPoint(pixels, 0));
+        }
+        QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, handle + QPoint(15, 0));
+        const double dragged = m_window->session().parameters().b;
+        QVERIFY(dragged > 65.0);
+        QCOMPARE(m_window->session().undoStack().count(), 1);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters().b, 65.0);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(m_window->session().parameters().b, dragged);
     }
 
     void scrubbingMovesThePose()

@@ -217,6 +217,112 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
         QCOMPARE(session.result(), before);
     }
+
+    void everyEditIsUndoneAndRedone()
+    {
+        QTemporaryDir folder;
+        Session session;
+        Parameters parameters;
+        parameters.b = 70.0;
+        session.setParameters(parameters);
+        Sampling sampling;
+        sampling.steps = 100;
+        session.setSampling(sampling);
+        SolverSettings solver = session.solver();
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        const auto reference = std::make_shared<Reference>();
+        session.setReference(reference);
+
+        QStringList names;
+        for (int i = 0; i < session.undoStack().count(); ++i) {
+            names << session.undoStack().text(i);
+        }
+        QCOMPARE(names.size(), 4);
+        QCOMPARE(names.first(), QStringLiteral("change of b"));
+
+        session.undoStack().undo();
+        QVERIFY(!session.reference() && !session.result()->reference);
+        session.undoStack().undo();
+        QCOMPARE(session.result()->solver.method, Method::ClosedForm);
+        session.undoStack().undo();
+        QCOMPARE(session.result()->trajectory.time.size(), std::size_t(201));
+        session.undoStack().undo();
+        QCOMPARE(session.result()->mechanism.b(), 65.0);
+        QVERIFY(!session.undoStack().canUndo());
+        session.undoStack().setIndex(4);
+        QCOMPARE(session.parameters(), parameters);
+        QCOMPARE(session.sampling(), sampling);
+        QCOMPARE(session.solver(), solver);
+        QCOMPARE(session.reference(), reference);
+    }
+
+    void anUndoTellsThePanels()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.c = -3.0;
+        session.setParameters(parameters);
+        QSignalSpy parametersBack(&session, &Session::parametersChanged);
+        QSignalSpy settingsBack(&session, &Session::settingsChanged);
+        QSignalSpy results(&session, &Session::resultChanged);
+        session.undoStack().undo();
+        QCOMPARE(parametersBack.count(), 1);
+        QCOMPARE(parametersBack.first().first().value<Parameters>(), Parameters());
+        QCOMPARE(settingsBack.count(), 0);
+        QCOMPARE(results.count(), 1);
+    }
+
+    void oneDragIsOneStep()
+    {
+        Session session;
+        Parameters parameters;
+        const auto dragTo = [&](std::initializer_list<double> couplers) {
+            session.beginDrag();
+            for (const double b : couplers) {
+                parameters.b = b;
+                session.setParameters(parameters);
+            }
+            session.endDrag();
+        };
+        dragTo({66.0, 67.0, 68.0});
+        dragTo({69.0, 70.0}); // pressed anew
+        QCOMPARE(session.undoStack().count(), 2);
+        session.undoStack().undo();
+        QCOMPARE(session.parameters().b, 68.0);
+        session.undoStack().undo();
+        QCOMPARE(session.parameters().b, 65.0);
+
+        parameters.b = 65.0;
+        dragTo({70.0, 65.0}); // there and back: nothing was done
+        QVERIFY(!session.undoStack().canUndo());
+    }
+
+    void aKeyHeldDownIsOneStepAndAnotherParameterIsAnother()
+    {
+        Session session;
+        Parameters parameters;
+        for (const double b : {66.0, 67.0, 68.0}) {
+            parameters.b = b;
+            session.setParameters(parameters);
+        }
+        parameters.a = 21.0;
+        session.setParameters(parameters);
+        QCOMPARE(session.undoStack().count(), 2);
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of a"));
+        session.undoStack().undo();
+        session.undoStack().undo();
+        QCOMPARE(session.parameters(), Parameters());
+    }
+
+    void whatIsNoMechanismIsNoStep()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.a = -1.0;
+        session.setParameters(parameters);
+        QCOMPARE(session.undoStack().count(), 0);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestSession)

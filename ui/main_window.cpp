@@ -179,6 +179,13 @@ void MainWindow::buildMenus()
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 
     QMenu *edit = menuBar()->addMenu(tr("&Edit"));
+    QAction *undo = m_session->undoStack().createUndoAction(this, tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    edit->addAction(undo);
+    QAction *redo = m_session->undoStack().createRedoAction(this, tr("&Redo"));
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    edit->addAction(redo);
+    edit->addSeparator();
     edit->addAction(tr("&Copy figure"), QKeySequence::Copy, this, &MainWindow::copyFigure);
     edit->addAction(tr("&Reset parameters to Table 1"), this, [this] { m_session->setParameters(Parameters()); });
 
@@ -252,6 +259,8 @@ void MainWindow::buildStatusBar()
 void MainWindow::connectRooms()
 {
     connect(m_parameterPanel, &ParameterPanel::edited, m_session, &Session::setParameters);
+    connect(m_parameterPanel, &ParameterPanel::dragBegan, m_session, &Session::beginDrag);
+    connect(m_parameterPanel, &ParameterPanel::dragEnded, m_session, &Session::endDrag);
     connect(m_session, &Session::parametersChanged, m_parameterPanel, &ParameterPanel::setParameters);
     connect(m_session, &Session::parametersChanged, m_timeline, &Timeline::setParameters);
     connect(m_session, &Session::settingsChanged, m_timeline,

@@ -232,6 +232,8 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     grid->addWidget(row.slider, line, 1);
     connect(row.slider, &QSlider::valueChanged, this,
             [this, &row] { edit(row, fromUnitOf(row, row.slider->number())); });
+    connect(row.slider, &QSlider::sliderPressed, this, &ParameterPanel::dragBegan);
+    connect(row.slider, &QSlider::sliderReleased, this, &ParameterPanel::dragEnded);
 
     row.box = new NumberBox;
     row.box->setObjectName(QStringLiteral("box_") + wording.key);

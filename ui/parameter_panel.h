@@ -35,6 +35,10 @@ signals:
     /// Somebody moved, typed, reset or chose. Only what can be used is emitted.
     void edited(const slidercrank::Parameters &parameters);
 
+    /// A slider is pressed, is let go: what is edited between belongs together.
+    void dragBegan();
+    void dragEnded();
+
 private:
     struct Row {
         Parameter parameter;

@@ -3,6 +3,7 @@
 
 // A reference file on disk: opened under its Unicode name, read by the core, and its failure put into one sentence.
 
+#include "core/conventions.h"
 #include "core/reference_data.h"
 
 #include <QString>
@@ -10,15 +11,19 @@
 #include <memory>
 #include <stop_token>
 #include <variant>
+#include <vector>
 
 namespace slidercrank
 {
 
 /// A loaded file and where it came from.
 struct Reference {
-    QString path; ///< as opened
-    QString name; ///< file name, for legends and titles
-    ReferenceData data;
+    QString path;       ///< as opened
+    QString name;       ///< file name, for legends and titles
+    ReferenceData data; ///< as it reads with the conventions below
+
+    std::vector<Convention> conventions;        ///< applied, in this order
+    std::shared_ptr<const Reference> asPrinted; ///< without any; null: this is it
 };
 
 /// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread.

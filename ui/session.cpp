@@ -4,12 +4,12 @@
 #include "core/closed_form.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 #include <QLocale>
 #include <QPointer>
 #include <QThreadPool>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 namespace slidercrank
@@ -17,6 +17,9 @@ namespace slidercrank
 
 namespace
 {
+
+constexpr int kMostSteps = 200;          // to be undone
+constexpr qint64 kSameStepWithin = 1000; // ms: longer than the wait before a key held down repeats itself
 
 /// What a Result is computed from: a value that can travel to another thread.
 struct Request {
@@ -70,18 +73,6 @@ bool takesLong(const Request &request)
     return each * static_cast<double>(static_cast<std::size_t>(request.sampling.steps) + 1 + atReference) > kMoment;
 }
 
-QString symbolOf(Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return QStringLiteral("a");
-    case Parameter::B: return QStringLiteral("b");
-    case Parameter::C: return QStringLiteral("c");
-    case Parameter::Omega2: return QStringLiteral("ω₂");
-    case Parameter::Theta20: return QStringLiteral("θ₂₀");
-    }
-    return {};
-}
-
 } // namespace
 
 Session::Session(QObject *parent)
@@ -89,9 +80,11 @@ Session::Session(QObject *parent)
 {
     qRegisterMetaType<Parameters>();
     qRegisterMetaType<Pose>();
-    m_solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
-    m_solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
-    m_result = compute({Mechanism(m_parameters), m_sampling, m_solver, nullptr}, {});
+    SolverSettings &solver = m_choices.solver;
+    solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
+    solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
+    m_result = compute({Mechanism(m_choices.parameters), m_choices.sampling, solver, nullptr}, {});
+    m_undoStack.setUndoLimit(kMostSteps);
 }
 
 Session::~Session()
@@ -102,13 +95,13 @@ Session::~Session()
 
 Pose Session::pose() const
 {
-    const Motion motion = ClosedForm(Mechanism(m_parameters)).motionAt(m_time);
+    const Motion motion = ClosedForm(Mechanism(m_choices.parameters)).motionAt(m_time);
     Pose pose;
     pose.time = m_time;
     pose.theta2 = motion.theta2;
     pose.theta3 = motion.theta3;
-    pose.pinX = m_parameters.a * motion.crank.cos;
-    pose.pinY = m_parameters.a * motion.crank.sin;
+    pose.pinX = m_choices.parameters.a * motion.crank.cos;
+    pose.pinY = m_choices.parameters.a * motion.crank.sin;
     pose.sliderX = motion.R4x;
     pose.status = motion.status;
     return pose;
@@ -116,7 +109,7 @@ Pose Session::pose() const
 
 void Session::setParameters(const Parameters &parameters)
 {
-    if (parameters == m_parameters) {
+    if (parameters == m_choices.parameters) {
         return;
     }
     if (const std::optional<ParameterFault> fault = findFault(parameters)) {
@@ -130,39 +123,78 @@ void Session::setParameters(const Parameters &parameters)
             emit problemFound(tr("%1 must be greater than 0.").arg(symbol));
             break;
         }
-        emit parametersChanged(m_parameters);
+        emit parametersChanged(m_choices.parameters);
         return;
     }
-    m_parameters = parameters;
-    emit parametersChanged(m_parameters);
-    recompute();
+    Choices choices = m_choices;
+    choices.parameters = parameters;
+    edit(choices, changeName(m_choices, choices));
 }
 
 void Session::setSampling(const Sampling &sampling)
 {
-    if (sampling == m_sampling) {
-        return;
-    }
-    m_sampling = sampling;
-    emit settingsChanged(m_sampling, m_solver);
-    recompute();
-    setTime(m_time);
+    Choices choices = m_choices;
+    choices.sampling = sampling;
+    edit(choices, changeName(m_choices, choices));
 }
 
 void Session::setSolver(const SolverSettings &solver)
 {
-    if (solver == m_solver) {
+    Choices choices = m_choices;
+    choices.solver = solver;
+    edit(choices, changeName(m_choices, choices));
+}
+
+void Session::edit(const Choices &choices, const QString &text)
+{
+    if (choices == m_choices) {
         return;
     }
-    m_solver = solver;
-    emit settingsChanged(m_sampling, m_solver);
+    const bool continues = text == m_lastEdit && (m_dragging || m_idle.elapsed() < kSameStepWithin);
+    if (!continues) {
+        ++m_step;
+    }
+    m_lastEdit = text;
+    m_idle.start();
+    m_undoStack.push(
+        new EditCommand(m_choices, choices, text, m_step, [this](const Choices &inForce) { putInForce(inForce); }));
+}
+
+void Session::putInForce(const Choices &choices)
+{
+    const Choices before = std::exchange(m_choices, choices);
+    if (m_choices.reference != before.reference) {
+        publishDiagnosis(nullptr);
+        emit referenceLoaded(m_choices.reference);
+    }
+    if (m_choices.parameters != before.parameters) {
+        emit parametersChanged(m_choices.parameters);
+    }
+    if (m_choices.sampling != before.sampling || m_choices.solver != before.solver) {
+        emit settingsChanged(m_choices.sampling, m_choices.solver);
+    }
     recompute();
+    if (m_choices.sampling != before.sampling) {
+        setTime(m_time);
+    }
+}
+
+void Session::beginDrag()
+{
+    m_lastEdit.clear();
+    m_dragging = true;
+}
+
+void Session::endDrag()
+{
+    m_lastEdit.clear();
+    m_dragging = false;
 }
 
 void Session::setTime(double seconds)
 {
-    const double end = m_sampling.start + m_sampling.duration;
-    m_time = std::clamp(seconds, std::min(m_sampling.start, end), std::max(m_sampling.start, end));
+    const double end = m_choices.sampling.start + m_choices.sampling.duration;
+    m_time = std::clamp(seconds, std::min(m_choices.sampling.start, end), std::max(m_choices.sampling.start, end));
     emit timeChanged(pose());
 }
 
@@ -192,7 +224,7 @@ void Session::runAside(Work work, Done done)
 void Session::recompute()
 {
     m_computation.request_stop(); // whatever is still under way is out of date
-    Request request{Mechanism(m_parameters), m_sampling, m_solver, m_reference};
+    Request request{Mechanism(m_choices.parameters), m_choices.sampling, m_choices.solver, m_choices.reference};
     if (!takesLong(request)) {
         publish(compute(request, {}));
         return;
@@ -211,6 +243,14 @@ void Session::publish(std::shared_ptr<const Result> result)
     m_result = std::move(result);
     emit resultChanged(m_result);
     emit timeChanged(pose());
+}
+
+void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
+{
+    if (m_diagnosis != diagnosis) {
+        m_diagnosis = std::move(diagnosis);
+        emit diagnosisChanged(m_diagnosis);
+    }
 }
 
 void Session::loadReference(const QString &path)
@@ -235,12 +275,37 @@ void Session::loadReference(const QString &path)
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
     m_reading.request_stop();
-    if (reference == m_reference) {
+    Choices choices = m_choices;
+    choices.reference = reference;
+    m_lastEdit.clear(); // one file opened after the other: two steps
+    edit(choices, changeName(m_choices, choices));
+}
+
+void Session::takeOver()
+{
+    if (!m_diagnosis || !m_diagnosis->identification ||
+        m_diagnosis->identification->status != Identification::Status::Found) {
         return;
     }
-    m_reference = reference;
-    emit referenceLoaded(m_reference);
-    recompute();
+    Choices choices = m_choices;
+    choices.parameters = m_diagnosis->identification->parameters;
+    edit(choices, tr("taking over the file's mechanism"));
+}
+
+void Session::apply(const Convention &convention)
+{
+    if (convention.kind == Convention::Kind::Branch) {
+        Parameters parameters = m_choices.parameters;
+        parameters.branch = parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+        setParameters(parameters);
+    }
+}
+
+void Session::readAsPrinted()
+{
+    if (m_choices.reference && m_choices.reference->asPrinted) {
+        setReference(m_choices.reference->asPrinted);
+    }
 }
 
 void Session::cancel()

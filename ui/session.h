@@ -2,15 +2,20 @@
 #pragma once
 
 // The one mutable state: what the person chose, the reference data, the current time. Every change recomputes what is
-// on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else.
+// on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else. What
+// a file has to say about itself follows as a Diagnosis, when the parameters rest. Every edit can be undone.
 
 #include "core/comparison.h"
 #include "core/mobility.h"
 #include "core/trajectory.h"
+#include "ui/diagnosis.h"
+#include "ui/edit_command.h"
 #include "ui/reference_file.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QUndoStack>
 
 #include <memory>
 #include <stop_token>
@@ -54,13 +59,19 @@ public:
     explicit Session(QObject *parent = nullptr);
     ~Session() override;
 
-    const Parameters &parameters() const { return m_parameters; }
-    const Sampling &sampling() const { return m_sampling; }
-    const SolverSettings &solver() const { return m_solver; }
+    const Parameters &parameters() const { return m_choices.parameters; }
+    const Sampling &sampling() const { return m_choices.sampling; }
+    const SolverSettings &solver() const { return m_choices.solver; }
     double time() const { return m_time; }
     Pose pose() const;
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
-    const std::shared_ptr<const Reference> &reference() const { return m_reference; }
+    const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
+
+    /// Null without a reference, and until it is known. Once there is one it stays until a newer one is there: it may
+    /// be of other parameters than the ones on show (Diagnosis::parameters).
+    const std::shared_ptr<const Diagnosis> &diagnosis() const { return m_diagnosis; }
+
+    QUndoStack &undoStack() { return m_undoStack; }
 
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
@@ -76,6 +87,20 @@ public slots:
     /// Takes one that is already read, at once; null: none.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
+    /// The mechanism that was found for the file becomes the model; nothing where none was found.
+    void takeOver();
+
+    /// The reference as it reads with that convention; for Branch the model's other assembly.
+    void apply(const slidercrank::Convention &convention);
+
+    /// The reference without the conventions applied.
+    void readAsPrinted();
+
+    /// What is edited from one to the other is undone in one step. Elsewhere the same kind of edit, repeated at once
+    /// (a key held down), is one step too.
+    void beginDrag();
+    void endDrag();
+
     /// Stops what is computed or read aside; what is on show stays.
     void cancel();
 
@@ -84,27 +109,39 @@ signals:
     void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
     void resultChanged(const std::shared_ptr<const slidercrank::Result> &result);
     void timeChanged(const slidercrank::Pose &pose);
+    void diagnosisChanged(const std::shared_ptr<const slidercrank::Diagnosis> &diagnosis); ///< may be null
+
+    /// Another file, another reading of it, or none.
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);
     void problemFound(const QString &sentence); ///< one sentence, for the message bar; nothing else changed
     void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
 
 private:
+    /// Puts the choices into force, as a step that can be undone. `text`: what was done.
+    void edit(const Choices &choices, const QString &text);
+    void putInForce(const Choices &choices);
+
     void recompute();
     void publish(std::shared_ptr<const Result> result);
+    void publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis);
 
     /// Runs work() in another thread, then done(its outcome) in this one.
     template <typename Work, typename Done>
     void runAside(Work work, Done done);
 
-    Parameters m_parameters;
-    Sampling m_sampling;
-    SolverSettings m_solver;
+    Choices m_choices;
     double m_time = 0.0;
-    std::shared_ptr<const Reference> m_reference;
     std::shared_ptr<const Result> m_result;
+    std::shared_ptr<const Diagnosis> m_diagnosis;
     std::stop_source m_computation;
     std::stop_source m_reading;
     int m_pending = 0; ///< jobs aside
+
+    QUndoStack m_undoStack;
+    int m_step = 0;       ///< edits of the same number are undone together
+    QString m_lastEdit;   ///< empty: the next one begins a new step
+    QElapsedTimer m_idle; ///< since the last edit
+    bool m_dragging = false;
 };
 
 } // namespace slidercrank
