@@ -9,7 +9,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 using namespace slidercrank;
@@ -49,6 +51,9 @@ Parameters rocker()
     return parameters;
 }
 
+/// Another mechanism's pose than any that the tests show.
+constexpr ReferencePose kGhost{true, 10.0, -12.0, 70.0, 20.0};
+
 constexpr double kPoseOfRocker = 0.2;    // s; θ2 = 72°
 constexpr double kNoPoseOfRocker = 0.75; // s; θ2 = 270°, where the coupler would have to be 45 mm long
 
@@ -68,6 +73,21 @@ int countOf(const QImage &image, const QColor &colour)
         }
     }
     return count;
+}
+
+/// Between pixels of two pictures, in levels of a colour.
+int largestDifference(const QImage &one, const QImage &other)
+{
+    int largest = 0;
+    for (int y = 0; y < one.height(); ++y) {
+        for (int x = 0; x < one.width(); ++x) {
+            const QRgb p = one.pixel(x, y);
+            const QRgb q = other.pixel(x, y);
+            largest = std::max(
+                {largest, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+        }
+    }
+    return largest;
 }
 
 } // namespace
@@ -317,6 +337,46 @@ private slots:
         }
         QCOMPARE(bench.view.screen()->grabWindow(bench.view.winId()).toImage().convertToFormat(QImage::Format_RGB32),
                  bench.picture().convertToFormat(QImage::Format_RGB32));
+    }
+
+    void drawsTheReferencesLinkageThinOverTheModels()
+    {
+        Bench bench;
+        const SeriesColours colours = seriesColours(bench.view.palette());
+        const QImage without = bench.picture();
+        QCOMPARE(countOf(without, colours.reference), 0);
+        bench.view.setGhost(kGhost);
+        const QImage with = bench.picture();
+        QVERIFY(with.pixelColor(bench.view.toPixels({kGhost.pinX, kGhost.pinY}).toPoint()) == colours.reference);
+        QVERIFY(with.pixelColor(bench.view.toPixels({kGhost.sliderX, kGhost.sliderY}).toPoint()) == colours.reference);
+        QVERIFY(countOf(with, colours.model) > countOf(without, colours.model) / 2); // the model is still the thicker
+        bench.view.setGhost({});
+        QCOMPARE(bench.picture(), without);
+    }
+
+    void aGhostRepaintsWhatItLeft()
+    {
+        Bench bench;
+        if (bench.view.devicePixelRatioF() != 1.0) {
+            QSKIP("the offscreen platform's screen has one pixel a point");
+        }
+        bench.view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.view));
+        // The screen, repainted piece by piece, against a picture painted at once.
+        const auto difference = [&bench] {
+            QCoreApplication::processEvents();
+            return largestDifference(bench.view.screen()->grabWindow(bench.view.winId()).toImage(), bench.picture());
+        };
+        constexpr int kRasterizer = 8; // levels of 255: lines that are clipped come out a little different
+        for (int i = 0; i <= 20; ++i) {
+            ReferencePose ghost = kGhost;
+            ghost.sliderX -= 2.0 * i;
+            ghost.pinY += 1.0 * i;
+            bench.view.setGhost(ghost);
+            QVERIFY2(difference() <= kRasterizer, qPrintable(QString::number(difference())));
+        }
+        bench.view.setGhost({});
+        QVERIFY2(difference() <= kRasterizer, qPrintable(QString::number(difference())));
     }
 
     void tellsItsNameAndWhatItShows()

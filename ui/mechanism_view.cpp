@@ -29,6 +29,8 @@ constexpr double kCouplerWidth = 8.0;
 constexpr double kJointRadius = 6.0; ///< covers the ends of the links
 constexpr double kBlockHalfWidth = 19.0;
 constexpr double kBlockHalfHeight = 12.0;
+constexpr double kGhostWidth = 1.6;
+constexpr double kGhostJointRadius = 2.5;
 constexpr double kHatchLength = 7.0;
 constexpr double kHatchSpacing = 7.0;
 constexpr double kGrasp = 18.0;      ///< how far from A a press still takes hold of it
@@ -179,6 +181,16 @@ void MechanismView::setPose(const Pose &pose)
     } else {
         update();
     }
+}
+
+void MechanismView::setGhost(const ReferencePose &ghost)
+{
+    if (!ghost.exists && !m_ghost.exists) {
+        return; // without a reference it costs nothing
+    }
+    update(ghostArea());
+    m_ghost = ghost;
+    update(ghostArea());
 }
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
@@ -393,6 +405,7 @@ void MechanismView::paintPose(QPainter &painter, const Canvas &on) const
         painter.drawText(box.translated(crank + 17.0 * away), Qt::AlignCenter, tr("A"));
         painter.drawText(box.translated(slider + QPointF(0.0, -kBlockHalfHeight - 18.0)), Qt::AlignCenter, tr("B"));
     }
+    paintGhost(painter, on);
     if (!exists) {
         const QPointF wanted = crankPin();
         if (std::isfinite(wanted.x()) && std::isfinite(wanted.y())) {
@@ -401,6 +414,25 @@ void MechanismView::paintPose(QPainter &painter, const Canvas &on) const
             paintJoint(painter, on(wanted), on.colours.warning, on.colours.background);
         }
         paintExplanation(painter, on);
+    }
+}
+
+void MechanismView::paintGhost(QPainter &painter, const Canvas &on) const
+{
+    if (!m_ghost.exists) {
+        return;
+    }
+    const QPointF crank = on({m_ghost.pinX, m_ghost.pinY});
+    const QPointF slider = on({m_ghost.sliderX, m_ghost.sliderY});
+    painter.setPen(QPen(on.colours.reference, kGhostWidth));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(slider.x() - kBlockHalfWidth, slider.y() - kBlockHalfHeight, 2.0 * kBlockHalfWidth,
+                            2.0 * kBlockHalfHeight));
+    const QPointF linkage[] = {on({0.0, 0.0}), crank, slider};
+    painter.drawPolyline(linkage, 3);
+    painter.setBrush(on.colours.reference);
+    for (const QPointF &joint : {crank, slider}) {
+        painter.drawEllipse(joint, kGhostJointRadius, kGhostJointRadius);
     }
 }
 
@@ -468,11 +500,18 @@ QPointF MechanismView::crankPin() const
 
 QRect MechanismView::poseArea() const
 {
-    if (!m_pins) {
-        return {};
-    }
+    return m_pins ? areaOf(m_pins->crank, m_pins->slider) : QRect();
+}
+
+QRect MechanismView::ghostArea() const
+{
+    return m_ghost.exists ? areaOf({m_ghost.pinX, m_ghost.pinY}, {m_ghost.sliderX, m_ghost.sliderY}) : QRect();
+}
+
+QRect MechanismView::areaOf(QPointF crank, QPointF slider) const
+{
     const Canvas on = canvas(size(), palette());
-    const QPolygonF pins{on({0.0, 0.0}), on(m_pins->crank), on(m_pins->slider)};
+    const QPolygonF pins{on({0.0, 0.0}), on(crank), on(slider)};
     return pins.boundingRect()
         .adjusted(-kAroundPins, -kAroundPins, kAroundPins, kAroundPins)
         .toAlignedRect()
