@@ -22,18 +22,18 @@ QString changeName(const Parameters &before, const Parameters &after)
             changed << name;
         }
     };
-    note(before.a != after.a, symbolOf(Parameter::A));
-    note(before.b != after.b, symbolOf(Parameter::B));
-    note(before.c != after.c, symbolOf(Parameter::C));
-    note(before.omega2 != after.omega2, symbolOf(Parameter::Omega2));
-    note(before.theta20 != after.theta20, symbolOf(Parameter::Theta20));
+    note(before.a != after.a, parameterSymbol(Parameter::A));
+    note(before.b != after.b, parameterSymbol(Parameter::B));
+    note(before.c != after.c, parameterSymbol(Parameter::C));
+    note(before.omega2 != after.omega2, parameterSymbol(Parameter::Omega2));
+    note(before.theta20 != after.theta20, parameterSymbol(Parameter::Theta20));
     note(before.branch != after.branch, tr("the assembly"));
     return changed.size() == 1 ? tr("change of %1").arg(changed.first()) : tr("change of the mechanism");
 }
 
 } // namespace
 
-QString symbolOf(Parameter parameter)
+QString parameterSymbol(Parameter parameter)
 {
     switch (parameter) {
     case Parameter::A: return QStringLiteral("a");

@@ -26,7 +26,7 @@ struct Choices {
 };
 
 /// "b", "ω₂"
-QString symbolOf(Parameter parameter);
+QString parameterSymbol(Parameter parameter);
 
 /// What was changed from one to the other, as it reads behind "Undo": "change of b".
 QString changeName(const Choices &before, const Choices &after);

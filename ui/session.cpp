@@ -113,7 +113,7 @@ void Session::setParameters(const Parameters &parameters)
         return;
     }
     if (const std::optional<ParameterFault> fault = findFault(parameters)) {
-        const QString symbol = symbolOf(fault->parameter);
+        const QString symbol = parameterSymbol(fault->parameter);
         switch (fault->reason) {
         case ParameterFault::Reason::NotFinite: emit problemFound(tr("%1 must be a number.").arg(symbol)); break;
         case ParameterFault::Reason::TooLarge:
