@@ -176,4 +176,14 @@ double shortestCouplerForFullTurn(const Mechanism &mechanism)
     return mechanism.a() + std::abs(mechanism.c());
 }
 
+double longestCrankForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.b() - std::abs(mechanism.c());
+}
+
+double largestOffsetForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.b() - mechanism.a();
+}
+
 } // namespace slidercrank

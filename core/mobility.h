@@ -66,4 +66,9 @@ MotionLimits motionLimits(const Mechanism &mechanism);
 double shortestCouplerForAnyPose(const Mechanism &mechanism);
 double shortestCouplerForFullTurn(const Mechanism &mechanism);
 
+/// The longest crank, b - |c|, and the largest offset |c|, b - a, for which the crank turns round; where that is not
+/// positive, or negative, there is none. mm.
+double longestCrankForFullTurn(const Mechanism &mechanism);
+double largestOffsetForFullTurn(const Mechanism &mechanism);
+
 } // namespace slidercrank

@@ -121,6 +121,7 @@ private slots:
     void mirroringTheBranchMirrorsTheSlider();
     void sizeDoesNotMatter();
     void shortestCouplersAreTheLimits();
+    void eachLengthHasItsLimitForAFullTurn();
     void lockedAndImpossible();
 };
 
@@ -486,6 +487,28 @@ void tst_mobility::shortestCouplersAreTheLimits()
     p.c = -10.0;
     QCOMPARE(shortestCouplerForFullTurn(Mechanism(p)), 30.0);
     QCOMPARE(shortestCouplerForAnyPose(Mechanism(p)), -10.0);
+}
+
+/// Each of the three lengths taken to its limit just turns round, and no further.
+void tst_mobility::eachLengthHasItsLimitForAFullTurn()
+{
+    const Parameters p{20.0, 65.0, -25.0, 1.0, 0.0, Branch::Open};
+    const Mechanism mechanism(p);
+    QCOMPARE(longestCrankForFullTurn(mechanism), 40.0);
+    QCOMPARE(largestOffsetForFullTurn(mechanism), 45.0);
+    const auto turns = [](const Parameters &parameters) {
+        return motionLimits(Mechanism(parameters)).mobility == Mobility::FullTurn;
+    };
+    Parameters atLimit = p;
+    atLimit.a = 40.0;
+    QVERIFY(turns(atLimit));
+    atLimit.a = std::nextafter(40.0, 50.0);
+    QVERIFY(!turns(atLimit));
+    atLimit = p;
+    atLimit.c = -45.0;
+    QVERIFY(turns(atLimit));
+    atLimit.c = std::nextafter(-45.0, -50.0);
+    QVERIFY(!turns(atLimit));
 }
 
 void tst_mobility::lockedAndImpossible()
