@@ -163,20 +163,42 @@ private slots:
         session.loadReference(writeFile(folder, QStringLiteral("good.csv"), kSmallFile));
         QVERIFY(loaded.wait());
         const auto before = session.reference();
-        QSignalSpy problems(&session, &Session::problemFound);
+        QSignalSpy problems(&session, &Session::referenceRefused);
         session.loadReference(writeFile(folder, QStringLiteral("bad.csv"), bytes));
         QVERIFY(problems.wait());
-        QVERIFY(problems.first().first().toString().contains(QStringLiteral("bad.csv")));
+        QVERIFY(problems.first()[1].toString().contains(QStringLiteral("bad.csv")));
         QCOMPARE(session.reference(), before);
+    }
+
+    void tellsHowFarALargeFileIsRead()
+    {
+        QByteArray bytes = "time,theta3,R4_x\n";
+        for (int row = 0; row < 200000; ++row) {
+            bytes += QByteArray::number(row) + ",20,75\n";
+        }
+        QTemporaryDir folder;
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy parts(&session, &Session::readingProgressed);
+        session.loadReference(writeFile(folder, QStringLiteral("large.csv"), bytes));
+        QVERIFY(loaded.wait(60000));
+        QVERIFY(parts.count() > 10);
+        double before = 0.0;
+        for (const QList<QVariant> &told : parts) {
+            const double part = told.first().toDouble();
+            QVERIFY(part > before && part <= 1.0);
+            before = part;
+        }
+        QVERIFY(before > 0.8);
     }
 
     void saysThatAFileIsMissing()
     {
         Session session;
-        QSignalSpy problems(&session, &Session::problemFound);
+        QSignalSpy problems(&session, &Session::referenceRefused);
         session.loadReference(QStringLiteral("no/such/file.csv"));
         QVERIFY(problems.wait());
-        QVERIFY(problems.first().first().toString().contains(QStringLiteral("file.csv")));
+        QVERIFY(problems.first()[1].toString().contains(QStringLiteral("file.csv")));
     }
 
     void computesLongRunsAsideAndTheLastEditWins()

@@ -248,8 +248,14 @@ void MainWindow::buildStatusBar()
             m_busyTimer->stop();
             m_progress->hide();
             m_cancelButton->hide();
+            m_progress->setRange(0, 0);
         }
     });
+    connect(m_session, &Session::readingProgressed, this, [this](double part) {
+        m_progress->setRange(0, 100);
+        m_progress->setValue(static_cast<int>(100.0 * part));
+    });
+    connect(m_session, &Session::referenceLoaded, this, [this] { m_progress->setRange(0, 0); }); // then it is compared
     connect(m_cancelButton, &QToolButton::clicked, this, [this] {
         m_session->cancel();
         m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Cancelled: what is on show is from before."));
@@ -288,6 +294,9 @@ void MainWindow::connectRooms()
     connect(m_errorPanel, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
     connect(m_session, &Session::problemFound, this,
             [this](const QString &sentence) { m_messageBar->showMessage(MessageBar::Kind::Problem, sentence); });
+    connect(m_session, &Session::referenceRefused, this, [this](const QString &, const QString &sentence) {
+        m_messageBar->showMessage(MessageBar::Kind::Problem, sentence);
+    });
     connect(m_session, &Session::referenceLoaded, this, [this](const std::shared_ptr<const Reference> &reference) {
         m_closeReferenceAction->setEnabled(reference != nullptr);
         m_announceReference = reference != nullptr;

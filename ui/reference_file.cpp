@@ -9,7 +9,18 @@
 namespace slidercrank
 {
 
-std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop)
+namespace
+{
+
+std::string_view viewOf(const QByteArray &bytes)
+{
+    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+}
+
+} // namespace
+
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop,
+                                                                      const ReadOptions &options)
 {
     const auto tr = [](const char *text) { return QCoreApplication::translate("slidercrank::ReferenceFile", text); };
     const QString shown = QDir::toNativeSeparators(path);
@@ -24,8 +35,7 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     if (file.error() != QFileDevice::NoError) {
         return tr("%1 cannot be read: %2.").arg(shown, file.errorString());
     }
-    std::variant<ReferenceData, ReadError> outcome =
-        readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, stop);
+    std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes), stop, options);
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         const QString reason = QString::fromStdString(error->reason);
         if (error->line == 0) {
@@ -43,6 +53,20 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     reference->name = QFileInfo(path).fileName();
     reference->data = std::move(std::get<ReferenceData>(outcome));
     return reference;
+}
+
+QByteArray beginningOf(const QString &path)
+{
+    constexpr qint64 kMost = 1 << 20; // some 15 000 rows of seven columns, read again in milliseconds; even, for UTF-16
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
+}
+
+FileLayout layoutOf(const QByteArray &bytes)
+{
+    const std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes));
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? data->layout : std::get<ReadError>(outcome).layout;
 }
 
 } // namespace slidercrank

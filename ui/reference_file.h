@@ -6,6 +6,7 @@
 #include "core/conventions.h"
 #include "core/reference_data.h"
 
+#include <QByteArray>
 #include <QString>
 
 #include <memory>
@@ -27,6 +28,13 @@ struct Reference {
 };
 
 /// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread.
-std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {});
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {},
+                                                                      const ReadOptions &options = {});
+
+/// The first of the file's bytes: enough to see how it is written, and for a preview. Empty where it cannot be read.
+QByteArray beginningOf(const QString &path);
+
+/// How these bytes are written, whether or not the data are any good; no columns where they cannot be told apart.
+FileLayout layoutOf(const QByteArray &bytes);
 
 } // namespace slidercrank

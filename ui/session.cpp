@@ -2,6 +2,7 @@
 #include "ui/session.h"
 
 #include "core/closed_form.h"
+#include "ui/column_choices.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -258,13 +259,33 @@ void Session::loadReference(const QString &path)
     m_reading.request_stop();
     m_reading = std::stop_source();
     using Outcome = std::variant<std::shared_ptr<const Reference>, QString>;
-    const auto read = [path, stop = m_reading.get_token()]() -> Outcome { return readReference(path, stop); };
-    const auto done = [this, stop = m_reading.get_token()](const Outcome &outcome) {
+    const auto read = [path, session = QPointer<Session>(this), stop = m_reading.get_token()]() -> Outcome {
+        ReadOptions options;
+        options.columns = rememberedChoices(layoutOf(beginningOf(path)), path);
+        options.progress = [session, stop, told = std::size_t{0}](std::size_t bytes, std::size_t all) mutable {
+            constexpr std::size_t kSteps = 200; // more than the bar can show
+            const std::size_t step = all > 0 ? bytes * kSteps / all : 0;
+            if (step == std::exchange(told, step)) {
+                return;
+            }
+            const double part = static_cast<double>(step) / static_cast<double>(kSteps);
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [session, stop, part] {
+                    if (session && !stop.stop_requested()) {
+                        emit session->readingProgressed(part);
+                    }
+                },
+                Qt::QueuedConnection);
+        };
+        return readReference(path, stop, options);
+    };
+    const auto done = [this, path, stop = m_reading.get_token()](const Outcome &outcome) {
         if (stop.stop_requested()) {
             return; // another file was asked for, or none
         }
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            emit problemFound(*sentence);
+            emit referenceRefused(path, *sentence);
             return;
         }
         setReference(std::get<std::shared_ptr<const Reference>>(outcome));

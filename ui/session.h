@@ -81,7 +81,8 @@ public slots:
     /// Brought into the sampled range.
     void setTime(double seconds);
 
-    /// Reads the file off the GUI thread; referenceLoaded or problemFound follows. What is on show stays until then.
+    /// Reads the file off the GUI thread, its columns as a person once chose them; referenceLoaded or referenceRefused
+    /// follows. What is on show stays until then.
     void loadReference(const QString &path);
 
     /// Takes one that is already read, at once; null: none.
@@ -113,6 +114,8 @@ signals:
 
     /// Another file, another reading of it, or none.
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);
+    void referenceRefused(const QString &path, const QString &sentence); ///< what is on show stays
+    void readingProgressed(double part);                                 ///< 0 … 1 of the file being read
     void problemFound(const QString &sentence); ///< one sentence, for the message bar; nothing else changed
     void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
 
