@@ -3,19 +3,21 @@
 
 #include "ui/theme.h"
 
+#include <QApplication>
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
-#include <QToolTip>
 #include <QWheelEvent>
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 using namespace slidercrank;
@@ -68,6 +70,9 @@ struct ShownGrid {
         grid.setResult(result);
         grid.show();
         settle();
+        if (QWidget *focus = QApplication::focusWidget()) {
+            focus->clearFocus(); // its frame is no part of a plot
+        }
         for (const QString &name : PlotGrid::plotNames()) {
             QObject::connect(plot(name), &QCustomPlot::afterReplot, &grid, [this] { ++replots; });
         }
@@ -76,6 +81,8 @@ struct ShownGrid {
     static void settle() { QTest::qWait(1); }
 
     QCustomPlot *plot(const QString &name) const { return grid.findChild<QCustomPlot *>(name); }
+
+    PlotOverlay *overlay(const QString &name) const { return plot(name)->findChild<PlotOverlay *>(); }
 
     QPoint pointAt(const QString &name, double part) const
     {
@@ -137,6 +144,12 @@ private slots:
     void requestsTheTimeOfAClick();
     void requestsNoTimeAfterADrag();
     void readsValuesWhereOneHovers();
+    void readsAllNineAtOnce();
+    void measuresBetweenTwoInstants();
+    void showsErrorsInTheChosenMeasure_data();
+    void showsErrorsInTheChosenMeasure();
+    void labelsTheAxisWithTheCrankAngle();
+    void maximizesAPlotByItsTitle();
     void offersToExportAPlot();
     void drawsAsManyPointsAsPixelsAtMost();
     void keepsTheAxesInPlaceWhileValuesChange();
@@ -473,14 +486,142 @@ void TstPlotGrid::requestsNoTimeAfterADrag()
 void TstPlotGrid::readsValuesWhereOneHovers()
 {
     ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
-    QTest::mouseMove(shown.plot(QStringLiteral("plot_theta3")), shown.pointAt(QStringLiteral("plot_theta3"), 0.5));
-    QTRY_VERIFY(QToolTip::text().contains(QStringLiteral("θ³ = 24.")));
-    QVERIFY(QToolTip::text().contains(QStringLiteral("θ₃ = θ³ + 180° = 204.")));
-    QVERIFY(QToolTip::text().contains(QStringLiteral("reference: 22.")));
+    const QString theta3 = QStringLiteral("plot_theta3");
+    QTest::mouseMove(shown.plot(theta3), shown.pointAt(theta3, 0.5));
+    QTRY_VERIFY(shown.overlay(theta3)->text().contains(QStringLiteral("θ³ = 24.")));
+    QVERIFY(shown.overlay(theta3)->text().contains(QStringLiteral("θ₃ = θ³ + 180° = 204.")));
+    QVERIFY(shown.overlay(theta3)->text().contains(QStringLiteral("reference: 22.")));
     const QString error = QStringLiteral("plot_error_velocity");
     QTest::mouseMove(shown.plot(error), shown.pointAt(error, 0.5));
-    QTRY_VERIFY(QToolTip::text().contains(QStringLiteral("error of dθ³/dt: ")));
-    QVERIFY(QToolTip::text().contains(u'%'));
+    QTRY_VERIFY(shown.overlay(error)->text().contains(QStringLiteral("error of dθ³/dt: ")));
+    QVERIFY(shown.overlay(error)->text().contains(u'%'));
+}
+
+void TstPlotGrid::readsAllNineAtOnce()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
+    const QString theta3 = QStringLiteral("plot_theta3");
+    QTest::mouseMove(shown.plot(theta3), shown.pointAt(theta3, 0.5));
+    QTRY_VERIFY(shown.overlay(theta3)->isVisible());
+    for (const QString &name : PlotGrid::plotNames()) {
+        QVERIFY2(!shown.overlay(name)->text().isEmpty(), qPrintable(name));
+    }
+    QCOMPARE(shown.replots, 0);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(shown.plot(theta3), &leave);
+    QVERIFY(!shown.overlay(theta3)->isVisible());
+}
+
+void TstPlotGrid::measuresBetweenTwoInstants()
+{
+    // R4x of Table 1 with b = 60: 20 + 60 cos(asin(25/60)) at 0°, -20 + the same at 180°.
+    ShownGrid shown(resultOf(withCoupler(60.0), 200));
+    shown.grid.setMeasuring(true);
+    Pose pose;
+    const QString slider = QStringLiteral("plot_R4_x");
+    QCustomPlot *plot = shown.plot(slider);
+    plot->setFocus();
+    for (const auto &[time, key] : {std::pair(0.0, Qt::Key_A), std::pair(0.5, Qt::Key_B)}) {
+        pose.time = time;
+        shown.grid.setPose(pose);
+        QTest::keyClick(plot, key);
+    }
+    const QString text = shown.overlay(slider)->text();
+    QVERIFY2(text.contains(QStringLiteral("A  74.5436 mm")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("B  34.5436 mm")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("B − A  -40.0000 mm")), qPrintable(text));
+
+    const QPoint atB(static_cast<int>(std::lround(plot->xAxis->coordToPixel(0.5))), plot->axisRect()->center().y());
+    const QPoint to(static_cast<int>(std::lround(plot->xAxis->coordToPixel(0.25))), atB.y());
+    QTest::mousePress(plot, Qt::LeftButton, {}, atB);
+    QTest::mouseMove(plot, to);
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, to);
+    QTRY_VERIFY(shown.overlay(slider)->text().contains(QStringLiteral("B  59.7"))); // 60 cos(asin(5/60))
+    shown.grid.setMeasuring(false);
+    QVERIFY(!shown.overlay(slider)->isVisible() || shown.overlay(slider)->text().isEmpty());
+}
+
+void TstPlotGrid::showsErrorsInTheChosenMeasure_data()
+{
+    QTest::addColumn<int>("measure");
+    QTest::addColumn<bool>("logarithmic");
+    QTest::newRow("percent") << static_cast<int>(ErrorMeasure::Percent) << false;
+    QTest::newRow("absolute") << static_cast<int>(ErrorMeasure::Absolute) << false;
+    QTest::newRow("of peak") << static_cast<int>(ErrorMeasure::OfPeak) << false;
+    QTest::newRow("percent, logarithmic") << static_cast<int>(ErrorMeasure::Percent) << true;
+    QTest::newRow("absolute, logarithmic") << static_cast<int>(ErrorMeasure::Absolute) << true;
+}
+
+void TstPlotGrid::showsErrorsInTheChosenMeasure()
+{
+    QFETCH(int, measure);
+    QFETCH(bool, logarithmic);
+    PlotSettings settings;
+    settings.error = static_cast<ErrorMeasure>(measure);
+    settings.logarithmicError = logarithmic;
+    const Parameters theirs = withCoupler(65.0);
+    ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(theirs)));
+    shown.grid.setSettings(settings);
+    ShownGrid::settle();
+
+    // The textbook's formulas, at t = 0: θ3 = asin(25/b), R4x = 20 + √(b² - 25²).
+    constexpr double kDegree = 180.0 / std::numbers::pi;
+    const std::array<double, 2> model{std::asin(25.0 / 60.0) * kDegree, 20.0 + std::sqrt(60.0 * 60.0 - 625.0)};
+    const std::array<double, 2> reference{std::asin(25.0 / 65.0) * kDegree, 20.0 + std::sqrt(65.0 * 65.0 - 625.0)};
+    // Peaks: at 270° θ3 = asin(45/65); R4x is largest where crank and coupler are in line, √((20 + 65)² - 25²).
+    const std::array<double, 2> peak{std::asin(45.0 / 65.0) * kDegree, std::sqrt(85.0 * 85.0 - 625.0)};
+    const QCustomPlot *plot = shown.plot(QStringLiteral("plot_error_position"));
+    for (std::size_t i = 0; i < 2; ++i) {
+        double expected = std::abs(model[i] - reference[i]);
+        switch (settings.error) {
+        case ErrorMeasure::Percent: expected *= 100.0 / reference[i]; break;
+        case ErrorMeasure::Absolute: break;
+        case ErrorMeasure::OfPeak: expected *= 100.0 / peak[i]; break;
+        }
+        expected = logarithmic ? std::log10(expected) : expected;
+        const double shownValue = plot->graph(static_cast<int>(i))->data()->constBegin()->value;
+        constexpr double kPeakIsSampled = 2e-3; // of 51 samples none is just at the peak
+        QVERIFY2(std::abs(shownValue - expected) <= kPeakIsSampled * std::abs(expected),
+                 qPrintable(QStringLiteral("%1 instead of %2").arg(shownValue).arg(expected)));
+    }
+    QCOMPARE(plot->yAxis2->visible(), settings.error == ErrorMeasure::Absolute);
+}
+
+void TstPlotGrid::labelsTheAxisWithTheCrankAngle()
+{
+    Parameters parameters;
+    parameters.omega2 = -2.0 * std::numbers::pi;
+    parameters.theta20 = 0.5 * std::numbers::pi;
+    ShownGrid shown(resultOf(parameters));
+    PlotSettings settings;
+    settings.abscissa = Abscissa::CrankAngle;
+    shown.grid.setSettings(settings);
+    ShownGrid::settle();
+    const QCPAxis &axis = *shown.plot(QStringLiteral("plot_error_acceleration"))->xAxis;
+    const QVector<double> ticks = axis.ticker()->tickOrigin() == 0.25 ? QVector<double>{0.25} : QVector<double>{};
+    QCOMPARE(ticks.size(), 1); // θ2 is 0 a quarter of a second after it was 90°
+    QVector<double> positions;
+    QVector<QString> labels;
+    axis.ticker()->generate(axis.range(), QLocale(), u'f', 6, positions, nullptr, &labels);
+    const qsizetype atNothing = labels.indexOf(QStringLiteral("0"));
+    QVERIFY(atNothing >= 0);
+    QVERIFY(std::abs(positions[atNothing] - 0.25) < 1e-12);
+    QVERIFY(labels.contains(QStringLiteral("-90")) || labels.contains(QStringLiteral("-100")));
+}
+
+void TstPlotGrid::maximizesAPlotByItsTitle()
+{
+    ShownGrid shown(resultOf(Parameters()));
+    const QString name = QStringLiteral("plot_R4_x_diff");
+    const QSize small = shown.plot(name)->size();
+    QTest::mouseDClick(shown.plot(name), Qt::LeftButton, {}, QPoint(60, 4));
+    ShownGrid::settle();
+    QVERIFY(shown.plot(name)->width() > 2 * small.width());
+    QVERIFY(!shown.plot(QStringLiteral("plot_theta3"))->isVisible());
+    QTest::keyClick(shown.plot(name), Qt::Key_Escape);
+    ShownGrid::settle();
+    QCOMPARE(shown.plot(name)->size(), small);
+    QVERIFY(shown.plot(QStringLiteral("plot_theta3"))->isVisible());
 }
 
 void TstPlotGrid::offersToExportAPlot()
@@ -492,7 +633,11 @@ void TstPlotGrid::offersToExportAPlot()
     QCoreApplication::sendEvent(plot, &event);
     auto *menu = shown.grid.findChild<QMenu *>();
     QVERIFY(menu);
-    menu->actions().first()->trigger();
+    for (QAction *action : menu->actions()) {
+        if (action->text().contains(QStringLiteral("xport"))) {
+            action->trigger();
+        }
+    }
     menu->close();
     QCOMPARE(requested.count(), 1);
     QCOMPARE(requested[0][0].toString(), QStringLiteral("plot_R4_x"));

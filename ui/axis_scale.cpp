@@ -50,6 +50,9 @@ QString powerOfTen(int exponent)
 
 QString AxisScale::label(double value, const QLocale &locale) const
 {
+    if (isLogarithmic) {
+        return powerOfTen(static_cast<int>(std::lround(value)));
+    }
     // A tick near zero is zero: neither -0 nor the 1e-17 that stepping from one end leaves.
     const double shown = std::abs(value) < step * 1e-6 ? 0.0 : value / std::pow(10.0, exponent);
     return locale.toString(shown, 'f', decimals);
@@ -62,6 +65,13 @@ QString AxisScale::unit(const QString &unit) const
 
 int AxisScale::labelLength(const Interval &range) const
 {
+    if (isLogarithmic) {
+        constexpr int kBase = 2;
+        const auto exponentLength = [](double value) {
+            return static_cast<int>(QString::number(static_cast<int>(std::lround(value))).size());
+        };
+        return kBase + std::max(exponentLength(range.lower), exponentLength(range.upper));
+    }
     const double largest = largestMagnitude(range) / std::pow(10.0, exponent);
     const int integerDigits = largest < 10.0 ? 1 : 1 + static_cast<int>(std::floor(std::log10(largest)));
     return integerDigits + (decimals > 0 ? 1 + decimals : 0) + (range.lower < 0.0 ? 1 : 0);
@@ -80,6 +90,14 @@ AxisScale axisScale(const Interval &range, double intervals)
     constexpr double kRoundingRoom = 1e-9;
     const double exponentOfStep = std::log10(scale.step) - scale.exponent;
     scale.decimals = std::clamp(-static_cast<int>(std::floor(exponentOfStep + kRoundingRoom)), 0, 17);
+    return scale;
+}
+
+AxisScale logarithmicScale(const Interval &range, double intervals)
+{
+    AxisScale scale;
+    scale.isLogarithmic = true;
+    scale.step = std::max(1.0, niceStep(range.length() / std::max(intervals, 1.0)));
     return scale;
 }
 

@@ -16,6 +16,7 @@ struct AxisScale {
     double step = 1.0; ///< between ticks: 1, 2 or 5 times a power of ten
     int exponent = 0;  ///< labels show value / 10^exponent; a multiple of 3
     int decimals = 0;
+    bool isLogarithmic = false; ///< values are decimal logarithms; labels are powers of ten
 
     QString label(double value, const QLocale &locale) const;
 
@@ -30,6 +31,9 @@ struct AxisScale {
 
 /// About that many intervals between ticks, at least one.
 AxisScale axisScale(const Interval &range, double intervals);
+
+/// For decimal logarithms: whole decades.
+AxisScale logarithmicScale(const Interval &range, double intervals);
 
 /// The range widened a little and rounded outwards, so that the axis stands still while the values change a little.
 /// A range without length gets one.

@@ -61,6 +61,13 @@ QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels) const
     return {labels + kLabelGap + kTickLength + 1, titleHeight + 2, kRight, bottom};
 }
 
+QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels, int rightLabelLength) const
+{
+    QMargins around = margins(labelLength, hasTimeLabels);
+    around.setRight(margins(rightLabelLength, hasTimeLabels).left());
+    return around;
+}
+
 PlotArrangement::PlotArrangement(const QSize &size, const PlotTypography &typography)
 {
     constexpr int kSmallestLabelledCell = 165; // px: below this the labels of the upper rows take too much
@@ -79,6 +86,16 @@ PlotArrangement::PlotArrangement(const QSize &size, const PlotTypography &typogr
         cells[i] = QRect(column * cellWidth, legend.height() + row * cellHeight, cellWidth,
                          cellHeight + (row == kRows - 1 ? extra : 0));
     }
+}
+
+PlotArrangement PlotArrangement::of(std::size_t plot, const QSize &size, const PlotTypography &typography)
+{
+    PlotArrangement arrangement(size, typography);
+    arrangement.cells = {};
+    arrangement.cells[plot] =
+        QRect(0, arrangement.legend.height(), size.width(), std::max(0, size.height() - arrangement.legend.height()));
+    arrangement.hasTimeLabelsEverywhere = true;
+    return arrangement;
 }
 
 bool PlotArrangement::hasTimeLabels(std::size_t plot) const

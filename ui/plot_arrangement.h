@@ -33,6 +33,9 @@ struct PlotTypography {
     /// length all get the same room, so that nothing moves while the numbers change.
     QMargins margins(int labelLength, bool hasTimeLabels) const;
 
+    /// The same with labels of that length at the right axis, too.
+    QMargins margins(int labelLength, bool hasTimeLabels, int rightLabelLength) const;
+
     QFont title;
     QFont tick;
     int titleHeight = 0;
@@ -43,6 +46,9 @@ struct PlotTypography {
 /// Where legend and plots are in a figure of that size.
 struct PlotArrangement {
     PlotArrangement(const QSize &size, const PlotTypography &typography);
+
+    /// The same filled by one plot alone; the cells of the others are empty.
+    static PlotArrangement of(std::size_t plot, const QSize &size, const PlotTypography &typography);
 
     bool hasTimeLabels(std::size_t plot) const;
 

@@ -89,6 +89,66 @@ AxisScale timeScale(const Interval &range, double width, double digitWidth)
     }
 }
 
+/// For reading: six digits and a unit.
+QString numberText(double value, const QString &unit)
+{
+    constexpr int kDigits = 6;
+    return std::isfinite(value) ? withUnit(shortNumber(value, kDigits, QLocale()), unit)
+                                : PlotFigure::tr("does not exist");
+}
+
+/// Which of them is nearest; there must be one.
+std::size_t nearest(std::span<const double> instants, double t)
+{
+    const auto after = std::lower_bound(instants.begin(), instants.end(), t);
+    const auto index = static_cast<std::size_t>(after - instants.begin());
+    if (index == instants.size() || (index > 0 && t - instants[index - 1] < instants[index] - t)) {
+        return index - 1;
+    }
+    return index;
+}
+
+/// The part of `whole` that lies as `part` lies in `of`.
+Interval correspondingRange(const Interval &part, const Interval &of, const Interval &whole)
+{
+    const double perUnit = whole.length() / of.length();
+    return {whole.lower + (part.lower - of.lower) * perUnit, whole.lower + (part.upper - of.lower) * perUnit};
+}
+
+/// Cuts it off at the axes and makes of it what is drawn.
+void finishCurve(PlotPicture::Curve &curve, const Interval &time, const Interval &values, const QSize &axes)
+{
+    const DashPattern pattern{kDash, kDashGap, axes.width() / time.length(), axes.height() / values.length()};
+    constexpr double kInvisible = 0.1; // px
+    const double tolerance = kInvisible / pattern.perValue;
+    curve.points = clip(curve.points, time, values);
+    if (curve.ink != Ink::Reference) {
+        curve.dots = isolatedPoints(curve.points);
+        curve.points = withoutNeedlessPoints(curve.points, tolerance);
+        return;
+    }
+    constexpr double kPixelsPerDot = 12.0;
+    if (static_cast<double>(curve.points.size()) * kPixelsPerDot >= axes.width()) {
+        curve.dots = isolatedPoints(curve.points);
+    } else {
+        std::copy_if(curve.points.begin(), curve.points.end(), std::back_inserter(curve.dots),
+                     [](const CurvePoint &point) { return !std::isnan(point.value); });
+    }
+    curve.points = cutIntoDashes(withoutNeedlessPoints(curve.points, tolerance), pattern);
+}
+
+/// The errors' axis begins at zero; in decades, where the smallest that matters is.
+Interval errorRange(const Interval &extent, bool isLogarithmic)
+{
+    if (!isLogarithmic) {
+        return roundedOutwards(united(extent, Interval{0.0, 0.0}));
+    }
+    constexpr double kMostDecades = 12.0;
+    const double upper = std::ceil(extent.upper);
+    const double lower = std::max(std::floor(extent.lower), upper - kMostDecades);
+    return {std::min(lower, upper - 1.0), upper};
+}
+
 } // namespace
 
 QString plotName(std::size_t plot)
@@ -154,22 +214,99 @@ void PlotFigure::convert()
         }
         channel.reference = series->values;
         channel.modelAtReference = result->atReference[kPlottedChannels[i]];
-        channel.percent.reserve(data.time.size());
-        for (std::size_t k = 0; k < data.time.size(); ++k) {
-            const double reference = channel.reference[k];
-            if (reference == 0.0) {
-                channel.zeroReference.push_back(data.time[k]);
-            }
-            constexpr double kPercent = 100.0;
-            channel.percent.push_back(
-                reference == 0.0 ? kNaN : std::abs((channel.modelAtReference[k] - reference) / reference) * kPercent);
-        }
         for (const ChannelComparison &comparison : result->comparison) {
             if (comparison.channel == kPlottedChannels[i]) {
-                channel.largestPercent = comparison.maxPercent;
+                channel.comparison = &comparison;
             }
         }
+        convertErrors(channel, *series);
     }
+}
+
+void PlotFigure::convertErrors(ShownChannel &channel, const ReferenceSeries &series) const
+{
+    constexpr double kPercent = 100.0;
+    constexpr double kHalf = 0.5;
+    double perDifference = 1.0;
+    std::optional<double> largest;
+    switch (m_settings.error) {
+    case ErrorMeasure::Percent:
+        perDifference = kPercent;
+        largest = channel.comparison ? channel.comparison->maxPercent : std::nullopt;
+        break;
+    case ErrorMeasure::Absolute: largest = channel.comparison ? channel.comparison->maxAbs : std::nullopt; break;
+    case ErrorMeasure::OfPeak: {
+        const std::optional<Interval> range = extremes(channel.reference);
+        const double peak = range ? std::max(std::abs(range->lower), std::abs(range->upper)) : 0.0;
+        perDifference = peak > 0.0 ? kPercent / peak : kNaN;
+        largest = channel.comparison ? channel.comparison->percentOfPeak : std::nullopt;
+        break;
+    }
+    }
+    channel.largestError = largest;
+    const bool ofValue = m_settings.error == ErrorMeasure::Percent;
+    const auto shown = [this](double error) {
+        return !m_settings.logarithmicError ? error : error > 0.0 ? std::log10(error) : kNaN;
+    };
+    const std::size_t count = channel.reference.size();
+    channel.errors.reserve(count);
+    channel.band.reserve(m_settings.roundingBand ? count : 0);
+    for (std::size_t k = 0; k < count; ++k) {
+        const double reference = channel.reference[k];
+        const bool isZero = ofValue && reference == 0.0;
+        if (isZero) {
+            channel.zeroReference.push_back(m_referenceTime[k]);
+        }
+        const double perUnit = isZero ? kNaN : ofValue ? perDifference / std::abs(reference) : perDifference;
+        channel.errors.push_back(shown(std::abs(channel.modelAtReference[k] - reference) * perUnit));
+        if (m_settings.roundingBand) {
+            channel.band.push_back(shown(kHalf * series.rounding.stepAt(reference) * perUnit));
+        }
+    }
+}
+
+void PlotFigure::setSettings(const PlotSettings &settings)
+{
+    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+        if (isErrorPlot(plot)) {
+            valueZoom[plot].reset(); // another measure, other numbers
+        }
+    }
+    m_settings = settings;
+    m_isConverted = false;
+}
+
+bool PlotFigure::hasRightAxis(std::size_t plot) const
+{
+    return isErrorPlot(plot) && m_settings.error == ErrorMeasure::Absolute && result && result->reference;
+}
+
+QString PlotFigure::errorUnit(std::size_t channel) const
+{
+    switch (m_settings.error) {
+    case ErrorMeasure::Percent: return QStringLiteral("%");
+    case ErrorMeasure::Absolute: return unitOf(channel);
+    case ErrorMeasure::OfPeak: return tr("% of peak");
+    }
+    return {};
+}
+
+PlotPicture::TimeLabels PlotFigure::timeLabels(double width, double digitWidth) const
+{
+    PlotPicture::TimeLabels labels;
+    const double omega2 = result ? result->mechanism.omega2() : 0.0;
+    const bool isAngle = m_settings.abscissa == Abscissa::CrankAngle && omega2 != 0.0;
+    if (isAngle) {
+        labels.perUnit = 1.0 / (omega2 * kDegreesPerRadian);
+        labels.zero = -result->mechanism.theta20() / omega2;
+    }
+    const Interval range = timeRange();
+    const Interval shown{labels.at(range.lower), labels.at(range.upper)};
+    labels.scale =
+        timeScale({std::min(shown.lower, shown.upper), std::max(shown.lower, shown.upper)}, width, digitWidth);
+    labels.title = isAngle ? QStringLiteral("θ₂ [%1]").arg(labels.scale.unit(QStringLiteral("°")))
+                           : QStringLiteral("t [%1]").arg(labels.scale.unit(QStringLiteral("s")));
+    return labels;
 }
 
 Interval PlotFigure::wholeRange() const
@@ -214,7 +351,7 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
     constexpr double kPixelsPerValueTick = 30.0;
     PlotPicture picture;
     picture.time = timeRange();
-    picture.timeScale = timeScale(picture.time, axes.width(), digitWidth);
+    picture.timeLabels = timeLabels(axes.width(), digitWidth);
     const std::size_t columns = static_cast<std::size_t>(std::max(axes.width(), 1));
     if (isErrorPlot(plot)) {
         fillErrorPicture(picture, plot / kPlotColumns, columns);
@@ -222,31 +359,31 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
         fillModelPicture(picture, channelOf(plot), columns);
     }
     if (valueZoom[plot] && picture.hasValues) {
+        if (picture.rightValues) { // both axes show the same part of theirs
+            picture.rightValues = correspondingRange(*valueZoom[plot], picture.values, *picture.rightValues);
+        }
         picture.values = *valueZoom[plot];
     }
-    picture.valueScale = axisScale(picture.values, axes.height() / kPixelsPerValueTick);
-    const QString unit = isErrorPlot(plot) ? QStringLiteral("%") : unitOf(channelOf(plot));
-    picture.title =
-        QStringLiteral("%1 [%2]").arg(picture.title, picture.hasValues ? picture.valueScale.unit(unit) : unit);
-    const DashPattern pattern{kDash, kDashGap, axes.width() / picture.time.length(),
-                              axes.height() / picture.values.length()};
-    constexpr double kInvisible = 0.1; // px
-    const double tolerance = kInvisible / pattern.perValue;
-    for (PlotPicture::Curve &curve : picture.curves) {
-        curve.points = clip(curve.points, picture.time, picture.values);
-        if (curve.ink != Ink::Reference) {
-            curve.dots = isolatedPoints(curve.points);
-            curve.points = withoutNeedlessPoints(curve.points, tolerance);
-        } else {
-            constexpr double kPixelsPerDot = 12.0;
-            if (static_cast<double>(curve.points.size()) * kPixelsPerDot >= axes.width()) {
-                curve.dots = isolatedPoints(curve.points);
-            } else {
-                std::copy_if(curve.points.begin(), curve.points.end(), std::back_inserter(curve.dots),
-                             [](const CurvePoint &point) { return !std::isnan(point.value); });
-            }
-            curve.points = cutIntoDashes(withoutNeedlessPoints(curve.points, tolerance), pattern);
-        }
+    const double ticks = axes.height() / kPixelsPerValueTick;
+    const bool isLogarithmic = isErrorPlot(plot) && m_settings.logarithmicError;
+    const auto scaleOf = [&](const Interval &range) {
+        return isLogarithmic ? logarithmicScale(range, ticks) : axisScale(range, ticks);
+    };
+    picture.valueScale = scaleOf(picture.values);
+    const std::size_t channel = isErrorPlot(plot) ? plot / kPlotColumns * kChannelsPerRow : channelOf(plot);
+    QString unit = isErrorPlot(plot) ? errorUnit(channel) : unitOf(channel);
+    if (picture.hasValues) {
+        unit = picture.valueScale.unit(unit);
+    }
+    if (picture.rightValues) {
+        picture.rightScale = scaleOf(*picture.rightValues);
+        unit = tr("%1; %2", "units of the left and of the right axis")
+                   .arg(unit, picture.rightScale.unit(errorUnit(channel + 1)));
+    }
+    picture.title = QStringLiteral("%1 [%2]").arg(picture.title, unit);
+    for (std::size_t i = 0; i < picture.curves.size(); ++i) {
+        const bool isRight = picture.rightValues && i == 1;
+        finishCurve(picture.curves[i], picture.time, isRight ? *picture.rightValues : picture.values, axes);
     }
     return picture;
 }
@@ -293,30 +430,33 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
         return;
     }
     const PixelColumns pixels = pixelColumns(m_referenceTime, picture.time, columns);
-    std::optional<Interval> values;
+    const bool isSplit = m_settings.error == ErrorMeasure::Absolute;
+    std::array<std::optional<Interval>, kChannelsPerRow> extents;
     bool isCompared = false;
     for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
-        const ShownChannel &channel = m_channels[row * kChannelsPerRow + i];
+        const std::size_t index = row * kChannelsPerRow + i;
+        const ShownChannel &channel = m_channels[index];
         if (channel.reference.empty()) {
             continue;
         }
         isCompared = true;
         PlotPicture::Curve &curve = picture.curves[i];
-        curve.points = decimate(m_referenceTime, channel.percent, pixels);
+        curve.points = decimate(m_referenceTime, channel.errors, pixels);
+        curve.band = decimate(m_referenceTime, channel.band, pixels);
         curve.marks = channel.zeroReference;
-        values = united(values, extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.percent));
-        if (channel.largestPercent) {
+        extents[i] = extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.errors);
+        if (channel.largestError) {
             constexpr int kDigits = 3;
             constexpr int kFewDigits = 2;
-            const double largest = *channel.largestPercent;
-            const QString number = shortNumber(largest, kDigits, QLocale());
+            const double largest = *channel.largestError;
+            const QString unit = isSplit ? unitOf(index) : QStringLiteral("%");
+            const QString number = QStringLiteral("%1 %2").arg(shortNumber(largest, kDigits, QLocale()), unit);
             if (!picture.remarks.empty()) {
                 picture.remarks.push_back({QStringLiteral(" · ")});
                 picture.shortRemarks.push_back({QStringLiteral(" · ")});
             }
             picture.remarks.push_back(
-                {tr("%1 % %2", "largest error: number, quantity").arg(number, quantity(row * kChannelsPerRow + i)),
-                 curve.ink});
+                {tr("%1 %2", "largest error: number with unit, quantity").arg(number, quantity(index)), curve.ink});
             picture.shortRemarks.push_back({shortNumber(largest, kFewDigits, QLocale()), curve.ink});
         }
     }
@@ -324,13 +464,19 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
         const InkedText largest{tr("max ", "largest error, before the numbers")};
         picture.remarks.insert(picture.remarks.begin(), largest);
         picture.shortRemarks.insert(picture.shortRemarks.begin(), largest);
-        picture.shortRemarks.push_back({QStringLiteral(" %")});
+        if (!isSplit) {
+            picture.shortRemarks.push_back({QStringLiteral(" %")});
+        }
     }
-    picture.hasValues = values.has_value();
-    if (values) {
-        picture.values = roundedOutwards(united(*values, Interval{0.0, 0.0}));
-    } else {
+    const std::optional<Interval> both = united(extents[0], extents[1]);
+    picture.hasValues = both.has_value();
+    if (!both) {
         picture.note = isCompared ? tr("nothing to compare") : tr("not in the file");
+        return;
+    }
+    picture.values = errorRange(isSplit ? extents[0].value_or(*both) : *both, m_settings.logarithmicError);
+    if (isSplit) {
+        picture.rightValues = errorRange(extents[1].value_or(*both), m_settings.logarithmicError);
     }
 }
 
@@ -350,69 +496,125 @@ std::vector<LegendEntry> PlotFigure::legend(bool hasModel, bool hasErrors) const
     if (hasErrors) {
         entries.push_back({Sample::Solid, Ink::Error, tr("error of %1").arg(quantity(0))});
         entries.push_back({Sample::Solid, Ink::ErrorOther, tr("error of %1").arg(quantity(1))});
-        entries.push_back({Sample::Mark, Ink::Text, tr("reference is 0")});
+        if (m_settings.error == ErrorMeasure::Percent) {
+            entries.push_back({Sample::Mark, Ink::Text, tr("reference is 0")});
+        }
     }
     return entries;
 }
 
-QString PlotFigure::readout(std::size_t plot, double t)
+double PlotFigure::nearestInstant(double t)
 {
     convert();
-    if (!result || m_time.empty()) {
-        return {};
+    return m_time.empty() ? t : m_time[nearest(m_time, t)];
+}
+
+QString PlotFigure::instantText(double seconds) const
+{
+    const QString time = QStringLiteral("t = %1").arg(numberText(seconds, QStringLiteral("s")));
+    if (m_settings.abscissa == Abscissa::Time || !result) {
+        return time;
     }
-    const QLocale locale;
-    constexpr int kDigits = 6;
-    const auto nearest = [t](std::span<const double> instants) {
-        const auto after = std::lower_bound(instants.begin(), instants.end(), t);
-        const auto index = static_cast<std::size_t>(after - instants.begin());
-        if (index == instants.size() || (index > 0 && t - instants[index - 1] < instants[index] - t)) {
-            return index - 1;
+    const double angle = (result->mechanism.theta20() + result->mechanism.omega2() * seconds) * kDegreesPerRadian;
+    return QStringLiteral("θ₂ = %1, %2").arg(numberText(angle, QStringLiteral("°")), time);
+}
+
+QString PlotFigure::errorText(std::size_t channel, std::size_t atReference) const
+{
+    const ShownChannel &shown = m_channels[channel];
+    if (m_settings.error == ErrorMeasure::Percent && shown.reference[atReference] == 0.0) {
+        return tr("no percentage, the reference is 0");
+    }
+    if (shown.modelAtReference[atReference] == shown.reference[atReference]) { // has no logarithm
+        return numberText(0.0, errorUnit(channel));
+    }
+    const double error = shown.errors[atReference];
+    return numberText(m_settings.logarithmicError ? std::pow(10.0, error) : error, errorUnit(channel));
+}
+
+std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t)
+{
+    convert();
+    std::vector<InkedText> values;
+    if (m_time.empty()) {
+        return values;
+    }
+    if (!isErrorPlot(plot)) {
+        const std::size_t index = channelOf(plot);
+        const ShownChannel &channel = m_channels[index];
+        values.push_back({numberText(channel.model[nearest(m_time, t)], unitOf(index)), Ink::Model});
+        if (!channel.reference.empty()) {
+            const double reference = channel.reference[nearest(m_referenceTime, t)];
+            values.push_back({numberText(reference, unitOf(index)), Ink::Reference});
         }
-        return index;
+        return values;
+    }
+    for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
+        const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
+        if (!m_channels[index].reference.empty()) {
+            values.push_back({errorText(index, nearest(m_referenceTime, t)), i == 0 ? Ink::Error : Ink::ErrorOther});
+        }
+    }
+    return values;
+}
+
+std::vector<InkedText> PlotFigure::changesBetween(std::size_t plot, double from, double to)
+{
+    convert();
+    std::vector<InkedText> changes;
+    if (isErrorPlot(plot) || m_time.empty()) {
+        return changes;
+    }
+    const std::size_t index = channelOf(plot);
+    const ShownChannel &channel = m_channels[index];
+    const auto change = [&](std::span<const double> instants, std::span<const double> values) {
+        return numberText(values[nearest(instants, to)] - values[nearest(instants, from)], unitOf(index));
     };
-    const auto number = [&](double value, const QString &unit) {
-        return std::isfinite(value) ? withUnit(shortNumber(value, kDigits, locale), unit) : tr("does not exist");
-    };
-    const auto instant = [&](double seconds) {
-        return QStringLiteral("t = %1").arg(number(seconds, QStringLiteral("s")));
-    };
-    QStringList lines;
+    changes.push_back({change(m_time, channel.model), Ink::Model});
+    if (!channel.reference.empty()) {
+        changes.push_back({change(m_referenceTime, channel.reference), Ink::Reference});
+    }
+    return changes;
+}
+
+std::vector<InkedText> PlotFigure::readout(std::size_t plot, double t)
+{
+    convert();
+    std::vector<InkedText> rows;
+    if (m_time.empty() || (isErrorPlot(plot) && m_referenceTime.empty())) {
+        return rows;
+    }
     if (isErrorPlot(plot)) {
-        if (m_referenceTime.empty()) {
-            return {};
-        }
-        const std::size_t k = nearest(m_referenceTime);
-        lines << instant(m_referenceTime[k]);
+        const std::size_t k = nearest(m_referenceTime, t);
+        rows.push_back({instantText(m_referenceTime[k])});
         for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
             const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
-            const ShownChannel &channel = m_channels[index];
-            if (channel.reference.empty()) {
-                continue;
+            if (!m_channels[index].reference.empty()) {
+                rows.push_back({tr("error of %1: %2").arg(quantity(index), errorText(index, k)),
+                                i == 0 ? Ink::Error : Ink::ErrorOther});
             }
-            lines << tr("error of %1: %2")
-                         .arg(quantity(index), channel.reference[k] == 0.0
-                                                   ? tr("no percentage, the reference is 0")
-                                                   : number(channel.percent[k], QStringLiteral("%")));
         }
-        return lines.join(u'\n');
+        return rows;
     }
     const std::size_t index = channelOf(plot);
     const ShownChannel &channel = m_channels[index];
     const QString unit = unitOf(index);
-    const std::size_t k = nearest(m_time);
-    lines << instant(m_time[k]);
-    lines << tr("%1 = %2").arg(quantity(index), number(channel.model[k], unit));
+    const std::size_t k = nearest(m_time, t);
+    rows.push_back({instantText(m_time[k])});
+    rows.push_back({tr("%1 = %2").arg(quantity(index), numberText(channel.model[k], unit)), Ink::Model});
     if (kPlottedChannels[index] == Channel{Theta3, Order::Position} && std::isfinite(channel.model[k])) {
         constexpr double kHalfTurn = 180.0;
-        lines << tr("textbook's θ₃ = θ³ + 180° = %1").arg(number(channel.model[k] + kHalfTurn, unit));
+        rows.push_back({tr("textbook's θ₃ = θ³ + 180° = %1").arg(numberText(channel.model[k] + kHalfTurn, unit))});
     }
     if (!channel.reference.empty()) {
-        const std::size_t r = nearest(m_referenceTime);
-        const QString value = number(channel.reference[r], unit);
-        lines << (m_referenceTime[r] == m_time[k] ? tr("reference: %1").arg(value)
-                                                  : tr("reference: %1 at %2").arg(value, instant(m_referenceTime[r])));
+        const std::size_t r = nearest(m_referenceTime, t);
+        const QString value = numberText(channel.reference[r], unit);
+        rows.push_back({m_referenceTime[r] == m_time[k]
+                            ? tr("reference: %1").arg(value)
+                            : tr("reference: %1 at %2").arg(value, instantText(m_referenceTime[r])),
+                        Ink::Reference});
     }
-    return lines.join(u'\n');
+    return rows;
 }
+
 } // namespace slidercrank

@@ -2,7 +2,8 @@
 #pragma once
 
 // What the nine plots of Figure 2 show of a Result, as plain data for a given size in pixels: rows position, velocity,
-// acceleration; columns θ³, R_x⁴, error. Values are in the units of the author's files (mm, °, s) and in per cent.
+// acceleration; columns θ³, R_x⁴, error. Values are in the units of the author's files (mm, °, s), errors in these or
+// in per cent.
 
 #include "ui/axis_scale.h"
 #include "ui/curve_sampling.h"
@@ -45,6 +46,24 @@ struct InkedText {
     Ink ink = Ink::Text;
 };
 
+enum class ErrorMeasure {
+    Percent,  ///< |model - reference| / |reference|, as in the report; infinite where the reference is zero
+    Absolute, ///< |model - reference|, angles to the left axis, lengths to the right one
+    OfPeak    ///< |model - reference| / max |reference|
+};
+
+enum class Abscissa { Time, CrankAngle };
+
+/// What the person chose to see.
+struct PlotSettings {
+    ErrorMeasure error = ErrorMeasure::Percent;
+    bool logarithmicError = false;
+    bool roundingBand = true; ///< half a rounding step of the file, under its errors
+    Abscissa abscissa = Abscissa::Time;
+
+    friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
+};
+
 /// All that one plot shows, for one size of its axes.
 struct PlotPicture {
     QString title;
@@ -57,13 +76,25 @@ struct PlotPicture {
         std::vector<double> marks;      ///< instants where the curve has no value because it is infinite
         Ink ink = Ink::Model;
         std::vector<CurvePoint> dots; ///< points to be seen each: no line reaches them, or there are few
+        std::vector<CurvePoint> band; ///< upper edge of what the file's rounding alone may make
     };
     std::array<Curve, 2> curves;
 
+    /// The horizontal axis is one of time (s), labelled in seconds or with the crank angle, which is linear in time.
+    struct TimeLabels {
+        double zero = 0.0;    ///< s, where the label is 0
+        double perUnit = 1.0; ///< s
+        AxisScale scale;      ///< of the labels
+        QString title;        ///< "t [s]", "θ₂ [°]"
+        double at(double seconds) const { return (seconds - zero) / perUnit; }
+    };
+
     Interval time;
+    TimeLabels timeLabels;
     Interval values;
-    AxisScale timeScale;
     AxisScale valueScale;
+    std::optional<Interval> rightValues; ///< of the second curve, where it has an axis of its own
+    AxisScale rightScale;
     bool hasValues = false;
     bool hasTimeLabels = true;
     std::optional<double> markedTime; ///< a line across the axes
@@ -88,6 +119,11 @@ public:
     std::array<std::optional<Interval>, kPlotCount> valueZoom;
 
     void setResult(const std::shared_ptr<const Result> &newResult);
+    void setSettings(const PlotSettings &settings);
+    const PlotSettings &settings() const { return m_settings; }
+
+    /// Whether lengths have an axis of their own there.
+    bool hasRightAxis(std::size_t plot) const;
 
     /// As far as there is something to see.
     void zoomTime(const Interval &range);
@@ -95,8 +131,21 @@ public:
     /// One plot whose axes have that size in pixels and whose time axis has characters of that width.
     PlotPicture picture(std::size_t plot, const QSize &axes, double digitWidth);
     std::vector<LegendEntry> legend(bool hasModel, bool hasErrors) const;
-    /// What the plot shows near time t (s), for reading; empty where it shows nothing.
-    QString readout(std::size_t plot, double t);
+
+    /// The sampled instant next to t (s); t itself where there is none.
+    double nearestInstant(double t);
+
+    /// "t = 0.25 s"; the crank angle first where that is the abscissa.
+    QString instantText(double seconds) const;
+
+    /// What the plot shows next to time t (s): model and reference, or the two errors; empty where it shows nothing.
+    std::vector<InkedText> valuesAt(std::size_t plot, double t);
+
+    /// The same for the differences from one instant to another, of model and reference.
+    std::vector<InkedText> changesBetween(std::size_t plot, double from, double to);
+
+    /// At length, a row each: the instant, the values with their names, the textbook's θ₃.
+    std::vector<InkedText> readout(std::size_t plot, double t);
 
     Interval wholeRange() const; ///< the sampled one
     Interval timeRange() const { return timeZoom.value_or(wholeRange()); }
@@ -107,17 +156,24 @@ private:
         std::span<const double> model;
         std::span<const double> reference; ///< empty where the file has no such column
         std::span<const double> modelAtReference;
-        std::vector<double> percent;       ///< at the file's instants; NaN where it does not exist
+        const ChannelComparison *comparison = nullptr;
+        std::vector<double> errors;        ///< in the chosen measure, at the file's instants; NaN where there is none
+        std::vector<double> band;          ///< half a rounding step of the file, in the same measure
         std::vector<double> zeroReference; ///< instants where the reference is zero
-        std::optional<double> largestPercent;
+        std::optional<double> largestError;
     };
 
     void convert();
+    void convertErrors(ShownChannel &channel, const ReferenceSeries &series) const;
+    PlotPicture::TimeLabels timeLabels(double width, double digitWidth) const;
+    QString errorUnit(std::size_t channel) const;
+    QString errorText(std::size_t channel, std::size_t atReference) const;
     void fillModelPicture(PlotPicture &picture, std::size_t channel, std::size_t columns) const;
     void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns) const;
     std::optional<Interval> extremesWithin(const Interval &range, std::span<const double> instants,
                                            std::span<const double> values) const;
 
+    PlotSettings m_settings;
     bool m_isConverted = false;
     std::span<const double> m_time;
     std::span<const double> m_referenceTime;

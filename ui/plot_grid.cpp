@@ -2,11 +2,13 @@
 #include "ui/plot_grid.h"
 
 #include "ui/axis_scale.h"
+#include "ui/plot_canvas.h"
 #include "ui/theme.h"
 
+#include <QActionGroup>
 #include <QApplication>
+#include <QClipboard>
 #include <QContextMenuEvent>
-#include <QFontMetricsF>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QMenu>
@@ -15,11 +17,9 @@
 #include <QPicture>
 #include <QToolTip>
 #include <QWheelEvent>
-#include <qcustomplot.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace slidercrank
@@ -28,8 +28,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr qreal kDotSize = 4.0;
-
 /// Shrunk or widened about one of its points.
 Interval scaled(const Interval &range, double about, double factor)
 {
@@ -37,224 +35,6 @@ Interval scaled(const Interval &range, double about, double factor)
 }
 
 } // namespace
-
-/// One plot: a QCustomPlot that shows a PlotPicture and otherwise does nothing of its own.
-class PlotGrid::Plot : public QCustomPlot
-{
-public:
-    explicit Plot(QWidget *parent);
-
-    void setStyle(const PlotTypography &typography, const SeriesColours &colours);
-    void display(const PlotPicture &picture, const QMargins &margins);
-
-    const Interval &timeRange() const { return m_picture.time; }
-    const Interval &valueRange() const { return m_picture.values; }
-    bool hasValues() const { return m_picture.hasValues; }
-
-private:
-    /// Title, unit of the time axis, marks and dots: what QCustomPlot has no cheap element for.
-    class Lettering : public QCPLayerable
-    {
-    public:
-        explicit Lettering(Plot *plot)
-            : QCPLayerable(plot, QStringLiteral("axes"))
-            , m_plot(plot)
-        {
-        }
-
-    protected:
-        void applyDefaultAntialiasingHint(QCPPainter *painter) const override { painter->setAntialiasing(true); }
-        void draw(QCPPainter *painter) override;
-
-    private:
-        void drawTitle(QCPPainter &painter, const QRect &axes) const;
-        Plot *m_plot;
-    };
-
-    class Ticker : public QCPAxisTicker
-    {
-    public:
-        AxisScale scale;
-
-    protected:
-        double getTickStep(const QCPRange &) override { return scale.step; }
-        int getSubTickCount(double) override { return 0; }
-        QString getTickLabel(double tick, const QLocale &locale, QChar, int) override
-        {
-            return scale.label(tick, locale);
-        }
-    };
-
-    PlotPicture m_picture;
-    QFont m_titleFont;
-    QFont m_tickFont;
-    SeriesColours m_colours;
-    QSharedPointer<Ticker> m_timeTicker;
-    QSharedPointer<Ticker> m_valueTicker;
-};
-
-PlotGrid::Plot::Plot(QWidget *parent)
-    : QCustomPlot(parent)
-    , m_timeTicker(new Ticker)
-    , m_valueTicker(new Ticker)
-{
-    setInteractions(QCP::Interactions());
-    setAutoAddPlottableToLegend(false);
-    setPlottingHint(QCP::phFastPolylines, true); // a line of width 2 costs four times as much without
-    layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical); // no second pixmap: nothing is drawn there
-    axisRect()->setAutoMargins(QCP::msNone);
-    xAxis->setTicker(m_timeTicker);
-    yAxis->setTicker(m_valueTicker);
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        axis->setSubTicks(false);
-        axis->setTickLength(0, kTickLength);
-        axis->setTickLabelPadding(kLabelGap);
-    }
-    for (std::size_t curve = 0; curve < m_picture.curves.size(); ++curve) {
-        QCPGraph *graph = addGraph();
-        graph->setAdaptiveSampling(false);
-        graph->setSelectable(QCP::stNone);
-    }
-    new Lettering(this);
-}
-
-void PlotGrid::Plot::setStyle(const PlotTypography &typography, const SeriesColours &colours)
-{
-    m_titleFont = typography.title;
-    m_tickFont = typography.tick;
-    m_colours = colours;
-    setBackground(QBrush(colours.background));
-    constexpr double kFrameStrength = 0.55;
-    const auto mixed = [](int text, int background) {
-        return static_cast<int>(std::lround(kFrameStrength * text + (1.0 - kFrameStrength) * background));
-    };
-    const QColor frame(mixed(colours.text.red(), colours.background.red()),
-                       mixed(colours.text.green(), colours.background.green()),
-                       mixed(colours.text.blue(), colours.background.blue()));
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        axis->setBasePen(QPen(frame, 1));
-        axis->setTickPen(QPen(frame, 1));
-        axis->setTickLabelColor(colours.text);
-        axis->setTickLabelFont(typography.tick);
-        axis->grid()->setPen(QPen(colours.grid, 1));
-        axis->grid()->setZeroLinePen(QPen(frame, 1));
-    }
-    xAxis->grid()->setZeroLinePen(Qt::NoPen); // t = 0 is the axis itself
-}
-
-void PlotGrid::Plot::display(const PlotPicture &picture, const QMargins &margins)
-{
-    m_picture = picture;
-    axisRect()->setMargins(margins);
-    m_timeTicker->scale = picture.timeScale;
-    m_valueTicker->scale = picture.valueScale;
-    xAxis->setRange(picture.time.lower, picture.time.upper);
-    yAxis->setRange(picture.values.lower, picture.values.upper);
-    QString description = picture.title;
-    for (const InkedText &remark : picture.remarks) {
-        description += remark.text;
-    }
-    setAccessibleDescription(description);
-    xAxis->setTickLabels(picture.hasTimeLabels);
-    yAxis->setTickLabels(picture.hasValues);
-    for (std::size_t i = 0; i < picture.curves.size(); ++i) {
-        const PlotPicture::Curve &curve = picture.curves[i];
-        QVector<QCPGraphData> points;
-        points.reserve(static_cast<qsizetype>(curve.points.size()));
-        for (const CurvePoint &point : curve.points) {
-            points.append(QCPGraphData(point.t, point.value));
-        }
-        QCPGraph *line = graph(static_cast<int>(i));
-        line->data()->set(points, true);
-        line->setPen(penOf(curve.ink, m_colours));
-    }
-}
-
-void PlotGrid::Plot::Lettering::draw(QCPPainter *painter)
-{
-    const PlotPicture &picture = m_plot->m_picture;
-    const SeriesColours &colours = m_plot->m_colours;
-    const QRect axes = m_plot->axisRect()->rect();
-    drawTitle(*painter, axes);
-
-    painter->setFont(m_plot->m_tickFont);
-    painter->setPen(QPen(colours.text));
-    if (picture.hasTimeLabels) {
-        // In the corner that both axes leave free.
-        const QString first = picture.timeScale.label(picture.time.lower, QLocale());
-        const double right = axes.left() - 0.5 * QFontMetricsF(m_plot->m_tickFont).horizontalAdvance(first) - 5.0;
-        const QRectF corner(0.0, axes.bottom() + kTickLength + kLabelGap - 1, right, axes.height());
-        painter->drawText(corner, Qt::AlignRight | Qt::AlignTop | Qt::TextDontClip,
-                          QStringLiteral("t [%1]").arg(picture.timeScale.unit(QStringLiteral("s"))));
-    }
-    if (!picture.note.isEmpty()) {
-        painter->drawText(axes.adjusted(kLabelGap, 0, -kLabelGap, 0), Qt::AlignCenter | Qt::TextWordWrap, picture.note);
-    }
-    if (picture.markedTime && picture.hasValues && picture.time.contains(*picture.markedTime)) {
-        const double x = m_plot->xAxis->coordToPixel(*picture.markedTime);
-        painter->setPen(QPen(colours.cursor, 1.0));
-        painter->drawLine(QPointF(x, axes.top()), QPointF(x, axes.bottom()));
-    }
-    for (const PlotPicture::Curve &curve : picture.curves) {
-        const QColor colour = colourOf(curve.ink, colours);
-        int lastPixel = std::numeric_limits<int>::min();
-        for (const double t : curve.marks) {
-            const double x = m_plot->xAxis->coordToPixel(t);
-            if (picture.time.contains(t) && static_cast<int>(x) != lastPixel) {
-                drawMark(*painter, QPointF(x, axes.top()), colour);
-                lastPixel = static_cast<int>(x);
-            }
-        }
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(colour);
-        for (const CurvePoint &point : curve.dots) {
-            const QPointF centre(m_plot->xAxis->coordToPixel(point.t), m_plot->yAxis->coordToPixel(point.value));
-            painter->drawEllipse(centre, 0.5 * kDotSize, 0.5 * kDotSize);
-        }
-        painter->setBrush(Qt::NoBrush);
-    }
-}
-
-void PlotGrid::Plot::Lettering::drawTitle(QCPPainter &painter, const QRect &axes) const
-{
-    const PlotPicture &picture = m_plot->m_picture;
-    const QFontMetricsF titleMetrics(m_plot->m_titleFont);
-    const QFontMetricsF tickMetrics(m_plot->m_tickFont);
-    const double baseline = axes.top() - 2.0 - titleMetrics.descent();
-    const auto widthOf = [&tickMetrics](const std::vector<InkedText> &texts) {
-        double width = 0.0;
-        for (const InkedText &part : texts) {
-            width += tickMetrics.horizontalAdvance(part.text);
-        }
-        return width;
-    };
-    // Title and remarks over the axes; what is too long for that takes the margins too.
-    double left = axes.left();
-    double right = axes.right();
-    const double titleWidth = titleMetrics.horizontalAdvance(picture.title) + 2.0 * kLabelGap;
-    const std::vector<InkedText> *remarks = &picture.remarks;
-    if (titleWidth + widthOf(*remarks) > right - left) {
-        remarks = &picture.shortRemarks;
-    }
-    const double excess = titleWidth + widthOf(*remarks) - (right - left);
-    if (excess > 0.0) {
-        right = m_plot->viewport().width() - kLabelGap;
-        left = std::max<double>(kLabelGap, right - widthOf(*remarks) - titleWidth);
-    }
-    painter.setFont(m_plot->m_titleFont);
-    painter.setPen(QPen(m_plot->m_colours.text));
-    painter.drawText(QPointF(left, baseline), picture.title);
-    double x = right - widthOf(*remarks);
-    if (x < left + titleWidth - kLabelGap) {
-        return; // a plot narrower than any window makes it
-    }
-    painter.setFont(m_plot->m_tickFont);
-    for (const InkedText &part : *remarks) {
-        painter.setPen(QPen(colourOf(part.ink, m_plot->m_colours)));
-        painter.drawText(QPointF(x, baseline), part.text);
-        x += tickMetrics.horizontalAdvance(part.text);
-    }
-}
 
 PlotGrid::PlotGrid(QWidget *parent)
     : QWidget(parent)
@@ -272,7 +52,7 @@ PlotGrid::PlotGrid(QWidget *parent)
                                                           tr("Slider acceleration d²R_x⁴/dt² over time"),
                                                           tr("Error of the accelerations over time")};
     for (std::size_t i = 0; i < kPlotCount; ++i) {
-        m_plots[i] = new Plot(this);
+        m_plots[i] = new PlotCanvas(this);
         m_plots[i]->setObjectName(plotName(i));
         m_plots[i]->setAccessibleName(accessibleNames[i]);
         m_plots[i]->installEventFilter(this);
@@ -280,7 +60,10 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_cursors[i]->setAttribute(Qt::WA_TransparentForMouseEvents);
         m_cursors[i]->setAutoFillBackground(true);
         m_cursors[i]->hide();
+        m_overlays[i] = new PlotOverlay(m_plots[i]);
+        m_plots[i]->setFocusPolicy(Qt::TabFocus);
     }
+    makeChoices();
     m_hint = new QLabel(this);
     m_hint->setObjectName(QStringLiteral("no_reference_hint"));
     m_hint->setTextFormat(Qt::RichText);
@@ -337,6 +120,17 @@ void PlotGrid::showAll()
     requestRefresh();
 }
 
+void PlotGrid::setSettings(const PlotSettings &settings)
+{
+    if (settings == m_figure.settings()) {
+        return;
+    }
+    m_figure.setSettings(settings);
+    emit settingsChanged(settings);
+    requestRefresh();
+    update(QRect(0, 0, width(), m_typography.legendHeight()));
+}
+
 /// Any number of requests in one pass of the event loop make one refresh; a hidden widget waits until it is shown.
 void PlotGrid::requestRefresh()
 {
@@ -356,22 +150,40 @@ void PlotGrid::requestRefresh()
         Qt::QueuedConnection);
 }
 
-std::array<PlotGrid::PlacedPlot, kPlotCount> PlotGrid::placedPlots(const QSize &size)
+PlotArrangement PlotGrid::arrangementOnScreen() const
 {
-    const PlotArrangement arrangement(size, m_typography);
+    return m_maximized ? PlotArrangement::of(*m_maximized, size(), m_typography)
+                       : PlotArrangement(size(), m_typography);
+}
+
+/// Those whose cells are empty cost nothing.
+std::array<PlotGrid::PlacedPlot, kPlotCount> PlotGrid::placedPlots(const PlotArrangement &arrangement)
+{
     std::array<PlacedPlot, kPlotCount> plots;
     std::array<int, kPlotColumns> labelLengths{};
+    int rightLength = 0;
     for (std::size_t i = 0; i < kPlotCount; ++i) {
+        if (arrangement.cells[i].isEmpty()) {
+            continue;
+        }
         const bool hasTimeLabels = arrangement.hasTimeLabels(i);
-        const QSize axes = arrangement.cells[i].size().shrunkBy(m_typography.margins(0, hasTimeLabels));
+        const QMargins usual = m_figure.hasRightAxis(i) ? m_typography.margins(0, hasTimeLabels, 0)
+                                                        : m_typography.margins(0, hasTimeLabels);
+        const QSize axes = arrangement.cells[i].size().shrunkBy(usual);
         plots[i].cell = arrangement.cells[i];
         plots[i].picture = m_figure.picture(i, axes, m_typography.digitWidth);
         plots[i].picture.hasTimeLabels = hasTimeLabels;
         int &length = labelLengths[i % kPlotColumns];
         length = std::max(length, plots[i].picture.valueScale.labelLength(plots[i].picture.values));
+        if (plots[i].picture.rightValues) {
+            rightLength = std::max(rightLength, plots[i].picture.rightScale.labelLength(*plots[i].picture.rightValues));
+        }
     }
     for (std::size_t i = 0; i < kPlotCount; ++i) {
-        plots[i].margins = m_typography.margins(labelLengths[i % kPlotColumns], arrangement.hasTimeLabels(i));
+        const int length = labelLengths[i % kPlotColumns];
+        const bool hasTimeLabels = arrangement.hasTimeLabels(i);
+        plots[i].margins = m_figure.hasRightAxis(i) ? m_typography.margins(length, hasTimeLabels, rightLength)
+                                                    : m_typography.margins(length, hasTimeLabels);
     }
     return plots;
 }
@@ -379,19 +191,26 @@ std::array<PlotGrid::PlacedPlot, kPlotCount> PlotGrid::placedPlots(const QSize &
 void PlotGrid::refresh()
 {
     m_isStale = false;
-    const std::array<PlacedPlot, kPlotCount> plots = placedPlots(size());
+    const std::array<PlacedPlot, kPlotCount> plots = placedPlots(arrangementOnScreen());
     for (std::size_t i = 0; i < kPlotCount; ++i) {
+        if (plots[i].cell.isEmpty()) {
+            continue;
+        }
         m_plots[i]->display(plots[i].picture, plots[i].margins);
         m_plots[i]->replot(QCustomPlot::rpQueuedRefresh);
     }
     moveCursors();
+    updateOverlays();
 }
 
 void PlotGrid::placePlots()
 {
-    const PlotArrangement arrangement(size(), m_typography);
+    const PlotArrangement arrangement = arrangementOnScreen();
     for (std::size_t i = 0; i < kPlotCount; ++i) {
-        m_plots[i]->setGeometry(arrangement.cells[i]);
+        m_plots[i]->setVisible(!arrangement.cells[i].isEmpty());
+        if (!arrangement.cells[i].isEmpty()) {
+            m_plots[i]->setGeometry(arrangement.cells[i]);
+        }
     }
     updateHint();
 }
@@ -412,7 +231,7 @@ void PlotGrid::moveCursors()
 
 void PlotGrid::updateHint()
 {
-    m_hint->setVisible(!m_figure.result || !m_figure.result->reference);
+    m_hint->setVisible((!m_figure.result || !m_figure.result->reference) && !m_maximized);
     if (m_hint->isHidden()) {
         return;
     }
@@ -459,7 +278,7 @@ void PlotGrid::zoomValues(std::size_t plot, double about, double factor)
 
 void PlotGrid::pan(std::size_t plot, const QPoint &to)
 {
-    const Plot &shown = *m_plots[plot];
+    const PlotCanvas &shown = *m_plots[plot];
     const double dt = shown.xAxis->pixelToCoord(m_drag->last.x()) - shown.xAxis->pixelToCoord(to.x());
     const double dv = shown.yAxis->pixelToCoord(m_drag->last.y()) - shown.yAxis->pixelToCoord(to.y());
     const Interval time = m_figure.timeRange();
@@ -474,10 +293,228 @@ void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
 {
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    connect(menu->addAction(m_maximized ? tr("Show all &nine plots") : tr("&Maximize this plot")), &QAction::triggered,
+            this, [this, plot] { toggleMaximized(plot); });
+    connect(menu->addAction(tr("Show the &whole run")), &QAction::triggered, this, &PlotGrid::showAll);
+    menu->addSeparator();
+    connect(menu->addAction(tr("&Copy this plot")), &QAction::triggered, this, [this, plot] { copyPlot(plot); });
     connect(menu->addAction(tr("&Export this plot…")), &QAction::triggered, this,
             [this, plot] { emit exportPlotRequested(plotName(plot)); });
-    connect(menu->addAction(tr("Show &all")), &QAction::triggered, this, &PlotGrid::showAll);
+    menu->addSeparator();
+    menu->addActions(m_choices);
     menu->popup(globalPosition);
+}
+
+void PlotGrid::choose(const std::function<void(PlotSettings &)> &change)
+{
+    PlotSettings settings = m_figure.settings();
+    change(settings);
+    setSettings(settings);
+}
+
+void PlotGrid::makeChoices()
+{
+    auto *measures = new QActionGroup(this);
+    const std::array<std::pair<ErrorMeasure, QString>, 3> texts{
+        {{ErrorMeasure::Percent, tr("Error in &% of the reference")},
+         {ErrorMeasure::Absolute, tr("Error in ° and &mm")},
+         {ErrorMeasure::OfPeak, tr("Error in % of the &peak")}}};
+    for (const auto &[measure, text] : texts) {
+        QAction *action = measures->addAction(text);
+        action->setCheckable(true);
+        m_choices << action;
+        connect(action, &QAction::triggered, this,
+                [this, chosen = measure] { choose([chosen](PlotSettings &settings) { settings.error = chosen; }); });
+        connect(this, &PlotGrid::settingsChanged, action,
+                [action, own = measure](const PlotSettings &settings) { action->setChecked(settings.error == own); });
+    }
+    const auto addSwitch = [this](const QString &text, auto PlotSettings::*member, auto off, auto on) {
+        auto *action = new QAction(text, this);
+        action->setCheckable(true);
+        m_choices << action;
+        connect(action, &QAction::triggered, this, [this, member, off, on](bool checked) {
+            choose([&](PlotSettings &settings) { settings.*member = checked ? on : off; });
+        });
+        connect(this, &PlotGrid::settingsChanged, action,
+                [action, member, on](const PlotSettings &settings) { action->setChecked(settings.*member == on); });
+    };
+    addSwitch(tr("&Logarithmic errors"), &PlotSettings::logarithmicError, false, true);
+    addSwitch(tr("File's &rounding as a band"), &PlotSettings::roundingBand, false, true);
+    addSwitch(tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::Time, Abscissa::CrankAngle);
+    auto *measuring = new QAction(tr("Mea&suring cursors"), this);
+    measuring->setObjectName(QStringLiteral("measuringAction"));
+    measuring->setCheckable(true);
+    m_choices << measuring;
+    connect(measuring, &QAction::toggled, this, &PlotGrid::setMeasuring);
+    emit settingsChanged(m_figure.settings());
+}
+
+void PlotGrid::maximize(const QString &name)
+{
+    const qsizetype index = plotNames().indexOf(name);
+    m_maximized.reset();
+    if (index >= 0) {
+        m_maximized = static_cast<std::size_t>(index);
+    }
+    m_hovered.reset();
+    placePlots();
+    requestRefresh();
+}
+
+void PlotGrid::toggleMaximized(std::size_t plot)
+{
+    maximize(m_maximized ? QString() : plotName(plot));
+}
+
+void PlotGrid::copyPlot(std::size_t plot)
+{
+    const QSize size = m_plots[plot]->size() + QSize(0, m_typography.legendHeight());
+    constexpr double kScale = 2.0; // for documents
+    QImage image(size * kScale, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kScale);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintPlot(painter, plotName(plot), size, palette());
+    painter.end();
+    QApplication::clipboard()->setImage(image);
+}
+
+void PlotGrid::setMeasuring(bool measuring)
+{
+    if (measuring != m_measured.has_value()) {
+        m_measured.reset();
+        if (measuring) {
+            const Interval range = m_figure.timeRange();
+            const double third = range.length() / 3.0;
+            m_measured = {m_figure.nearestInstant(range.lower + third), m_figure.nearestInstant(range.upper - third)};
+        }
+        updateOverlays();
+    }
+    if (QAction *action = findChild<QAction *>(QStringLiteral("measuringAction"))) {
+        action->setChecked(measuring);
+    }
+}
+
+QString PlotGrid::measuredText() const
+{
+    if (!m_measured) {
+        return {};
+    }
+    const auto [a, b] = *m_measured;
+    constexpr int kDigits = 6;
+    QString text = tr("A %1 s · B %2 s · B − A = %3 s", "instants of the measuring cursors")
+                       .arg(shortNumber(a, kDigits, QLocale()), shortNumber(b, kDigits, QLocale()),
+                            shortNumber(b - a, kDigits, QLocale()));
+    if (m_figure.result) {
+        const double turned = m_figure.result->mechanism.omega2() * (b - a) * kDegreesPerRadian;
+        text += tr(" = %1° of the crank").arg(shortNumber(turned, kDigits, QLocale()));
+    }
+    return text;
+}
+
+void PlotGrid::hoverOver(std::optional<std::size_t> plot, double time)
+{
+    m_hovered = plot;
+    m_hoverTime = time;
+    updateOverlays();
+}
+
+OverlayContent PlotGrid::overlayOf(std::size_t plot)
+{
+    const PlotCanvas &shown = *m_plots[plot];
+    OverlayContent content;
+    content.axes = shown.axisRect()->rect();
+    content.hasFocus = shown.hasFocus();
+    if (!shown.hasValues()) {
+        return content;
+    }
+    const auto lineAt = [&](double time, const QString &name, bool isSolid) {
+        if (shown.timeRange().contains(time)) {
+            content.lines.push_back({static_cast<int>(std::lround(shown.xAxis->coordToPixel(time))), name, isSolid});
+        }
+    };
+    const auto rowOf = [&content](const QString &name, const std::vector<InkedText> &values) {
+        InkedRow row{{name}};
+        for (const InkedText &value : values) {
+            row.push_back({row.size() > 1 ? QStringLiteral("   ") + value.text : value.text, value.ink});
+        }
+        if (!values.empty()) {
+            content.box.push_back(row);
+        }
+    };
+    if (m_measured) {
+        const auto [a, b] = *m_measured;
+        lineAt(a, QStringLiteral("A"), true);
+        lineAt(b, QStringLiteral("B"), true);
+        if (!m_hovered) {
+            rowOf(QStringLiteral("A  "), m_figure.valuesAt(plot, a));
+            rowOf(QStringLiteral("B  "), m_figure.valuesAt(plot, b));
+            rowOf(QStringLiteral("B − A  "), m_figure.changesBetween(plot, a, b));
+        }
+    }
+    if (m_hovered) {
+        lineAt(m_hoverTime, {}, false);
+        if (m_hovered == plot) {
+            for (const InkedText &row : m_figure.readout(plot, m_hoverTime)) {
+                content.box.push_back({row});
+            }
+        } else {
+            rowOf({}, m_figure.valuesAt(plot, m_hoverTime));
+        }
+    }
+    return content;
+}
+
+void PlotGrid::updateOverlays()
+{
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        const bool isBare = !m_hovered && !m_measured && !m_plots[i]->hasFocus();
+        m_overlays[i]->setContent(isBare || m_plots[i]->isHidden() ? OverlayContent() : overlayOf(i));
+    }
+    update(QRect(0, 0, width(), m_typography.legendHeight()));
+}
+
+/// 0 for A, 1 for B.
+std::optional<std::size_t> PlotGrid::measuringCursorAt(std::size_t plot, const QPoint &position) const
+{
+    if (!m_measured || !m_plots[plot]->axisRect()->rect().contains(position)) {
+        return std::nullopt;
+    }
+    constexpr double kReach = 5.0; // px
+    std::optional<std::size_t> nearest;
+    double distance = kReach;
+    for (std::size_t cursor = 0; cursor < m_measured->size(); ++cursor) {
+        const double x = m_plots[plot]->xAxis->coordToPixel((*m_measured)[cursor]);
+        if (std::abs(x - position.x()) <= distance) {
+            distance = std::abs(x - position.x());
+            nearest = cursor;
+        }
+    }
+    return nearest;
+}
+
+/// Of the plot that has the focus. A and B bring the measuring cursors to the current instant.
+bool PlotGrid::pressKey(std::size_t plot, int key)
+{
+    switch (key) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter: toggleMaximized(plot); return true;
+    case Qt::Key_Escape:
+        if (!m_maximized) {
+            return false;
+        }
+        maximize({});
+        return true;
+    case Qt::Key_A:
+    case Qt::Key_B:
+        if (!m_measured || !m_cursorTime) {
+            return false;
+        }
+        (*m_measured)[key == Qt::Key_A ? 0 : 1] = m_figure.nearestInstant(*m_cursorTime);
+        updateOverlays();
+        return true;
+    default: return false;
+    }
 }
 
 bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
@@ -487,7 +524,7 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
         return QWidget::eventFilter(watched, event);
     }
     const auto index = static_cast<std::size_t>(found - m_plots.begin());
-    Plot &plot = **found;
+    PlotCanvas &plot = **found;
     switch (event->type()) {
     case QEvent::Resize: // QCustomPlot would replot at once, with curves decimated for the old size
         plot.setViewport(plot.rect());
@@ -510,32 +547,37 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
     case QEvent::MouseButtonPress: {
         const auto *mouse = static_cast<QMouseEvent *>(event);
         if (mouse->button() == Qt::LeftButton) {
-            m_drag = Drag{index, mouse->pos(), mouse->pos()};
+            m_drag = Drag{index, mouse->pos(), mouse->pos(), false, measuringCursorAt(index, mouse->pos())};
         }
         return true;
     }
     case QEvent::MouseMove: {
         const auto *mouse = static_cast<QMouseEvent *>(event);
+        const QPoint to = mouse->pos();
+        const double time = plot.xAxis->pixelToCoord(to.x());
         if (m_drag) {
-            const QPoint to = mouse->pos();
             m_drag->hasMoved =
                 m_drag->hasMoved || (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance();
-            if (m_drag->hasMoved) {
+            if (m_drag->measuringCursor && m_measured) {
+                (*m_measured)[*m_drag->measuringCursor] = m_figure.nearestInstant(time);
+                hoverOver(std::nullopt, time);
+            } else if (m_drag->hasMoved) {
                 pan(m_drag->plot, to);
                 m_drag->last = to;
             }
-        } else if (plot.axisRect()->rect().contains(mouse->pos())) {
-            QToolTip::showText(mouse->globalPosition().toPoint(),
-                               m_figure.readout(index, plot.xAxis->pixelToCoord(mouse->pos().x())), &plot);
         } else {
-            QToolTip::hideText();
+            const bool isOverCursor = measuringCursorAt(index, to).has_value();
+            plot.setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
+            const bool reads = !isOverCursor && plot.axisRect()->rect().contains(to);
+            hoverOver(reads ? std::optional(index) : std::nullopt, time);
         }
         return true;
     }
     case QEvent::MouseButtonRelease: {
         const auto *mouse = static_cast<QMouseEvent *>(event);
         if (mouse->button() == Qt::LeftButton && m_drag) {
-            const bool isClick = !m_drag->hasMoved && plot.axisRect()->rect().contains(mouse->pos());
+            const bool isClick =
+                !m_drag->hasMoved && !m_drag->measuringCursor && plot.axisRect()->rect().contains(mouse->pos());
             m_drag.reset();
             if (isClick) {
                 emit timeRequested(plot.xAxis->pixelToCoord(mouse->pos().x()));
@@ -543,7 +585,21 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
         }
         return true;
     }
-    case QEvent::MouseButtonDblClick: showAll(); return true;
+    case QEvent::MouseButtonDblClick: {
+        const bool isTitle = static_cast<QMouseEvent *>(event)->pos().y() < plot.axisRect()->rect().top();
+        if (isTitle) {
+            toggleMaximized(index);
+        } else {
+            showAll();
+        }
+        return true;
+    }
+    case QEvent::Leave: hoverOver(std::nullopt, 0.0); return false;
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+        QMetaObject::invokeMethod(this, &PlotGrid::updateOverlays, Qt::QueuedConnection); // it has it only afterwards
+        return false;
+    case QEvent::KeyPress: return pressKey(index, static_cast<QKeyEvent *>(event)->key());
     case QEvent::ContextMenu: showMenu(index, static_cast<QContextMenuEvent *>(event)->globalPos()); return true;
     default: return QWidget::eventFilter(watched, event);
     }
@@ -578,6 +634,7 @@ void PlotGrid::changeEvent(QEvent *event)
         QPalette cursor;
         cursor.setColor(QPalette::Window, colours.cursor);
         m_cursors[i]->setPalette(cursor);
+        m_overlays[i]->setStyle(m_typography.tick, colours);
     }
     requestRefresh();
 }
@@ -589,8 +646,17 @@ void PlotGrid::paintEvent(QPaintEvent *)
     }
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Base));
-    drawLegend(painter, QRect(0, 0, width(), m_typography.legendHeight()), m_figure.legend(true, true), m_typography,
-               seriesColours(palette()));
+    const SeriesColours colours = seriesColours(palette());
+    QRect legend(0, 0, width(), m_typography.legendHeight());
+    const QString measured = measuredText();
+    if (!measured.isEmpty()) {
+        constexpr int kGap = 12;
+        painter.setFont(m_typography.title);
+        painter.setPen(colours.text);
+        painter.drawText(legend.adjusted(0, 0, -kGap, 0), Qt::AlignRight | Qt::AlignVCenter, measured);
+        legend.setRight(legend.right() - QFontMetrics(m_typography.title).horizontalAdvance(measured) - 2 * kGap);
+    }
+    drawLegend(painter, legend, m_figure.legend(true, true), m_typography, colours);
 }
 
 void PlotGrid::resizeEvent(QResizeEvent *event)
@@ -633,9 +699,9 @@ void PlotGrid::paintFigure(QPainter &painter, const QSize &size, const QPalette 
     const SeriesColours colours = seriesColours(palette);
     painter.fillRect(QRect(QPoint(), size), colours.background);
     drawLegend(painter, PlotArrangement(size, m_typography).legend, m_figure.legend(true, true), m_typography, colours);
-    Plot plot(nullptr);
+    PlotCanvas plot(nullptr);
     plot.setStyle(m_typography, colours);
-    for (PlacedPlot &placed : placedPlots(size)) {
+    for (PlacedPlot &placed : placedPlots(PlotArrangement(size, m_typography))) {
         placed.picture.markedTime = m_markedTime;
         plot.display(placed.picture, placed.margins);
         replay(painter, placed.cell, plot);
@@ -651,12 +717,18 @@ void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &si
     const QRect cell(0, legend.height(), size.width(), std::max(0, size.height() - legend.height()));
     painter.fillRect(QRect(QPoint(), size), colours.background);
     drawLegend(painter, legend, m_figure.legend(!isErrorPlot(index), isErrorPlot(index)), m_typography, colours);
-    const QSize axes = cell.size().shrunkBy(m_typography.margins(0, true));
+    const bool hasRightAxis = m_figure.hasRightAxis(index);
+    const QSize axes =
+        cell.size().shrunkBy(hasRightAxis ? m_typography.margins(0, true, 0) : m_typography.margins(0, true));
     PlotPicture picture = m_figure.picture(index, axes, m_typography.digitWidth);
     picture.markedTime = m_markedTime;
-    Plot plot(nullptr);
+    PlotCanvas plot(nullptr);
     plot.setStyle(m_typography, colours);
-    plot.display(picture, m_typography.margins(picture.valueScale.labelLength(picture.values), true));
+    const int labelLength = picture.valueScale.labelLength(picture.values);
+    plot.display(picture, hasRightAxis ? m_typography.margins(
+                                             labelLength, true,
+                                             picture.rightScale.labelLength(picture.rightValues.value_or(Interval{})))
+                                       : m_typography.margins(labelLength, true));
     replay(painter, cell, plot);
 }
 

@@ -6,21 +6,27 @@
 
 #include "ui/plot_arrangement.h"
 #include "ui/plot_figure.h"
+#include "ui/plot_overlay.h"
 #include "ui/session.h"
 
+#include <QList>
 #include <QPalette>
 #include <QPoint>
 #include <QStringList>
 #include <QWidget>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
+class QAction;
 class QLabel;
 
 namespace slidercrank
 {
+
+class PlotCanvas;
 
 class PlotGrid : public QWidget
 {
@@ -39,8 +45,13 @@ public:
     void paintFigure(QPainter &painter, const QSize &size, const QPalette &palette);
     void paintPlot(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
+    const PlotSettings &settings() const { return m_figure.settings(); }
+
     /// An instant (s) to be marked by a line in what is painted from now on. The cursor on the screen is not.
     void markTime(double seconds) { m_markedTime = seconds; }
+
+    /// What one can choose about the plots, for menus: the measure of the errors, the abscissa, measuring cursors.
+    const QList<QAction *> &choices() const { return m_choices; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -49,11 +60,19 @@ public slots:
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
     void setPose(const slidercrank::Pose &pose); ///< moves the time cursor, nothing else
     void showAll();                              ///< undoes every zoom
+    void setSettings(const slidercrank::PlotSettings &settings);
+
+    /// Fills the figure with one plot, by name; empty: all nine again.
+    void maximize(const QString &plotName);
+
+    /// Two instants to measure between, or none.
+    void setMeasuring(bool measuring);
 
 signals:
     void timeRequested(double seconds);
     void openReferenceRequested();
     void exportPlotRequested(const QString &plotName);
+    void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:
     bool event(QEvent *event) override;
@@ -64,15 +83,14 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    class Plot; // one of the nine widgets
-
     /// A plot within a figure of some size.
     struct PlacedPlot {
         QRect cell;
         QMargins margins;
         PlotPicture picture;
     };
-    std::array<PlacedPlot, kPlotCount> placedPlots(const QSize &size);
+    std::array<PlacedPlot, kPlotCount> placedPlots(const PlotArrangement &arrangement);
+    PlotArrangement arrangementOnScreen() const;
 
     void requestRefresh();
     void refresh();
@@ -83,11 +101,27 @@ private:
     void zoomValues(std::size_t plot, double about, double factor);
     void pan(std::size_t plot, const QPoint &to);
     void showMenu(std::size_t plot, const QPoint &globalPosition);
+    void makeChoices();
+    void choose(const std::function<void(PlotSettings &)> &change);
+    void toggleMaximized(std::size_t plot);
+    void copyPlot(std::size_t plot);
+    void hoverOver(std::optional<std::size_t> plot, double time);
+    void updateOverlays();
+    OverlayContent overlayOf(std::size_t plot);
+    std::optional<std::size_t> measuringCursorAt(std::size_t plot, const QPoint &position) const;
+    bool pressKey(std::size_t plot, int key);
+    QString measuredText() const;
 
     PlotFigure m_figure;
     PlotTypography m_typography;
-    std::array<Plot *, kPlotCount> m_plots{};
+    std::array<PlotCanvas *, kPlotCount> m_plots{};
     std::array<QWidget *, kPlotCount> m_cursors{};
+    std::array<PlotOverlay *, kPlotCount> m_overlays{};
+    QList<QAction *> m_choices;
+    std::optional<std::size_t> m_maximized;
+    std::optional<std::size_t> m_hovered;            ///< the plot under the pointer
+    double m_hoverTime = 0.0;                        ///< s, where it is
+    std::optional<std::array<double, 2>> m_measured; ///< s, instants of the measuring cursors A and B
     QLabel *m_hint = nullptr;
     std::optional<double> m_cursorTime;
     std::optional<double> m_markedTime; ///< s
@@ -100,6 +134,7 @@ private:
         QPoint start;
         QPoint last;
         bool hasMoved = false;
+        std::optional<std::size_t> measuringCursor; ///< the one held
     };
     std::optional<Drag> m_drag;
 };

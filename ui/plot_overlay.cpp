@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot_overlay.h"
+
+#include "ui/plot_arrangement.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+PlotOverlay::PlotOverlay(QWidget *plot)
+    : QWidget(plot)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+}
+
+void PlotOverlay::setStyle(const QFont &font, const SeriesColours &colours)
+{
+    m_font = font;
+    m_colours = colours;
+    update();
+}
+
+void PlotOverlay::setContent(const OverlayContent &content)
+{
+    m_content = content;
+    setVisible(!content.isEmpty());
+    if (isVisibleTo(parentWidget())) {
+        setGeometry(parentWidget()->rect());
+        raise();
+        update();
+    }
+}
+
+QString PlotOverlay::text() const
+{
+    QString text;
+    for (const InkedRow &row : m_content.box) {
+        for (const InkedText &part : row) {
+            text += part.text;
+        }
+        text += u'\n';
+    }
+    return text.trimmed();
+}
+
+void PlotOverlay::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setFont(m_font);
+    const QRect &axes = m_content.axes;
+    for (const OverlayContent::Line &line : m_content.lines) {
+        painter.setPen(QPen(m_colours.text, 1, line.isSolid ? Qt::SolidLine : Qt::DotLine));
+        painter.drawLine(line.x, axes.top(), line.x, axes.bottom());
+        if (!line.name.isEmpty()) {
+            constexpr int kGap = 3;
+            painter.drawText(line.x + kGap, axes.bottom() - kGap, line.name);
+        }
+    }
+    if (!m_content.box.empty()) {
+        paintBox(painter);
+    }
+    if (m_content.hasFocus) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+}
+
+/// At the top, on the side where the last line is not.
+void PlotOverlay::paintBox(QPainter &painter) const
+{
+    constexpr int kPadding = 4;
+    constexpr int kInset = 3;
+    const QFontMetricsF metrics(m_font);
+    double width = 0.0;
+    for (const InkedRow &row : m_content.box) {
+        double length = 0.0;
+        for (const InkedText &part : row) {
+            length += metrics.horizontalAdvance(part.text);
+        }
+        width = std::max(width, length);
+    }
+    const double lineHeight = metrics.height();
+    QRectF box(0.0, 0.0, width + 2 * kPadding, lineHeight * static_cast<double>(m_content.box.size()) + 2 * kPadding);
+    const QRect &axes = m_content.axes;
+    const bool toTheRight = !m_content.lines.empty() && m_content.lines.back().x < axes.center().x();
+    box.moveTopLeft(
+        QPointF(toTheRight ? axes.right() - kInset - box.width() : axes.left() + kInset, axes.top() + kInset));
+    constexpr int kOpacity = 225; // of 255
+    QColor background = m_colours.background;
+    background.setAlpha(kOpacity);
+    painter.setPen(m_colours.grid);
+    painter.setBrush(background);
+    painter.drawRect(box);
+    double y = box.top() + kPadding + metrics.ascent();
+    for (const InkedRow &row : m_content.box) {
+        double x = box.left() + kPadding;
+        for (const InkedText &part : row) {
+            painter.setPen(colourOf(part.ink, m_colours));
+            painter.drawText(QPointF(x, y), part.text);
+            x += metrics.horizontalAdvance(part.text);
+        }
+        y += lineHeight;
+    }
+}
+
+} // namespace slidercrank
