@@ -191,6 +191,8 @@ void MainWindow::buildMenus()
 
     QMenu *view = menuBar()->addMenu(tr("&View"));
     view->addAction(tr("Show &all of the plots"), QKeySequence(Qt::CTRL | Qt::Key_0), m_plotGrid, &PlotGrid::showAll);
+    QMenu *plots = view->addMenu(tr("P&lots"));
+    plots->addActions(m_plotGrid->choices());
     QAction *fold = view->addAction(tr("Show the &panels below"), QKeySequence(Qt::Key_F9));
     fold->setCheckable(true);
     fold->setChecked(true);
