@@ -2,6 +2,7 @@
 #include "ui/axis_scale.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace slidercrank
@@ -90,6 +91,21 @@ AxisScale axisScale(const Interval &range, double intervals)
     constexpr double kRoundingRoom = 1e-9;
     const double exponentOfStep = std::log10(scale.step) - scale.exponent;
     scale.decimals = std::clamp(-static_cast<int>(std::floor(exponentOfStep + kRoundingRoom)), 0, 17);
+    return scale;
+}
+
+AxisScale degreeScale(const Interval &range, double intervals)
+{
+    constexpr std::array<double, 6> kPartsOfATurn{10.0, 15.0, 30.0, 45.0, 90.0, 180.0};
+    constexpr double kTurn = 360.0;
+    const double wanted = range.length() / std::max(intervals, 1.0);
+    AxisScale scale = axisScale(range, intervals);
+    if (wanted <= 0.5 * kPartsOfATurn.front() || scale.exponent != 0) {
+        return scale;
+    }
+    const auto part = std::lower_bound(kPartsOfATurn.begin(), kPartsOfATurn.end(), wanted);
+    scale.step = part != kPartsOfATurn.end() ? *part : kTurn * std::max(1.0, niceStep(wanted / kTurn));
+    scale.decimals = 0;
     return scale;
 }
 

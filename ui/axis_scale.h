@@ -32,6 +32,9 @@ struct AxisScale {
 /// About that many intervals between ticks, at least one.
 AxisScale axisScale(const Interval &range, double intervals);
 
+/// For degrees: parts and multiples of a turn where ticks are more than a few degrees apart.
+AxisScale degreeScale(const Interval &range, double intervals);
+
 /// For decimal logarithms: whole decades.
 AxisScale logarithmicScale(const Interval &range, double intervals);
 

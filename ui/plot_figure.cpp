@@ -74,12 +74,12 @@ Interval broughtInto(const Interval &bounds, Interval range)
 }
 
 /// As many ticks as labels fit side by side.
-AxisScale timeScale(const Interval &range, double width, double digitWidth)
+AxisScale timeScale(const Interval &range, bool isAngle, double width, double digitWidth)
 {
     constexpr double kSpace = 14.0;
     double wanted = 44.0; // px from tick to tick
     for (;;) {
-        const AxisScale scale = axisScale(range, width / wanted);
+        const AxisScale scale = isAngle ? degreeScale(range, width / wanted) : axisScale(range, width / wanted);
         const double needed = digitWidth * scale.labelLength(range) + kSpace;
         const double between = scale.step / range.length() * width;
         if (between >= needed || wanted >= width) {
@@ -89,11 +89,13 @@ AxisScale timeScale(const Interval &range, double width, double digitWidth)
     }
 }
 
-/// For reading: six digits and a unit.
-QString numberText(double value, const QString &unit)
+constexpr int kDigits = 6;
+constexpr int kErrorDigits = 3;
+
+/// For reading, with its unit.
+QString numberText(double value, const QString &unit, int digits = kDigits)
 {
-    constexpr int kDigits = 6;
-    return std::isfinite(value) ? withUnit(shortNumber(value, kDigits, QLocale()), unit)
+    return std::isfinite(value) ? withUnit(shortNumber(value, digits, QLocale()), unit)
                                 : PlotFigure::tr("does not exist");
 }
 
@@ -303,7 +305,7 @@ PlotPicture::TimeLabels PlotFigure::timeLabels(double width, double digitWidth) 
     const Interval range = timeRange();
     const Interval shown{labels.at(range.lower), labels.at(range.upper)};
     labels.scale =
-        timeScale({std::min(shown.lower, shown.upper), std::max(shown.lower, shown.upper)}, width, digitWidth);
+        timeScale({std::min(shown.lower, shown.upper), std::max(shown.lower, shown.upper)}, isAngle, width, digitWidth);
     labels.title = isAngle ? QStringLiteral("θ₂ [%1]").arg(labels.scale.unit(QStringLiteral("°")))
                            : QStringLiteral("t [%1]").arg(labels.scale.unit(QStringLiteral("s")));
     return labels;
@@ -446,11 +448,10 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
         curve.marks = channel.zeroReference;
         extents[i] = extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.errors);
         if (channel.largestError) {
-            constexpr int kDigits = 3;
             constexpr int kFewDigits = 2;
             const double largest = *channel.largestError;
             const QString unit = isSplit ? unitOf(index) : QStringLiteral("%");
-            const QString number = QStringLiteral("%1 %2").arg(shortNumber(largest, kDigits, QLocale()), unit);
+            const QString number = QStringLiteral("%1 %2").arg(shortNumber(largest, kErrorDigits, QLocale()), unit);
             if (!picture.remarks.empty()) {
                 picture.remarks.push_back({QStringLiteral(" · ")});
                 picture.shortRemarks.push_back({QStringLiteral(" · ")});
@@ -526,10 +527,10 @@ QString PlotFigure::errorText(std::size_t channel, std::size_t atReference) cons
         return tr("no percentage, the reference is 0");
     }
     if (shown.modelAtReference[atReference] == shown.reference[atReference]) { // has no logarithm
-        return numberText(0.0, errorUnit(channel));
+        return numberText(0.0, errorUnit(channel), kErrorDigits);
     }
     const double error = shown.errors[atReference];
-    return numberText(m_settings.logarithmicError ? std::pow(10.0, error) : error, errorUnit(channel));
+    return numberText(m_settings.logarithmicError ? std::pow(10.0, error) : error, errorUnit(channel), kErrorDigits);
 }
 
 std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t)
