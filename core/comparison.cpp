@@ -16,25 +16,13 @@ namespace
 /// last place more.
 constexpr double kUlpSlack = 4.0;
 
-// The limits of Verdict.
-constexpr std::size_t kPercentWithinHalfStep = 95;
-constexpr double kHalfStepsOfAgreement = 10.0;
-constexpr double kHalfStepsOfCloseness = 100.0;
-
-/// How many values lie how far out.
-struct Spread {
-    std::size_t withinHalfStep = 0;
-    std::size_t beyondAgreement = 0;
-    std::size_t beyondCloseness = 0;
-};
-
-Verdict verdictOf(const Spread &spread, std::size_t count)
+Verdict verdictOf(const ChannelComparison &channel)
 {
-    if (count == 0 || spread.beyondCloseness > 0) {
+    if (channel.count == 0 || channel.missingModel > 0 || channel.worstHalfSteps > kHalfStepsOfCloseness) {
         return Verdict::Differs;
     }
-    const bool mostWithin = 100 * spread.withinHalfStep >= kPercentWithinHalfStep * count;
-    return mostWithin && spread.beyondAgreement == 0 ? Verdict::Agrees : Verdict::Close;
+    const bool mostWithin = 100 * channel.withinHalfStep >= kPercentWithinHalfStep * channel.count;
+    return mostWithin && channel.worstHalfSteps <= kHalfStepsOfAgreement ? Verdict::Agrees : Verdict::Close;
 }
 
 } // namespace
@@ -57,7 +45,6 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
 
     ChannelComparison result;
     result.channel = reference.channel;
-    Spread spread;
     double maxAbs = -1.0;
     double maxPercent = -1.0;
     for (std::size_t i = 0; i < time.size(); ++i) {
@@ -85,12 +72,14 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
 
         const double step = std::max(reference.rounding.stepAt(value), smallestStep);
         const double half = 0.5 * step + kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(value);
-        spread.withinHalfStep += error <= half ? 1 : 0;
-        spread.beyondAgreement += error <= kHalfStepsOfAgreement * half ? 0 : 1;
-        spread.beyondCloseness += error <= kHalfStepsOfCloseness * half ? 0 : 1;
+        if (error <= half) {
+            ++result.withinHalfStep;
+        }
+        if (error > result.worstHalfSteps * half) { // a quotient only where it can be the largest
+            result.worstHalfSteps = error / half;
+        }
     }
-    spread.beyondCloseness += result.missingModel;
-    result.verdict = verdictOf(spread, result.count);
+    result.verdict = verdictOf(result);
 
     if (reference.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
         result.roundingStep = largestStep;

@@ -21,6 +21,9 @@ enum class Verdict {
     Close,  ///< none beyond a hundred halves
     Differs
 };
+inline constexpr std::size_t kPercentWithinHalfStep = 95;
+inline constexpr double kHalfStepsOfAgreement = 10.0;
+inline constexpr double kHalfStepsOfCloseness = 100.0;
 
 struct ChannelComparison {
     Channel channel;
@@ -43,6 +46,11 @@ struct ChannelComparison {
 
     /// The file's rounding step where it is largest; absent when the column gives no hint.
     std::optional<double> roundingStep;
+
+    /// How far the values are off in the measure of the verdict, half a rounding step each at its own value: how many
+    /// lie within one, and how many of them the worst is away (infinite where that is no finite number).
+    std::size_t withinHalfStep = 0;
+    double worstHalfSteps = 0.0;
 
     Verdict verdict = Verdict::Differs;
 };

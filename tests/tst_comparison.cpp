@@ -104,6 +104,19 @@ private slots:
         QCOMPARE(result.verdict, Verdict::Differs);
     }
 
+    void countsHalfSteps()
+    {
+        // Off by 0, 0.6, 2, 7.5 halves; the fifth has no model.
+        const std::vector<double> values(5, 10.0);
+        const std::vector<double> model{10.0, 10.0 + 0.6 * kHalfStep, 10.0 - 2.0 * kHalfStep, 10.0 + 7.5 * kHalfStep,
+                                        kNaN};
+        const ChannelComparison result = compareChannel(instants(5), model, seriesOf(values), kScale);
+        QCOMPARE(result.withinHalfStep, std::size_t(2));
+        QVERIFY2(std::abs(result.worstHalfSteps - 7.5) < 1e-9,
+                 qPrintable(QString::number(result.worstHalfSteps, 'g', 17)));
+        QCOMPARE(compareChannel(instants(5), values, seriesOf(values), kScale).worstHalfSteps, 0.0);
+    }
+
     void keepsTheFirstOfEqualErrors()
     {
         const ChannelComparison result =
