@@ -154,9 +154,8 @@ PrintedPlaces placesOf(std::string_view digits)
     return places;
 }
 
-void RoundingObserver::observe(std::string_view digits)
+void RoundingObserver::observe(const PrintedPlaces &places, std::string_view digits)
 {
-    const PrintedPlaces places = placesOf(digits);
     m_finestPlace = std::min(m_finestPlace, places.printed);
     if (places.zero) {
         return;

@@ -58,7 +58,10 @@ class RoundingObserver
 {
 public:
     /// `digits`: the cell's text as printed, optional sign, digits with at most one '.' or ',', optional exponent.
-    void observe(std::string_view digits);
+    void observe(std::string_view digits) { observe(placesOf(digits), digits); }
+
+    /// The same where the places are known already.
+    void observe(const PrintedPlaces &places, std::string_view digits);
 
     Rounding infer(double unitFactor) const;
 

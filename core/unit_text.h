@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Units as programs write them: "mm", "°/s", "deg/sec", "rad/s²", "m/s^2", "mm/sec**2", "rpm", "ms", "grados".
+
+#include <optional>
+#include <string_view>
+
+namespace slidercrank
+{
+
+enum class Dimension { Length, Angle, Time };
+
+struct Unit {
+    Dimension dimension = Dimension::Length;
+    int order = 0; ///< how often divided by a time
+
+    /// To mm or °, per s to the order. Of a time: how many make a second, so that 5 ms / 1000 are 0.005 to the last
+    /// bit.
+    double factor = 1.0;
+
+    friend bool operator==(const Unit &, const Unit &) = default;
+};
+
+std::optional<Unit> unitOf(std::string_view text);
+
+} // namespace slidercrank
