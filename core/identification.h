@@ -3,8 +3,8 @@
 
 // Which mechanism made these data: (a, b, c, ω2, θ20) and the assembly, from any of the six plotted channels, by
 // weighted least squares. A start is found from the data themselves, then Levenberg-Marquardt with exact derivatives;
-// each value weighs by the step that the file rounded it to. What the given columns cannot fix is said, and kept as it
-// was.
+// each value weighs by the step that the file rounded it to, less where a channel scatters more than that. What the
+// given columns cannot fix is said, and kept as it was. θ3 is taken up to whole turns.
 //
 // Source: K. Levenberg 1944, D. W. Marquardt 1963 as in J. J. Moré, "The Levenberg-Marquardt algorithm", 1978.
 // Lengths in mm, angles in rad, time in s; the data in the author's units (mm, °, s).
@@ -31,7 +31,7 @@ struct Identification {
     enum class Status {
         Found,      ///< the data agree with it, or come as close as a least-squares minimum does
         TooFewData, ///< fewer values than parameters, or none of the six channels
-        NotFound,   ///< no start led to a mechanism that resembles the data
+        NotFound,   ///< no start led to a mechanism that resembles the data; what came nearest, if anything
         Stopped
     };
     Status status = Status::NotFound;
@@ -42,12 +42,23 @@ struct Identification {
     std::array<double, kParameterCount> standardError{};
     std::array<bool, kParameterCount> identifiable{};
 
-    /// θ3 alone fixes only the ratios b/a and c/a, R4x alone a mechanism or its mirror image (c and θ20 negated with
-    /// ω2).
+    // What no data of such columns can tell apart, however exact. Of two mechanisms that move alike, the one that turns
+    // like the start is given.
+
+    /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as in the start, b and c
+    /// follow from it; none of the three counts as identifiable.
     bool onlyRatios = false;
+
+    /// θ3 alone: the crank may as well turn the other way, from π - θ20.
+    bool reversePossible = false;
+
+    /// Derivatives of θ3 alone: it may as well be the other assembly, with c negated and θ20 half a turn on.
+    bool otherBranchPossible = false;
+
+    /// R4x alone: it may as well be the mirror image, with c, ω2 and θ20 negated.
     bool mirrorImagePossible = false;
 
-    int iterations = 0;
+    int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
     double rms = 0.0;             ///< of the weighted residuals: about 0.29 when only rounding is left
 };
