@@ -4,6 +4,7 @@
 #include "ui/error_panel.h"
 #include "ui/figure_export.h"
 #include "ui/folding_tabs.h"
+#include "ui/limits_panel.h"
 #include "ui/mechanism_view.h"
 #include "ui/message_bar.h"
 #include "ui/newton_panel.h"
@@ -122,6 +123,7 @@ void MainWindow::buildLayout()
     m_tabs->addPage(m_errorPanel, tr("Errors"));
     m_tabs->addPage([this] { return makeNewtonPanel(); }, tr("Newton-Raphson"));
     m_tabs->addPage([this] { return makeStudyPanel(); }, tr("Speed and accuracy"));
+    m_tabs->addPage([this] { return makeLimitsPanel(); }, tr("Motion limits"));
 
     auto *right = new QSplitter(Qt::Vertical, this);
     right->setObjectName(QStringLiteral("plotsAndTabs"));
@@ -330,6 +332,15 @@ QWidget *MainWindow::makeStudyPanel()
     auto *panel = new StudyPanel(this);
     panel->setParameters(m_session->parameters());
     connect(m_session, &Session::parametersChanged, panel, &StudyPanel::setParameters);
+    return panel;
+}
+
+QWidget *MainWindow::makeLimitsPanel()
+{
+    auto *panel = new LimitsPanel(this);
+    panel->setResult(m_session->result());
+    connect(m_session, &Session::resultChanged, panel, &LimitsPanel::setResult);
+    connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     return panel;
 }
 

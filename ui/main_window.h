@@ -61,6 +61,7 @@ private:
     void connectRooms();
     QWidget *makeNewtonPanel();
     QWidget *makeStudyPanel();
+    QWidget *makeLimitsPanel();
 
     void chooseReference();
     void exportTo(const QString &path, const QSize &size, const std::function<void(QPainter &, const QSize &)> &draw);
