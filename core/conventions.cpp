@@ -2,6 +2,7 @@
 #include "core/conventions.h"
 
 #include "core/comparison.h"
+#include "core/identification.h"
 #include "core/trajectory.h"
 
 #include <algorithm>
@@ -210,17 +211,19 @@ struct Reading {
     bool isPlain() const { return steps() == 0 && timeUnit == 1.0; }
 };
 
-/// The rows where both have a number, and what that says about their sizes.
+/// A column and what a channel would have in its place. Rows where either has no number do not count.
 class ColumnPair
 {
 public:
     ColumnPair(std::span<const double> values, std::span<const double> model)
+        : m_values(values)
+        , m_model(model)
     {
+        std::size_t count = 0;
         std::size_t missing = 0;
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (std::isfinite(values[i]) && std::isfinite(model[i])) {
-                m_values.push_back(values[i]);
-                m_model.push_back(model[i]);
+                ++count;
                 m_peak = std::max(m_peak, std::abs(model[i]));
                 m_valueSquares += values[i] * values[i];
                 m_products += values[i] * model[i];
@@ -230,7 +233,7 @@ public:
         }
         // A derivative does not exist at a toggle; a position that does not exist is another mechanism's.
         constexpr std::size_t kPresentForOneMissing = 20;
-        m_comparable = m_values.size() >= kFewestValues && m_values.size() >= kPresentForOneMissing * missing;
+        m_comparable = count >= kFewestValues && count >= kPresentForOneMissing * missing;
     }
 
     bool comparable() const { return m_comparable; }
@@ -238,32 +241,37 @@ public:
     /// The factor that brings the values nearest to the model.
     double bestFactor() const { return m_valueSquares > 0.0 ? m_products / m_valueSquares : 0.0; }
 
-    /// The same reading with its misfit, and, where it may turn, by how much.
+    /// The same reading with its misfit (infinite where it is too much), and, where it may turn, by how much.
     Reading measured(Reading reading) const
     {
-        std::vector<double> read = m_values;
-        for (double &value : read) {
-            value *= reading.factor();
-        }
-        if (reading.turned) {
-            makeContinuous(read);
-            double sum = 0.0;
-            for (std::size_t i = 0; i < read.size(); ++i) {
-                sum += m_model[i] - read[i];
-            }
-            reading.turn = 180.0 * std::round(sum / static_cast<double>(read.size()) / 180.0);
-        }
+        bool first = true;
         double largest = 0.0;
-        for (std::size_t i = 0; i < read.size(); ++i) {
-            largest = std::max(largest, std::abs(read[i] + reading.turn - m_model[i]));
+        for (std::size_t i = 0; i < m_values.size(); ++i) {
+            double error = reading.factor() * m_values[i] + reading.turn - m_model[i];
+            if (!std::isfinite(error)) {
+                continue;
+            }
+            if (reading.turned) {
+                if (first) {
+                    reading.turn = -180.0 * std::round(error / 180.0);
+                    error += reading.turn;
+                    first = false;
+                }
+                error -= 360.0 * std::round(error / 360.0); // a jump that makeContinuous() takes out
+            }
+            largest = std::max(largest, std::abs(error));
+            if (largest > kLooselyEqual * m_peak) {
+                reading.misfit = kInfinity;
+                return reading;
+            }
         }
         reading.misfit = largest == 0.0 ? 0.0 : largest / m_peak; // of a channel of zeros, nothing else
         return reading;
     }
 
 private:
-    std::vector<double> m_values;
-    std::vector<double> m_model;
+    std::span<const double> m_values;
+    std::span<const double> m_model;
     double m_peak = 0.0;
     double m_valueSquares = 0.0;
     double m_products = 0.0;
@@ -819,6 +827,214 @@ std::optional<Explanation> explainedBy(const ReferenceData &data, const Paramete
     return best;
 }
 
+// ---- against whatever mechanism fits best --------------------------------------------------------------------------
+
+/// The mechanisms that move alike in one column or another: mirrored, turned, the crank reversed.
+std::vector<Parameters> imagesOf(const Parameters &p)
+{
+    const double pi = std::numbers::pi;
+    std::vector<Parameters> images;
+    for (const Branch branch : {p.branch, otherThan(p.branch)}) {
+        images.push_back({p.a, p.b, p.c, p.omega2, p.theta20, branch});
+        images.push_back({p.a, p.b, p.c, -p.omega2, pi - p.theta20, branch});
+        images.push_back({p.a, p.b, -p.c, -p.omega2, -p.theta20, branch});
+        images.push_back({p.a, p.b, -p.c, p.omega2, p.theta20 + pi, branch});
+    }
+    return images;
+}
+
+/// The same mechanism in the sizes that the file's columns of length have: angles alone do not tell it.
+std::vector<Parameters> sizesOf(const Parameters &parameters, const ReferenceData &data)
+{
+    const Trajectory model = motionOf(parameters, data.time, channelsOf(data));
+    std::vector<Parameters> sizes{parameters};
+    for (const ReferenceSeries &series : data.series) {
+        if (isPlotted(series.channel) && !isAngle(series.channel.coordinate)) {
+            const double scale = std::abs(1.0 / ColumnPair(model[series.channel], series.values).bestFactor());
+            Parameters one = parameters;
+            one.a /= scale;
+            one.b /= scale;
+            one.c /= scale;
+            if (!findFault(one)) {
+                sizes.push_back(one);
+            }
+        }
+    }
+    return sizes;
+}
+
+/// One column, read as that channel: if nothing is wrong with it, the mechanism follows from it, and what is wrong
+/// with the others from the mechanism.
+ReferenceData alone(const ReferenceData &data, std::size_t column, Channel channel, double unit)
+{
+    ReferenceData one;
+    one.time = data.time;
+    one.series.push_back(data.series[column]);
+    one.series.front().channel = channel;
+    multiply(one.series.front(), unit);
+    return one;
+}
+
+/// Columns that may be trusted one by one: first as they stand, ...
+std::vector<ReferenceData> plainWitnesses(const ReferenceData &data)
+{
+    std::vector<ReferenceData> witnesses;
+    for (std::size_t i = 0; i < data.series.size(); ++i) {
+        if (isPlotted(data.series[i].channel)) {
+            witnesses.push_back(alone(data, i, data.series[i].channel, 1.0));
+        }
+    }
+    return witnesses;
+}
+
+/// ... and where that leads nowhere, angles in the other unit and under the other name.
+std::vector<ReferenceData> doubtfulWitnesses(const ReferenceData &data)
+{
+    std::vector<ReferenceData> witnesses;
+    for (std::size_t i = 0; i < data.series.size(); ++i) {
+        const Channel channel = data.series[i].channel;
+        if (!isPlotted(channel)) {
+            continue;
+        }
+        if (isAngle(channel.coordinate)) {
+            witnesses.push_back(alone(data, i, channel, kDegreesPerRadian));
+            witnesses.push_back(alone(data, i, channel, 1.0 / kDegreesPerRadian));
+        }
+        if (channel.order == Order::Position) {
+            witnesses.push_back(alone(data, i, {channel.coordinate == R4x ? Theta3 : R4x, channel.order}, 1.0));
+        }
+    }
+    return witnesses;
+}
+
+/// Whether the motion is about that of the mechanism at hand: then the data are rather about it, too.
+bool resembles(const ReferenceData &data, const Explanation &explanation, const Mechanism &atHand)
+{
+    constexpr double kResemblance = 0.25; // b = 65 for 60 is 0.1
+    const Comparison comparison(data, explanation.parameters, explanation.conventions);
+    const ChannelSet channels = channelsOf(comparison.read);
+    const Trajectory other = motionOf(atHand.parameters(), comparison.read.time, channels);
+    for (const Channel channel : kPlottedChannels) {
+        if (channels.test(indexOf(channel)) &&
+            !(rmsMisfit(other[channel], comparison.model[channel]) <= kResemblance)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The columns of lowest order, which no derivative can spoil.
+ReferenceData withoutDerivatives(const ReferenceData &data)
+{
+    ReferenceData lowest = data;
+    std::erase_if(lowest.series, [&](const ReferenceSeries &series) { return hasLowerOrder(data, series.channel); });
+    return lowest;
+}
+
+/// The explanation with the mechanism fitted to all that it leaves.
+std::optional<Explanation> provenByFit(const ReferenceData &data, Explanation explanation, Demand demand,
+                                       const std::stop_token &stop)
+{
+    const auto fitTo = [&](const ReferenceData &some) {
+        const Identification fit = identify(some, Mechanism(explanation.parameters), stop);
+        if (fit.status == Identification::Status::Found) {
+            explanation.parameters = fit.parameters;
+        }
+    };
+    const ReferenceData read = allApplied(explanation.conventions, data);
+    fitTo(read);
+    if (const auto whole = proven(data, explanation, demand)) {
+        return whole;
+    }
+    // A derivative that is none, but near enough not to have been seen yet, has spoilt the fit.
+    fitTo(withoutDerivatives(read));
+    const auto suspicious = proven(data, explanation, demand);
+    if (!suspicious || suspicious->conventions.size() == explanation.conventions.size()) {
+        return suspicious;
+    }
+    explanation = *suspicious;
+    fitTo(allApplied(explanation.conventions, data));
+    return proven(data, explanation, demand);
+}
+
+/// Every explanation that a witness leads to, the cheapest first, each set of conventions once.
+std::vector<Explanation> explanationsOf(const ReferenceData &data, const std::vector<ReferenceData> &witnesses,
+                                        const Mechanism &atHand, const std::stop_token &stop)
+{
+    struct Priced {
+        double cost;
+        Explanation explanation;
+    };
+    std::vector<Priced> priced;
+    for (const ReferenceData &witness : witnesses) {
+        const Identification fit = identify(witness, atHand, stop);
+        if (fit.status != Identification::Status::Found) {
+            continue;
+        }
+        for (const Parameters &image : imagesOf(fit.parameters)) {
+            for (const Parameters &sized : fit.onlyRatios ? sizesOf(image, data) : std::vector{image}) {
+                for (const double timeUnit : {1.0, kTimeUnits[0], kTimeUnits[1]}) {
+                    Explanation assumption{sized, {}, timeUnit};
+                    assumption.parameters.omega2 /= timeUnit;
+                    if (timeUnit != 1.0) {
+                        assumption.conventions.push_back({Kind::TimeUnit, {}, timeUnit});
+                    }
+                    if (findFault(assumption.parameters)) {
+                        continue;
+                    }
+                    if (const auto explanation = explain(data, assumption)) {
+                        constexpr double kOfAStranger = 0.3; // decides among as many findings only
+                        const double strange = resembles(data, *explanation, atHand) ? 0.0 : kOfAStranger;
+                        priced.push_back({costOf(*explanation) + strange, *explanation});
+                    }
+                }
+            }
+        }
+    }
+    std::stable_sort(priced.begin(), priced.end(), [](const Priced &x, const Priced &y) { return x.cost < y.cost; });
+    std::vector<Explanation> explanations;
+    for (const Priced &one : priced) {
+        const bool known = std::any_of(explanations.begin(), explanations.end(), [&](const Explanation &other) {
+            return other.conventions == one.explanation.conventions;
+        });
+        if (!known) {
+            explanations.push_back(one.explanation);
+        }
+    }
+    return explanations;
+}
+
+/// The file as the motion of some mechanism.
+std::optional<Explanation> explainedByAny(const ReferenceData &data, const Mechanism &atHand,
+                                          const std::stop_token &stop)
+{
+    constexpr std::size_t kMostProofs = 6;
+    const Identification whole = identify(data, atHand, stop);
+    if (whole.status == Identification::Status::Found) {
+        const auto plain = proven(data, {whole.parameters, {}}, Demand::Agreement);
+        if (plain && plain->conventions.empty()) {
+            return plain;
+        }
+    }
+    std::vector<Explanation> explanations;
+    for (const auto &witnesses : {plainWitnesses(data), doubtfulWitnesses(data)}) {
+        std::vector<Explanation> more = explanationsOf(data, witnesses, atHand, stop);
+        more.resize(std::min(more.size(), kMostProofs));
+        for (const Explanation &explanation : more) {
+            if (const auto sure = provenByFit(data, explanation, Demand::Agreement, stop)) {
+                return sure;
+            }
+        }
+        explanations.insert(explanations.end(), more.begin(), more.end());
+    }
+    for (const Explanation &explanation : explanations) {
+        if (const auto likely = provenByFit(data, explanation, Demand::NearlyNothing, stop)) {
+            return likely;
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 // --------------------------------------------------------------------------------------------------------------------
@@ -880,7 +1096,8 @@ std::vector<ConventionFinding> findConventions(const ReferenceData &data, const 
     if (const auto explanation = explainedBy(rows, mechanism.parameters(), stop)) {
         return measured(rows, *explanation);
     }
-    return {};
+    const auto explanation = explainedByAny(rows, mechanism, stop);
+    return explanation && !stop.stop_requested() ? measured(rows, *explanation) : std::vector<ConventionFinding>();
 }
 
 } // namespace slidercrank

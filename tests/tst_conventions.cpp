@@ -421,6 +421,27 @@ private slots:
         }
     }
 
+    void findsAFaultWhateverTheMechanism_data()
+    {
+        QTest::addColumn<Fault>("fault");
+        for (const Fault &fault : faults()) {
+            QTest::newRow(fault.name) << fault;
+        }
+    }
+
+    void findsAFaultWhateverTheMechanism()
+    {
+        QFETCH(const Fault, fault);
+        RandomFiles files(1);
+        for (int i = 0; i < 50; ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            const std::vector<Convention> expected = fault.inject(table, p, files);
+            const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism());
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
     void findsNothingInCleanFiles()
     {
         RandomFiles files(2);
