@@ -17,7 +17,8 @@ enum class ExitStatus {
     WrongCommandLine = 2,
     FileFailed = 3,     ///< a file cannot be read or written, or is not what it should be
     NotAssemblable = 4, ///< at some instant
-    NotSolved = 5       ///< at some instant Newton-Raphson did not converge, or velocity and acceleration do not exist
+    NotSolved = 5       ///< at some instant Newton-Raphson did not converge, or velocity and acceleration do not exist;
+                        ///< or no mechanism was found for a file
 };
 
 /// The translation context of everything the command line says.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// `slidercrank compare`: how far a simulation's file is from the exact motion, as a table, CSV or JSON.
+// `slidercrank compare`: how far simulations' files are from the exact motion, as tables, CSV or JSON.
 
 #include "app/command_line.h"
 #include "app/options.h"
@@ -9,6 +9,6 @@
 namespace slidercrank
 {
 
-ExitStatus compareFile(const CompareOptions &options);
+ExitStatus compareFiles(const CompareOptions &options);
 
 } // namespace slidercrank

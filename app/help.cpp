@@ -59,6 +59,11 @@ constexpr OptionEntry kCompareOptions[] = {
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "exit status 1 when a channel differs")},
 };
 
+constexpr OptionEntry kIdentifyOptions[] = {
+    {"format", "text|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+};
+
 constexpr OptionEntry kStudyOptions[] = {
     {"cases", "nominal|hard|all",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
@@ -70,9 +75,10 @@ constexpr OptionEntry kStudyOptions[] = {
 
 constexpr OptionEntry kRenderOptions[] = {
     {"what", "WHAT",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "figure (the nine plots), mechanism, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, "
-                       "theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)")},
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "figure (the nine plots), mechanism, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, "
+         "theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)")},
     {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a name that ends in .png, .svg or .pdf; needed")},
     {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to draw beside it")},
     {"size", "WxH",
@@ -107,8 +113,9 @@ QString introductionOf(Subcommand subcommand)
     case Subcommand::Window:
         return CommandLine::tr("Usage: slidercrank [--reference FILE]          opens the window\n"
                                "       slidercrank solve [options]             the motion as CSV or JSON\n"
-                               "       slidercrank compare FILE [options]      how far a simulation's file is from the "
-                               "model\n"
+                               "       slidercrank compare FILE… [options]     how far simulations' files are from "
+                               "the model\n"
+                               "       slidercrank identify FILE [options]     the mechanism that a file belongs to\n"
                                "       slidercrank study [options]             speed against error of every method\n"
                                "       slidercrank render --output FILE [...]  a picture: PNG, SVG or PDF\n"
                                "\n"
@@ -123,15 +130,27 @@ QString introductionOf(Subcommand subcommand)
                                "their\n"
                                "second (theta3_diff2), 17 significant digits, nan where a value does not exist.\n");
     case Subcommand::Compare:
-        return CommandLine::tr("Usage: slidercrank compare FILE [options]\n"
+        return CommandLine::tr("Usage: slidercrank compare FILE… [options]\n"
                                "\n"
-                               "Reads a simulation's CSV file (time,R4_x,theta3_diff,… as Inventor exports it) and "
-                               "tells how far each of its\n"
+                               "Reads simulations' CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and "
+                               "tells how far each of their\n"
                                "columns is from the exact motion of the mechanism at the file's own instants. A column "
                                "agrees when at least\n"
                                "95 % of its values are within half a rounding step of the file and none beyond ten "
                                "halves, is close when none\n"
-                               "is beyond a hundred halves, and differs otherwise.\n");
+                               "is beyond a hundred halves, and differs otherwise. Where one differs, the text says "
+                               "what explains it. A file that\n"
+                               "cannot be read is told on standard error, and the others are still compared.\n");
+    case Subcommand::Identify:
+        return CommandLine::tr("Usage: slidercrank identify FILE [options]\n"
+                               "\n"
+                               "Finds the mechanism that a simulation's file belongs to, from any of the columns "
+                               "theta3, R4_x and their\n"
+                               "derivatives, and how certain each of its parameters is. Where the file means something "
+                               "else by a column than its\n"
+                               "heading says (radians, the textbook's angle, another sign, …), that is said, and the "
+                               "file is read so. The options\n"
+                               "of the mechanism give what the file cannot fix.\n");
     case Subcommand::Study:
         return CommandLine::tr("Usage: slidercrank study [options]\n"
                                "\n"
@@ -149,7 +168,8 @@ QString introductionOf(Subcommand subcommand)
     case Subcommand::Render:
         return CommandLine::tr("Usage: slidercrank render --output FILE.png|.svg|.pdf [options]\n"
                                "\n"
-                               "Draws what the window shows into a file. Needs no display.\n");
+                               "Draws what the window shows into a file. Needs no "
+                               "display.\n");
     }
     return {};
 }
@@ -178,6 +198,15 @@ QString shapeOf(Subcommand subcommand)
                                "       \"zeroReference\",\"percentOfPeak\",\"roundingStep\",\"verdict\"} in mm, ° and "
                                "s; null where there is none.\n"
                                "CSV: the file's name, then the same columns.\n");
+    case Subcommand::Identify:
+        return CommandLine::tr("JSON: {\"file\", "
+                               "\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
+                               "\"standardError\":{\"a\",…},\n"
+                               "       \"identifiable\":{\"a\":true,…}, \"iterations\", \"conditionNumber\", "
+                               "\"channels\":[as of compare, against it],\n"
+                               "       \"conventions\":[{\"name\",\"explanation\",\"before\",\"after\"}], "
+                               "\"summary\"}; in mm and rad as the options;\n"
+                               "      before, after: largest error, % of peak; null where there is none.\n");
     case Subcommand::Study:
         return CommandLine::tr("JSON: {\"machine\", \"cases\":[{\"name\", \"methods\":[…]}]}; a method is\n"
                                "      {\"method\",\"tolerance\",\"channels\",\"nsPerState\",\"spread\","
@@ -201,7 +230,8 @@ QString exitStatusText()
                            "mechanism cannot be\n"
                            "assembled at some instant (the others are still written); 5 Newton-Raphson did not "
                            "converge, or velocity and\n"
-                           "acceleration do not exist, somewhere. Of several, 3, 4, 5, 1 in this order.\n");
+                           "acceleration do not exist, somewhere, or no mechanism was found for a file. Of several, 3, "
+                           "4, 5, 1 in this order.\n");
 }
 
 } // namespace
@@ -212,6 +242,7 @@ QString wordOf(Subcommand subcommand)
     case Subcommand::Window: return {};
     case Subcommand::Solve: return QStringLiteral("solve");
     case Subcommand::Compare: return QStringLiteral("compare");
+    case Subcommand::Identify: return QStringLiteral("identify");
     case Subcommand::Study: return QStringLiteral("study");
     case Subcommand::Render: return QStringLiteral("render");
     }
@@ -227,6 +258,8 @@ std::vector<OptionGroup> optionGroupsOf(Subcommand subcommand)
                 {kMethod, kMethodOptions},       {kResult, kSolveOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Compare:
         return {{kMechanism, kMechanismOptions}, {kResult, kCompareOptions}, {kOther, kEverywhereOptions}};
+    case Subcommand::Identify:
+        return {{kMechanism, kMechanismOptions}, {kResult, kIdentifyOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Study:
         return {{kMechanism, kMechanismOptions}, {kResult, kStudyOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Render:

@@ -4,6 +4,7 @@
 
 #include "app/command_line.h"
 #include "app/compare.h"
+#include "app/identify.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "app/render.h"
@@ -13,6 +14,7 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QLocale>
 #include <QLoggingCategory>
 
 using namespace slidercrank;
@@ -45,6 +47,10 @@ ExitStatus print(const QString &text)
 /// None for what needs more than a QCoreApplication.
 std::optional<ExitStatus> runWithoutPlatform(const Command &command)
 {
+    if (std::holds_alternative<WindowOptions>(command) || std::holds_alternative<RenderOptions>(command)) {
+        return std::nullopt;
+    }
+    QLocale::setDefault(QLocale::c()); // what goes to a stream is the same everywhere
     if (const WrongCommandLine *wrong = std::get_if<WrongCommandLine>(&command)) {
         say(wrong->sentence);
         return ExitStatus::WrongCommandLine;
@@ -56,7 +62,10 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
         return solve(*options);
     }
     if (const CompareOptions *options = std::get_if<CompareOptions>(&command)) {
-        return compareFile(*options);
+        return compareFiles(*options);
+    }
+    if (const IdentifyOptions *options = std::get_if<IdentifyOptions>(&command)) {
+        return identifyFile(*options);
     }
     if (const StudyOptions *options = std::get_if<StudyOptions>(&command)) {
         return study(*options);
@@ -99,8 +108,8 @@ int main(int argc, char *argv[])
     } else if (!hasDisplay()) {
         say(QCoreApplication::translate(
             "slidercrank::CommandLine",
-            "There is no display to open the window on: set DISPLAY, or use solve, compare, study "
-            "or render, which need none."));
+            "There is no display to open the window on: set DISPLAY, or use solve, compare, identify, "
+            "study or render, which need none."));
         return static_cast<int>(ExitStatus::WrongCommandLine);
     }
     const QApplication application(argc, argv);

@@ -8,6 +8,7 @@
 #include "ui/figure_export.h"
 
 #include <QCommandLineParser>
+#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -347,6 +348,19 @@ Command readSolve(OptionReader &reader, const QStringList &positional)
     return options;
 }
 
+/// --output, which must be none of the files that are read.
+QString readOutputBeside(OptionReader &reader, const QStringList &files)
+{
+    const QString output = reader.file("output");
+    for (const QString &file : files) {
+        if (!output.isEmpty() && QFileInfo::exists(output) && QFileInfo(output) == QFileInfo(file)) {
+            reader.refuse(CommandLine::tr("--output would overwrite %1, which is to be read: choose another name.")
+                              .arg(QDir::toNativeSeparators(file)));
+        }
+    }
+    return output;
+}
+
 Command readCompare(OptionReader &reader, const QStringList &positional)
 {
     CompareOptions options;
@@ -354,20 +368,29 @@ Command readCompare(OptionReader &reader, const QStringList &positional)
     options.format =
         reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
     options.failOnDifference = reader.has("fail-on-difference");
+    options.files = positional;
+    if (positional.isEmpty() || positional.contains(QString())) {
+        reader.refuse(CommandLine::tr("\"slidercrank compare\" needs a file: slidercrank compare FILE…"));
+    }
+    options.output = readOutputBeside(reader, positional);
+    return options;
+}
+
+Command readIdentify(OptionReader &reader, const QStringList &positional)
+{
+    IdentifyOptions options;
+    options.mechanism = readMechanism(reader);
+    options.format = reader.choice("format", options.format, {{"text", Format::Text}, {"json", Format::Json}});
     if (positional.isEmpty() || positional.first().isEmpty()) {
-        reader.refuse(CommandLine::tr("\"slidercrank compare\" needs a file: slidercrank compare FILE."));
+        reader.refuse(CommandLine::tr("\"slidercrank identify\" needs a file: slidercrank identify FILE."));
     } else if (positional.size() > 1) {
-        reader.refuse(CommandLine::tr("\"slidercrank compare\" takes one file, not %1: remove \"%2\".")
+        reader.refuse(CommandLine::tr("\"slidercrank identify\" takes one file, not %1: remove \"%2\".")
                           .arg(positional.size())
                           .arg(positional[1]));
     } else {
         options.file = positional.first();
     }
-    options.output = reader.file("output");
-    if (!options.output.isEmpty() && QFileInfo::exists(options.output) &&
-        QFileInfo(options.output) == QFileInfo(options.file)) {
-        reader.refuse(CommandLine::tr("--output would overwrite the file that is compared: choose another name."));
-    }
+    options.output = readOutputBeside(reader, positional);
     return options;
 }
 
@@ -500,13 +523,13 @@ Command readRender(OptionReader &reader, const QStringList &positional)
 Command readWindow(OptionReader &reader, const QStringList &positional)
 {
     if (!positional.isEmpty()) {
-        const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("study"),
-                                QStringLiteral("render")};
+        const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("identify"),
+                                QStringLiteral("study"), QStringLiteral("render")};
         reader.refuse(
             words.contains(positional.first())
                 ? CommandLine::tr("The command must come first: slidercrank %1 …").arg(positional.first())
-                : CommandLine::tr("There is no command \"%1\": use solve, compare, study or render, or no word at "
-                                  "all for the window.")
+                : CommandLine::tr("There is no command \"%1\": use solve, compare, identify, study or render, or no "
+                                  "word at all for the window.")
                       .arg(positional.first()));
     }
     return WindowOptions{reader.file("reference")};
@@ -554,7 +577,8 @@ std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFor
 Command parseCommandLine(const QStringList &arguments)
 {
     Subcommand subcommand = Subcommand::Window;
-    for (const Subcommand candidate : {Subcommand::Solve, Subcommand::Compare, Subcommand::Study, Subcommand::Render}) {
+    for (const Subcommand candidate :
+         {Subcommand::Solve, Subcommand::Compare, Subcommand::Identify, Subcommand::Study, Subcommand::Render}) {
         if (arguments.size() > 1 && arguments[1] == wordOf(candidate)) {
             subcommand = candidate;
         }
@@ -590,6 +614,7 @@ Command parseCommandLine(const QStringList &arguments)
     case Subcommand::Window: command = readWindow(reader, positional); break;
     case Subcommand::Solve: command = readSolve(reader, positional); break;
     case Subcommand::Compare: command = readCompare(reader, positional); break;
+    case Subcommand::Identify: command = readIdentify(reader, positional); break;
     case Subcommand::Study: command = readStudy(reader, positional); break;
     case Subcommand::Render: command = readRender(reader, positional); break;
     }

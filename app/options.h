@@ -37,10 +37,17 @@ struct SolveOptions {
 
 struct CompareOptions {
     Mechanism mechanism;
-    QString file;
+    QStringList files; ///< at least one
     Format format = Format::Text;
     bool failOnDifference = false;
     QString output; ///< empty: standard output
+};
+
+struct IdentifyOptions {
+    Mechanism mechanism; ///< where to start; gives what the file cannot fix
+    QString file;
+    Format format = Format::Text; ///< Text or Json
+    QString output;               ///< empty: standard output
 };
 
 struct StudyOptions {
@@ -77,8 +84,8 @@ struct WrongCommandLine {
     QString sentence;
 };
 
-using Command =
-    std::variant<WindowOptions, SolveOptions, CompareOptions, StudyOptions, RenderOptions, Answer, WrongCommandLine>;
+using Command = std::variant<WindowOptions, SolveOptions, CompareOptions, IdentifyOptions, StudyOptions, RenderOptions,
+                             Answer, WrongCommandLine>;
 
 /// `arguments` as QCoreApplication::arguments() gives them, the program's name first.
 Command parseCommandLine(const QStringList &arguments);

@@ -130,10 +130,30 @@ QString sample()
     return QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
 }
 
+QString authorsFile()
+{
+    return QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv");
+}
+
 QByteArray contentOf(const QString &path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Table 1's motion to six digits, θ3 in radians under a heading that does not say so.
+QString fileInRadians(const QTemporaryDir &folder)
+{
+    const Table table = tableOf(run(QStringLiteral("solve --channels theta3,R4_x,R4_x_diff")).out);
+    QByteArray csv("time,theta3,R4_x,R4_x_diff\n");
+    for (std::size_t row = 0; row < table.cells.size(); ++row) {
+        csv += table.cells[row][0] + ',' + QByteArray::number(table.at(row, "theta3") * kDegree, 'g', 6) + ',' +
+               QByteArray::number(table.at(row, "R4_x"), 'g', 6) + ',' +
+               QByteArray::number(table.at(row, "R4_x_diff"), 'g', 6) + '\n';
+    }
+    const QString path = folder.filePath(QStringLiteral("radians.csv"));
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() ? path : QString();
 }
 
 bool isOneLine(const QByteArray &text)
@@ -174,6 +194,17 @@ private slots:
     void comparesTheSample();
     void comparesTheSampleInJson();
     void comparesTheSampleInCsv();
+    void comparesSeveralFiles();
+    void comparesTheFilesThatItCanRead();
+    void saysWhoseMotionADifferentFileIs();
+    void saysWhatAFileMeansOtherwise();
+    void neverOverwritesWhatItReads();
+    void identifiesTheAuthorsFile_data();
+    void identifiesTheAuthorsFile();
+    void identifiesInWordsAndGoesOnWithIt();
+    void identifiesWhatReadsOtherwise();
+    void saysWhatAFileCannotFix();
+    void saysWhenItFindsNoMechanism();
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
     void tellsWhereTheModelOfAFileCannotBeAssembled();
@@ -526,7 +557,10 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("solve --at-angle 30 --omega2 0", "stands still");
     row("solve --at-angle 30 --omega2 1e-300", "too slowly");
     row("compare", "needs a file");
-    row("compare a.csv b.csv", "takes one file");
+    row("identify", "needs a file");
+    row("identify a.csv b.csv", "takes one file, not 2: remove \"b.csv\"");
+    row("identify a.csv --format csv", "--format must be text or json");
+    row("identify a.csv --b 0", "--b must be greater than 0");
     row("compare a.csv --method newton", "no option --method");
     row("compare a.csv --format xml", "--format must be text, csv or json");
     row("compare a.csv --fail-on-difference=yes", "--fail-on-difference");
@@ -543,7 +577,6 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("render --output x.png --at 0.5 --at-angle 30", "remove one");
     row("render --output x.png --at 3", "outside the run");
     row("render --output x.png --format csv", "no option --format");
-    row("identify x.csv", "no command \"identify\"");
     row("study --cases soft", "--cases must be nominal, hard or all");
     row("study --format xml", "--format must be text, csv or json");
     row("study --steps 100", "no option --steps");
@@ -675,7 +708,7 @@ void TestCommandLine::comparesTheSample()
 
     const Outcome wrong = run({QStringLiteral("compare"), sample()});
     QCOMPARE(wrong.status, 0);
-    QVERIFY2(wrong.out.contains("Differs in 6 of 6 channels"), wrong.out.constData());
+    QVERIFY2(wrong.out.contains("Differs from this mechanism in 6 of 6 channels"), wrong.out.constData());
     QCOMPARE(run({QStringLiteral("compare"), sample(), QStringLiteral("--fail-on-difference")}).status, 1);
 }
 
@@ -772,6 +805,231 @@ void TestCommandLine::comparesTheSampleInCsv()
     QCOMPARE(table.cells[0][1], QByteArray("R4_x"));
     QVERIFY(std::abs(table.at(0, "maxAbs") - 7.22) < 0.005);
     QCOMPARE(table.cells[0].last(), QByteArray("differs"));
+}
+
+void TestCommandLine::comparesSeveralFiles()
+{
+    QTemporaryDir folder;
+    const QString other = folder.filePath(QStringLiteral("other.csv"));
+    run({"solve", "--b", "70", "--channels", "theta3,R4_x", "--output", other});
+    const QStringList compare{"compare", sample(), other, "--b", "60"};
+
+    const Table csv = tableOf(run(compare + QStringList{"--format", "csv"}).out);
+    QCOMPARE(csv.cells.size(), std::size_t(8));
+    for (std::size_t row = 0; row < csv.cells.size(); ++row) {
+        QCOMPARE(csv.cells[row].first(), '"' + (row < 6 ? sample() : other).toUtf8() + '"');
+        QCOMPARE(csv.cells[row].last(), QByteArray(row < 6 ? "agrees" : "differs"));
+    }
+
+    QJsonParseError parsing;
+    const QJsonObject object =
+        QJsonDocument::fromJson(run(compare + QStringList{"--format", "json"}).out, &parsing).object();
+    QCOMPARE(parsing.error, QJsonParseError::NoError);
+    const QJsonArray files = object["files"].toArray();
+    QCOMPARE(files.size(), qsizetype(2));
+    QCOMPARE(files[0].toObject()["file"].toString(), sample());
+    QCOMPARE(files[1].toObject()["file"].toString(), other);
+    QCOMPARE(files[1].toObject()["channels"].toArray().size(), qsizetype(2));
+
+    const Outcome text = run(compare);
+    QCOMPARE(text.status, 0);
+    QVERIFY2(text.out.endsWith("\n\n2 files: 1 agree, 0 come close, 1 differ.\n"), text.out.constData());
+    QVERIFY(text.out.contains("\n\n" + other.toUtf8() + ": t = 0 s to 1 s, 201 instants\n"));
+    QCOMPARE(run(compare + QStringList{"--fail-on-difference"}).status, 1);
+    QCOMPARE(run({"compare", sample(), sample(), "--b", "60", "--fail-on-difference"}).status, 0);
+}
+
+void TestCommandLine::comparesTheFilesThatItCanRead()
+{
+    QTemporaryDir folder;
+    const QString missing = folder.filePath(QStringLiteral("missing.csv"));
+    const QStringList compare{"compare", missing, sample(), "--b", "60", "--fail-on-difference", "--format"};
+    const Outcome json = run(compare + QStringList{"json"});
+    QCOMPARE(json.status, 3);
+    QVERIFY2(isOneLine(json.err) && json.err.startsWith(missing.toUtf8()), json.err.constData());
+    const QJsonArray files = QJsonDocument::fromJson(json.out).object()["files"].toArray();
+    QCOMPARE(files.size(), qsizetype(1));
+    QCOMPARE(files[0].toObject()["file"].toString(), sample());
+    QCOMPARE(tableOf(run(compare + QStringList{"csv"}).out).cells.size(), std::size_t(6));
+    QVERIFY(run(compare + QStringList{"text"}).out.endsWith("1 could not be read.\n"));
+
+    const QString output = folder.filePath(QStringLiteral("table.csv"));
+    QCOMPARE(run({"compare", missing, missing, "--output", output}).status, 3);
+    QVERIFY(!QFile::exists(output));
+}
+
+void TestCommandLine::saysWhoseMotionADifferentFileIs()
+{
+    for (const QString &file : {sample(), authorsFile()}) {
+        if (!QFile::exists(file)) {
+            QSKIP("The author's own file is not here.");
+        }
+        const Outcome wrong = run({"compare", file});
+        QVERIFY2(wrong.out.contains("\nThis error looks like b: 60.000 instead of 65 mm explains 99.9999 % of it.\n"),
+                 wrong.out.constData());
+        QVERIFY2(wrong.out.contains("\nThe file's own mechanism: a = "), wrong.out.constData());
+        const Outcome right = run({"compare", file, "--b", "60"});
+        QCOMPARE(right.out.count("agrees to the last printed digit"), qsizetype(6));
+        QVERIFY2(!right.out.contains("This error") && !right.out.contains("own mechanism"), right.out.constData());
+    }
+}
+
+void TestCommandLine::saysWhatAFileMeansOtherwise()
+{
+    QTemporaryDir folder;
+    const QString path = fileInRadians(folder);
+    const Outcome outcome = run({"compare", path});
+    QCOMPARE(outcome.status, 0);
+    QVERIFY2(outcome.out.contains("\ntheta3: in radians, but read as degrees. Multiplies theta3 by 57.2958: "),
+             outcome.out.constData());
+    QVERIFY2(outcome.out.endsWith("\nRead so, it agrees with this mechanism.\n"), outcome.out.constData());
+    QVERIFY2(!outcome.out.contains("This error"), outcome.out.constData());
+}
+
+void TestCommandLine::neverOverwritesWhatItReads()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    run({"solve", "--output", path});
+    const QByteArray content = contentOf(path);
+    for (const QStringList &line :
+         {QStringList{"compare", sample(), path}, QStringList{"identify", path, "--format", "json"}}) {
+        const Outcome outcome = run(line + QStringList{"--output", path});
+        QCOMPARE(outcome.status, 2);
+        QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("would overwrite"), outcome.err.constData());
+    }
+    QCOMPARE(contentOf(path), content);
+}
+
+void TestCommandLine::identifiesTheAuthorsFile_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::newRow("the sample") << sample();
+    QTest::newRow("the author's own") << authorsFile();
+}
+
+void TestCommandLine::identifiesTheAuthorsFile()
+{
+    QFETCH(QString, file);
+    if (!QFile::exists(file)) {
+        QSKIP("The author's own file is not here.");
+    }
+    const Outcome outcome = run({"identify", file, "--format", "json"});
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(outcome.err, QByteArray());
+    QJsonParseError parsing;
+    const QJsonObject found = QJsonDocument::fromJson(outcome.out, &parsing).object();
+    QCOMPARE(parsing.error, QJsonParseError::NoError);
+    QCOMPARE(found.keys(), QStringList({"channels", "conditionNumber", "conventions", "file", "identifiable",
+                                        "iterations", "mechanism", "standardError", "summary"}));
+    QCOMPARE(found["file"].toString(), file);
+
+    // Other measurements of the same file found these within 3e-5 mm, 1e-6 rad/s and 1e-6 rad.
+    const struct {
+        const char *name;
+        double value;
+        double tolerance;
+    } expected[] = {{"a", 20.0, 1e-5},
+                    {"b", 60.0, 1e-5},
+                    {"c", 25.0, 1e-5},
+                    {"omega2", 2.0 * std::numbers::pi, 1e-6},
+                    {"theta20", 0.0, 1e-6}};
+    const QJsonObject mechanism = found["mechanism"].toObject();
+    const QJsonObject errors = found["standardError"].toObject();
+    const QJsonObject identifiable = found["identifiable"].toObject();
+    QCOMPARE(mechanism.size(), qsizetype(6));
+    QCOMPARE(errors.size(), qsizetype(5));
+    QCOMPARE(identifiable.size(), qsizetype(5));
+    for (const auto &parameter : expected) {
+        const QLatin1String name(parameter.name);
+        QVERIFY2(std::abs(mechanism[name].toDouble() - parameter.value) < parameter.tolerance, parameter.name);
+        QVERIFY2(errors[name].toDouble() > 0.0 && errors[name].toDouble() < parameter.tolerance, parameter.name);
+        QCOMPARE(identifiable[name], QJsonValue(true));
+    }
+    QCOMPARE(mechanism["branch"].toString(), QStringLiteral("open"));
+    QVERIFY(found["iterations"].toInt() > 0 && found["iterations"].toInt() < 50);
+    QVERIFY(found["conditionNumber"].toDouble() > 1.0 && found["conditionNumber"].toDouble() < 100.0);
+    QCOMPARE(found["conventions"].toArray(), QJsonArray());
+    QVERIFY(found["summary"].toString().startsWith(QStringLiteral("a = ")));
+    const QJsonArray channels = found["channels"].toArray();
+    QCOMPARE(channels.size(), qsizetype(6));
+    for (const QJsonValue &channel : channels) {
+        QCOMPARE(channel.toObject()["verdict"].toString(), QStringLiteral("agrees"));
+        QCOMPARE(channel.toObject().size(), qsizetype(12));
+    }
+}
+
+void TestCommandLine::identifiesInWordsAndGoesOnWithIt()
+{
+    const Outcome outcome = run({"identify", sample()});
+    QCOMPARE(outcome.status, 0);
+    QVERIFY2(outcome.out.contains(" mm, b = ") && outcome.out.contains(" ± "), outcome.out.constData());
+    QVERIFY2(outcome.out.contains("\nAgrees with this mechanism in 6 of 6 channels"), outcome.out.constData());
+    const QByteArray lead = "\nTo go on with it: ";
+    const qsizetype at = outcome.out.indexOf(lead);
+    QVERIFY2(at > 0, outcome.out.constData());
+    const QString options = QString::fromUtf8(outcome.out.mid(at + lead.size())).trimmed();
+    const Outcome compared = run(QStringList{"compare", sample(), "--fail-on-difference"} + options.split(u' '));
+    QVERIFY2(compared.status == 0 && compared.out.contains("Agrees with this mechanism in 6 of 6"),
+             (options.toUtf8() + compared.err + compared.out).constData());
+}
+
+void TestCommandLine::identifiesWhatReadsOtherwise()
+{
+    QTemporaryDir folder;
+    const Outcome outcome = run({"identify", fileInRadians(folder), "--format", "json"});
+    QCOMPARE(outcome.status, 0);
+    const QJsonObject found = QJsonDocument::fromJson(outcome.out).object();
+    const QJsonArray conventions = found["conventions"].toArray();
+    QCOMPARE(conventions.size(), qsizetype(1));
+    const QJsonObject convention = conventions[0].toObject();
+    QCOMPARE(convention.keys(), QStringList({"after", "before", "explanation", "name"}));
+    QCOMPARE(convention["name"].toString(), QStringLiteral("angle-unit"));
+    QCOMPARE(convention["explanation"].toString(), QStringLiteral("theta3: in radians, but read as degrees."));
+    QVERIFY(convention["before"].toDouble() > 90.0);
+    QVERIFY(convention["after"].toDouble() < 0.01);
+    QVERIFY(std::abs(found["mechanism"].toObject()["b"].toDouble() - 65.0) < 1e-3);
+    for (const QJsonValue &channel : found["channels"].toArray()) {
+        QCOMPARE(channel.toObject()["verdict"].toString(), QStringLiteral("agrees"));
+    }
+}
+
+void TestCommandLine::saysWhatAFileCannotFix()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("angle.csv"));
+    run({"solve", "--a", "30", "--b", "90", "--c", "-15", "--channels", "theta3", "--output", path});
+    const Outcome outcome = run({"identify", path, "--format", "json"});
+    QCOMPARE(outcome.status, 0);
+    const QJsonObject found = QJsonDocument::fromJson(outcome.out).object();
+    const QJsonObject mechanism = found["mechanism"].toObject();
+    QVERIFY(std::abs(mechanism["b"].toDouble() / mechanism["a"].toDouble() - 3.0) < 1e-6);
+    QVERIFY(std::abs(mechanism["c"].toDouble() / mechanism["a"].toDouble() + 0.5) < 1e-6);
+    QCOMPARE(found["identifiable"].toObject()["a"], QJsonValue(false));
+    QCOMPARE(found["standardError"].toObject()["a"], QJsonValue(QJsonValue::Null));
+    const QString summary = found["summary"].toString();
+    QVERIFY2(summary.contains(QStringLiteral("θ³ alone fixes only b/a and c/a; a = 20 mm")), qPrintable(summary));
+}
+
+void TestCommandLine::saysWhenItFindsNoMechanism()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("short.csv"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("time,R4_x\n0,80\n0.1,79\n");
+    file.close();
+    const Outcome text = run({"identify", path});
+    QCOMPARE(text.status, 5);
+    QCOMPARE(text.out, QByteArray());
+    QVERIFY2(isOneLine(text.err) && text.err.contains("too few values"), text.err.constData());
+    const Outcome json = run({"identify", path, "--format", "json"});
+    QCOMPARE(json.status, 5);
+    const QJsonObject none = QJsonDocument::fromJson(json.out).object();
+    QCOMPARE(none["mechanism"], QJsonValue(QJsonValue::Null));
+    QCOMPARE(none["identifiable"].toObject()["b"], QJsonValue(false));
+    QCOMPARE(none["channels"].toArray(), QJsonArray());
+    QCOMPARE(run({"identify", folder.filePath(QStringLiteral("missing.csv"))}).status, 3);
 }
 
 void TestCommandLine::saysWhatIsWrongWithAFile()
@@ -890,8 +1148,9 @@ void TestCommandLine::speaksTheSameNumbersInEveryLocale()
     QProcessEnvironment german = withoutDisplay();
     german.insert(QStringLiteral("LC_ALL"), QStringLiteral("de_DE.UTF-8"));
     german.insert(QStringLiteral("LANG"), QStringLiteral("de_DE.UTF-8"));
-    for (const QStringList &arguments : {QStringList{"solve", "--b", "60.5"}, QStringList{"compare", sample()},
-                                         QStringList{"compare", sample(), "--format", "json"}}) {
+    for (const QStringList &arguments :
+         {QStringList{"solve", "--b", "60.5"}, QStringList{"compare", sample()}, QStringList{"identify", sample()},
+          QStringList{"compare", sample(), "--format", "json"}}) {
         const Outcome outcome = run(arguments, german);
         QCOMPARE(outcome.status, 0);
         QCOMPARE(outcome.out, run(arguments).out);
@@ -902,7 +1161,7 @@ void TestCommandLine::helpsEverywhere()
 {
     const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
     for (const QString &command : {QString(), QStringLiteral("solve"), QStringLiteral("compare"),
-                                   QStringLiteral("study"), QStringLiteral("render")}) {
+                                   QStringLiteral("identify"), QStringLiteral("study"), QStringLiteral("render")}) {
         const QStringList words = command.isEmpty() ? QStringList() : QStringList(command);
         const Outcome help = run(words + QStringList(QStringLiteral("--help")));
         QCOMPARE(help.status, 0);
@@ -931,6 +1190,7 @@ void TestCommandLine::needsNoPlatformButToRender()
     noPlatform.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("nonsense"));
     QCOMPARE(run({"solve"}, noPlatform).status, 0);
     QCOMPARE(run({"compare", sample()}, noPlatform).status, 0);
+    QCOMPARE(run({"identify", sample()}, noPlatform).status, 0);
     QCOMPARE(run({"--help"}, noPlatform).status, 0);
     QCOMPARE(run({"render", "--output", "x.gif"}, noPlatform).status, 2);
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)

@@ -82,7 +82,7 @@ private slots:
         QTest::newRow("an error of 0.96 is 1") << 60.04 << 0.96 << 100.0 << "60 ± 1";
         QTest::newRow("trailing zeros count") << 60.0 << 0.002 << 100.0 << "60.000 ± 0.002";
         QTest::newRow("rounding up adds a digit") << 9.99996 << 1e-4 << 100.0 << "10.0000 ± 0.0001";
-        QTest::newRow("a value below its error") << -2e-6 << 1.3e-5 << 1.0 << "0 ± 0.00001";
+        QTest::newRow("a value below its error") << -2e-6 << 1.3e-5 << 1.0 << "0.00000 ± 0.00001";
         QTest::newRow("an error above the value") << 312.0 << 4012.0 << 1.0 << "0 ± 4000";
         QTest::newRow("very small") << 2.0000004e-8 << 1.1e-14 << 1e-7 << "2.000000·10⁻⁸ ± 1·10⁻¹⁴";
         QTest::newRow("no error known") << 20.0 << kNaN << 100.0 << "20";
@@ -102,7 +102,7 @@ private slots:
     {
         QCOMPARE(summaryOf(authorsFile()),
                  QString("a = 20.000001 ± 0.000003 mm, b = 60.00000 ± 0.00001 mm, c = 24.999974 ± 0.000008 mm, "
-                         "ω₂ = 6.2831856 ± 3·10⁻⁷ rad/s, θ₂₀ = -0.00002 ± 0.00001°, open assembly."));
+                         "ω₂ = 6.2831856 ± 0.0000003 rad/s, θ₂₀ = -0.00002 ± 0.00001°, open assembly."));
     }
 
     void saysWhatAnAngleAloneCannotFix()

@@ -330,11 +330,17 @@ QString measuredText(double value, double standardError, double scale)
     const int firstPlace = powerOfTenBelow(standardError);
     const int place = standardError >= 9.5 * std::pow(10.0, firstPlace) ? firstPlace + 1 : firstPlace;
     const double unit = std::pow(10.0, place);
-    const double rounded = std::round(value / unit) * unit;
-    const int digits = rounded == 0.0 ? 1 : powerOfTenBelow(std::abs(rounded)) - place + 1;
+    const double rounded = std::round(value / unit) * unit + 0.0; // never -0
     const double roundedError = std::round(standardError / unit) * unit;
-    return FindingText::tr("%1 ± %2").arg(shortNumber(rounded, std::max(1, digits), QLocale()),
-                                          shortNumber(roundedError, 1, QLocale()));
+    const QString text = FindingText::tr("%1 ± %2");
+    constexpr int kFinestPlain = -9;
+    constexpr double kLargestPlain = 1e6;
+    if (place >= kFinestPlain && std::abs(rounded) < kLargestPlain) {
+        const int decimals = std::max(0, -place);
+        return text.arg(QLocale().toString(rounded, 'f', decimals), QLocale().toString(roundedError, 'f', decimals));
+    }
+    const int digits = rounded == 0.0 ? 1 : std::max(1, powerOfTenBelow(std::abs(rounded)) - place + 1);
+    return text.arg(shortNumber(rounded, digits, QLocale()), shortNumber(roundedError, 1, QLocale()));
 }
 
 QString summaryOf(const Identification &identification)

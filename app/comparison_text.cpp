@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison_text.h"
+
+#include "app/command_line.h"
+#include "app/json_text.h"
+#include "ui/finding_text.h"
+
+#include <QDir>
+#include <QStringList>
+
+#include <algorithm>
+#include <optional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// As the contract names it in CSV and JSON.
+const char *wordOf(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::Agrees: return "agrees";
+    case Verdict::Close: return "close";
+    case Verdict::Differs: return "differs";
+    }
+    return "";
+}
+
+/// Without a value there is no instant of it either.
+std::optional<double> timeOf(std::optional<double> value, double time)
+{
+    return value ? std::optional(time) : std::nullopt;
+}
+
+QByteArray jsonOf(const ChannelComparison &channel)
+{
+    return "{\"name\":" + jsonString(columnNameOf(channel.channel)) +
+           ",\"unit\":" + jsonString(unitOf(channel.channel)) + ",\"count\":" + QByteArray::number(channel.count) +
+           ",\"maxAbs\":" + jsonNumber(channel.maxAbs) +
+           ",\"timeOfMaxAbs\":" + jsonNumber(timeOf(channel.maxAbs, channel.timeOfMaxAbs)) +
+           ",\"rms\":" + jsonNumber(channel.rms) + ",\"maxPercent\":" + jsonNumber(channel.maxPercent) +
+           ",\"timeOfMaxPercent\":" + jsonNumber(timeOf(channel.maxPercent, channel.timeOfMaxPercent)) +
+           ",\"zeroReference\":" + QByteArray::number(channel.zeroReference) +
+           ",\"percentOfPeak\":" + jsonNumber(channel.percentOfPeak) +
+           ",\"roundingStep\":" + jsonNumber(channel.roundingStep) + ",\"verdict\":\"" + wordOf(channel.verdict) +
+           "\"}";
+}
+
+/// Empty for what does not exist.
+QByteArray csvNumber(std::optional<double> value)
+{
+    return value ? jsonNumber(value) : QByteArray();
+}
+
+QByteArray csvText(const QString &text)
+{
+    QString quoted = text;
+    return '"' + quoted.replace(u'"', QStringLiteral("\"\"")).toUtf8() + '"';
+}
+
+/// Three digits are what a person compares.
+QString rounded(std::optional<double> value, int digits = 3)
+{
+    return value ? QString::number(*value, 'g', digits) : QStringLiteral("–");
+}
+
+/// Columns as wide as their widest cell; text to the left, numbers to the right.
+QString aligned(const std::vector<QStringList> &rows, const std::vector<bool> &isNumber)
+{
+    QString table;
+    for (const QStringList &row : rows) {
+        QString line;
+        for (qsizetype column = 0; column < row.size(); ++column) {
+            qsizetype width = 0;
+            for (const QStringList &other : rows) {
+                width = std::max(width, other[column].size());
+            }
+            line += isNumber[static_cast<std::size_t>(column)] ? row[column].rightJustified(width)
+                                                               : row[column].leftJustified(width);
+            line += QStringLiteral("  ");
+        }
+        table += line.trimmed() + u'\n';
+    }
+    return table;
+}
+
+} // namespace
+
+QString headlineOf(const QString &file, const ReferenceData &data)
+{
+    const auto number = [](double value) { return QString::number(value, 'g', 9); };
+    return CommandLine::tr("%1: t = %3 s to %4 s, %2 instants")
+               .arg(QDir::toNativeSeparators(file), QString::number(data.time.size()), number(data.time.front()),
+                    number(data.time.back())) +
+           u'\n';
+}
+
+QString tableOf(const std::vector<ChannelComparison> &channels)
+{
+    std::vector<QStringList> rows{{CommandLine::tr("channel"), CommandLine::tr("unit"),
+                                   CommandLine::tr("largest error"), CommandLine::tr("at t [s]"),
+                                   CommandLine::tr("rms"), CommandLine::tr("largest %"), CommandLine::tr("at t [s]"),
+                                   CommandLine::tr("zeros"), CommandLine::tr("% of peak"),
+                                   CommandLine::tr("rounding step"), CommandLine::tr("verdict")}};
+    for (const ChannelComparison &channel : channels) {
+        rows.push_back({columnNameOf(channel.channel), unitOf(channel.channel), rounded(channel.maxAbs),
+                        rounded(timeOf(channel.maxAbs, channel.timeOfMaxAbs), 6), rounded(channel.rms),
+                        rounded(channel.maxPercent), rounded(timeOf(channel.maxPercent, channel.timeOfMaxPercent), 6),
+                        QString::number(channel.zeroReference), rounded(channel.percentOfPeak),
+                        rounded(channel.roundingStep), verdictText(channel)});
+    }
+    return aligned(rows, {false, false, true, true, true, true, true, true, true, true, false});
+}
+
+QByteArray csvHeader()
+{
+    return "file,name,unit,count,maxAbs,timeOfMaxAbs,rms,maxPercent,timeOfMaxPercent,zeroReference,percentOfPeak,"
+           "roundingStep,verdict\n";
+}
+
+QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &channels)
+{
+    QByteArray csv;
+    for (const ChannelComparison &channel : channels) {
+        const QByteArrayList cells{csvText(file),
+                                   columnNameOf(channel.channel).toUtf8(),
+                                   unitOf(channel.channel).toUtf8(),
+                                   QByteArray::number(channel.count),
+                                   csvNumber(channel.maxAbs),
+                                   csvNumber(timeOf(channel.maxAbs, channel.timeOfMaxAbs)),
+                                   csvNumber(channel.rms),
+                                   csvNumber(channel.maxPercent),
+                                   csvNumber(timeOf(channel.maxPercent, channel.timeOfMaxPercent)),
+                                   QByteArray::number(channel.zeroReference),
+                                   csvNumber(channel.percentOfPeak),
+                                   csvNumber(channel.roundingStep),
+                                   wordOf(channel.verdict)};
+        csv += cells.join(',') + '\n';
+    }
+    return csv;
+}
+
+QByteArray jsonOf(const std::vector<ChannelComparison> &channels)
+{
+    QByteArrayList comparisons;
+    for (const ChannelComparison &channel : channels) {
+        comparisons += jsonOf(channel);
+    }
+    return '[' + comparisons.join(',') + ']';
+}
+
+void warnOf(const QString &file, const ReferenceData &data)
+{
+    if (!data.skipped.empty()) {
+        const SkippedRow &first = data.skipped.front();
+        say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
+                            "(\"%5\"): %6.")
+                .arg(QDir::toNativeSeparators(file), QString::number(data.skipped.size()), QString::number(first.line),
+                     QString::number(first.column), QString::fromStdString(first.text),
+                     QString::fromStdString(first.reason)));
+    }
+    if (!data.ignoredColumns.empty()) {
+        QStringList names;
+        for (const std::string &name : data.ignoredColumns) {
+            names += QString::fromStdString(name);
+        }
+        say(CommandLine::tr("%1: these columns are no channels and were ignored: %2.")
+                .arg(QDir::toNativeSeparators(file), names.join(QStringLiteral(", "))));
+    }
+}
+
+} // namespace slidercrank

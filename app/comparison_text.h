@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A file's comparison as text, CSV and JSON: what `compare` and `identify` share.
+
+#include "core/comparison.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <vector>
+
+namespace slidercrank
+{
+
+/// "file.csv: t = 0 s to 1 s, 201 instants"
+QString headlineOf(const QString &file, const ReferenceData &data);
+
+/// A row a channel, for people.
+QString tableOf(const std::vector<ChannelComparison> &channels);
+
+QByteArray csvHeader();
+
+/// A row a channel.
+QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &channels);
+
+/// An array, an object a channel.
+QByteArray jsonOf(const std::vector<ChannelComparison> &channels);
+
+/// Says on standard error which rows and columns of the file were left out.
+void warnOf(const QString &file, const ReferenceData &data);
+
+} // namespace slidercrank

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/identify.h"
+
+#include "app/comparison_text.h"
+#include "app/json_text.h"
+#include "app/output.h"
+#include "core/interpretation.h"
+#include "ui/finding_text.h"
+#include "ui/reference_file.h"
+
+#include <QDir>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <variant>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The parameters' names in options and in JSON, by indexOf(Parameter).
+constexpr std::array<const char *, kParameterCount> kParameterWords{"a", "b", "c", "omega2", "theta20"};
+
+/// As JSON names it, in every language.
+const char *wordOf(Convention::Kind kind)
+{
+    switch (kind) {
+    case Convention::Kind::AngleUnit: return "angle-unit";
+    case Convention::Kind::LengthUnit: return "length-unit";
+    case Convention::Kind::TimeUnit: return "time-unit";
+    case Convention::Kind::Sign: return "sign";
+    case Convention::Kind::HalfTurn: return "half-turn";
+    case Convention::Kind::WholeTurns: return "whole-turns";
+    case Convention::Kind::SwappedColumns: return "swapped-columns";
+    case Convention::Kind::Branch: return "branch";
+    case Convention::Kind::TimeShift: return "time-shift";
+    case Convention::Kind::NotDerivative: return "not-derivative";
+    }
+    return "";
+}
+
+bool isFound(const Interpretation &interpretation)
+{
+    return interpretation.identification.status == Identification::Status::Found;
+}
+
+/// What was not found is null.
+QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
+{
+    const Identification &identification = interpretation.identification;
+    const bool found = isFound(interpretation);
+    QByteArrayList errors;
+    QByteArrayList identifiable;
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        const QByteArray name = '"' + QByteArray(kParameterWords[i]) + "\":";
+        const bool isFixed = found && identification.identifiable[i];
+        errors += name + jsonNumber(isFixed ? std::optional(identification.standardError[i]) : std::nullopt);
+        identifiable += name + (isFixed ? "true" : "false");
+    }
+    QByteArrayList conventions;
+    for (const ConventionFinding &finding : interpretation.conventions) {
+        conventions += "{\"name\":\"" + QByteArray(wordOf(finding.convention.kind)) +
+                       "\",\"explanation\":" + jsonString(explanationOf(finding.convention)) +
+                       ",\"before\":" + jsonNumber(finding.before) + ",\"after\":" + jsonNumber(finding.after) + '}';
+    }
+    return "{\"file\":" + jsonString(file) +
+           ",\"mechanism\":" + (found ? jsonMechanism(Mechanism(identification.parameters)) : QByteArray("null")) +
+           ",\"standardError\":{" + errors.join(',') + "},\"identifiable\":{" + identifiable.join(',') +
+           "},\"iterations\":" + QByteArray::number(identification.iterations) +
+           ",\"conditionNumber\":" + jsonNumber(found ? std::optional(identification.conditionNumber) : std::nullopt) +
+           ",\"channels\":" + jsonOf(interpretation.identified) + ",\"conventions\":[" + conventions.join(',') +
+           "],\"summary\":" + jsonString(summaryOf(identification)) + "}\n";
+}
+
+/// "--a 20.0000012 --b …": to go on with.
+QString optionsFor(const Parameters &parameters)
+{
+    constexpr int kDigits = 9;
+    const std::array values{parameters.a, parameters.b, parameters.c, parameters.omega2, parameters.theta20};
+    QString text;
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        text +=
+            QStringLiteral("--%1 %2 ").arg(QLatin1String(kParameterWords[i]), QString::number(values[i], 'g', kDigits));
+    }
+    return text +
+           (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
+}
+
+QString textOf(const QString &file, const ReferenceData &data, const Interpretation &interpretation)
+{
+    const Identification &identification = interpretation.identification;
+    QString text = headlineOf(file, data);
+    for (const ConventionFinding &finding : interpretation.conventions) {
+        text += explanationOf(finding.convention) + u' ' + effectOf(finding) + u'\n';
+    }
+    text += summaryOf(identification) + u'\n';
+    text += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
+                .arg(identification.iterations)
+                .arg(QString::number(identification.conditionNumber, 'g', 3)) +
+            u'\n';
+    text += u'\n' + tableOf(interpretation.identified) + u'\n' + summaryOf(interpretation.identified) + u'\n';
+    return text + CommandLine::tr("To go on with it: %1").arg(optionsFor(identification.parameters)) + u'\n';
+}
+
+} // namespace
+
+ExitStatus identifyFile(const IdentifyOptions &options)
+{
+    const std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(options.file);
+    if (const QString *sentence = std::get_if<QString>(&outcome)) {
+        say(*sentence);
+        return ExitStatus::FileFailed;
+    }
+    const ReferenceData &data = std::get<std::shared_ptr<const Reference>>(outcome)->data;
+    const Interpretation interpretation = interpret(data, options.mechanism);
+
+    // Without a mechanism there is nothing for a person to read but the sentence that says so.
+    if (isFound(interpretation) || options.format == Format::Json) {
+        Output output(options.output);
+        std::optional<QString> sentence = output.open();
+        if (!sentence) {
+            output.write(options.format == Format::Json ? jsonOf(options.file, interpretation)
+                                                        : textOf(options.file, data, interpretation).toUtf8());
+            sentence = output.finish();
+        }
+        if (sentence) {
+            say(*sentence);
+            return ExitStatus::FileFailed;
+        }
+    }
+    warnOf(options.file, data);
+    if (!isFound(interpretation)) {
+        say(QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(options.file),
+                                         summaryOf(interpretation.identification)));
+        return ExitStatus::NotSolved;
+    }
+    return ExitStatus::Done;
+}
+
+} // namespace slidercrank

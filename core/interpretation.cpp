@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/interpretation.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+Mechanism otherAssembly(const Mechanism &mechanism)
+{
+    Parameters parameters = mechanism.parameters();
+    parameters.branch = parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+    return Mechanism(parameters);
+}
+
+bool isDifferent(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
+{
+    const std::vector<ChannelComparison> channels = compare(mechanism, exactMotionOf(mechanism, data, stop), data);
+    return std::any_of(channels.begin(), channels.end(),
+                       [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+}
+
+} // namespace
+
+Trajectory exactMotionOf(const Mechanism &mechanism, const ReferenceData &data, std::stop_token stop)
+{
+    ChannelSet channels;
+    for (const ReferenceSeries &series : data.series) {
+        channels.set(indexOf(series.channel));
+    }
+    SolverSettings exact;
+    exact.method = Method::ClosedForm;
+    return sample(mechanism, data.time, channels, exact, stop);
+}
+
+Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
+{
+    Interpretation result;
+    result.conventions = findConventions(data, mechanism, stop);
+    Mechanism model = mechanism;
+    std::optional<ReferenceData> converted; // a file may be large: copied only where it reads otherwise
+    for (const ConventionFinding &finding : result.conventions) {
+        if (finding.convention.kind == Convention::Kind::Branch) {
+            model = otherAssembly(model);
+        } else {
+            converted = applied(finding.convention, converted ? std::move(*converted) : data);
+        }
+    }
+    const ReferenceData &reading = converted ? *converted : data;
+
+    result.identification = identify(reading, model, stop);
+    if (stop.stop_requested()) {
+        result.identification.status = Identification::Status::Stopped;
+        return result;
+    }
+    if (isDifferent(reading, model, stop)) {
+        result.attribution = attribute(reading, model, stop);
+    }
+    if (result.identification.status == Identification::Status::Found) {
+        const Mechanism found(result.identification.parameters);
+        result.identified = compare(found, exactMotionOf(found, reading, stop), reading);
+    }
+    return result;
+}
+
+} // namespace slidercrank

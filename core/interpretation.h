@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// All that can be found out about a file held against a mechanism, one after the other: the conventions by which it
+// reads otherwise than it says, then, with those applied, the one parameter that explains the difference and the
+// mechanism that the file belongs to.
+
+#include "core/comparison.h"
+#include "core/conventions.h"
+#include "core/identification.h"
+#include "core/trajectory.h"
+
+#include <stop_token>
+#include <vector>
+
+namespace slidercrank
+{
+
+struct Interpretation {
+    std::vector<ConventionFinding> conventions; ///< in the order in which they are to be applied
+
+    // All these of the data as they read with the conventions.
+    std::vector<Attribution> attribution; ///< as attribute(); empty where no channel differs from the mechanism
+    Identification identification;
+    std::vector<ChannelComparison> identified; ///< against the identified mechanism; empty where none was found
+};
+
+Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop = {});
+
+/// The exact motion at the data's own instants, in the channels that they have.
+Trajectory exactMotionOf(const Mechanism &mechanism, const ReferenceData &data, std::stop_token stop = {});
+
+} // namespace slidercrank
