@@ -357,6 +357,19 @@ private slots:
         }
     }
 
+    void exportsTheAnimation()
+    {
+        const QTemporaryDir folder;
+        const QString shown = QDir::toNativeSeparators(folder.filePath(QStringLiteral("motion.png")));
+        m_window->exportAnimationTo(folder.filePath(QStringLiteral("motion.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MessageBar *>()->text().contains(shown), 30000);
+        const QStringList frames = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
+        QCOMPARE(frames.size(), 31); // a second, both ends
+        const QImage first(folder.filePath(frames.first()));
+        QVERIFY(first != QImage(folder.filePath(frames[15])));
+        QCOMPARE(first, QImage(folder.filePath(frames.last()))); // one turn
+    }
+
     void aFailedExportIsTold()
     {
         m_window->exportFigureTo(QStringLiteral("/no/such/folder/figure.png"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
+#include "ui/animation_export.h"
 #include "ui/error_panel.h"
 #include "ui/figure_export.h"
 #include "ui/folding_tabs.h"
@@ -177,6 +178,7 @@ void MainWindow::buildMenus()
     }
     file->addAction(tr("Export &mechanism…"), this,
                     [this] { exportMechanismTo(chooseExportFile(QStringLiteral("mechanism.png"))); });
+    file->addAction(tr("Export &animation…"), this, &MainWindow::chooseAnimation);
     file->addSeparator();
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 
@@ -262,6 +264,9 @@ void MainWindow::buildStatusBar()
     connect(m_session, &Session::referenceLoaded, this, [this] { m_progress->setRange(0, 0); }); // then it is compared
     connect(m_cancelButton, &QToolButton::clicked, this, [this] {
         m_session->cancel();
+        if (m_animation) {
+            m_animation->cancel();
+        }
         m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Cancelled: what is on show is from before."));
     });
 }
@@ -383,6 +388,58 @@ void MainWindow::fillRecentMenu()
     if (m_recentMenu->isEmpty()) {
         m_recentMenu->addAction(tr("No file yet"))->setEnabled(false);
     }
+}
+
+void MainWindow::chooseAnimation()
+{
+    QStringList patterns;
+    for (const QString &suffix : AnimationExport::suffixes()) {
+        patterns << QStringLiteral("*.") + suffix;
+    }
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::MoviesLocation);
+    exportAnimationTo(QFileDialog::getSaveFileName(this, tr("Export animation"),
+                                                   QDir(folder).filePath(QStringLiteral("motion.png")),
+                                                   tr("Numbered frames, videos (%1)").arg(patterns.join(u' '))));
+}
+
+void MainWindow::exportAnimationTo(const QString &path)
+{
+    if (path.isEmpty() || m_animation) {
+        return;
+    }
+    const Sampling &sampling = m_session->sampling();
+    Animation animation;
+    animation.start = sampling.start;
+    animation.duration = sampling.duration;
+    animation.size.size = m_mechanismView->size();
+    animation.size.scale = 2.0;
+    const auto view = std::make_shared<MechanismView>();
+    view->setResult(m_session->result());
+    const auto draw = [view, parameters = m_session->parameters()](QPainter &painter, const QSize &size, double time) {
+        view->setPose(poseAt(parameters, time));
+        view->paintMechanism(painter, size, paletteFor(Theme::Light));
+    };
+    m_animation = new AnimationExport(animation, draw, this);
+    connect(m_animation, &AnimationExport::progressed, this, [this](int done, int all) {
+        m_progress->setRange(0, all);
+        m_progress->setValue(done);
+        m_progress->show();
+        m_cancelButton->show();
+    });
+    connect(m_animation, &AnimationExport::finished, this, [this, path](const QString &problem) {
+        const bool complete = m_progress->value() == m_progress->maximum();
+        m_progress->setRange(0, 0);
+        m_progress->hide();
+        m_cancelButton->hide();
+        m_animation->deleteLater();
+        m_animation = nullptr;
+        if (!problem.isEmpty()) {
+            m_messageBar->showMessage(MessageBar::Kind::Problem, problem);
+        } else if (complete) {
+            m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+        }
+    });
+    m_animation->start(path);
 }
 
 QString MainWindow::chooseExportFile(const QString &proposal)

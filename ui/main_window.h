@@ -18,6 +18,7 @@ class QToolButton;
 namespace slidercrank
 {
 
+class AnimationExport;
 class ErrorPanel;
 class FoldingTabs;
 class MechanismView;
@@ -45,6 +46,9 @@ public slots:
     void exportPlotTo(const QString &plotName, const QString &path);
     void exportMechanismTo(const QString &path);
 
+    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed.
+    void exportAnimationTo(const QString &path);
+
     void setTheme(slidercrank::Theme theme);
 
 protected:
@@ -66,6 +70,7 @@ private:
     void chooseReference();
     void exportTo(const QString &path, const QSize &size, const std::function<void(QPainter &, const QSize &)> &draw);
     QString chooseExportFile(const QString &proposal);
+    void chooseAnimation();
     void copyFigure();
 
     void showStatus(const std::shared_ptr<const Result> &result);
@@ -86,6 +91,7 @@ private:
     QProgressBar *m_progress;
     QToolButton *m_cancelButton;
     QTimer *m_busyTimer;
+    AnimationExport *m_animation = nullptr; ///< while one is written
     QMenu *m_recentMenu = nullptr;
     QAction *m_closeReferenceAction = nullptr;
     bool m_announceReference = false; ///< the next result is the first with a newly loaded file

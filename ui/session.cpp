@@ -76,6 +76,20 @@ bool takesLong(const Request &request)
 
 } // namespace
 
+Pose poseAt(const Parameters &parameters, double seconds)
+{
+    const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(seconds);
+    Pose pose;
+    pose.time = seconds;
+    pose.theta2 = motion.theta2;
+    pose.theta3 = motion.theta3;
+    pose.pinX = parameters.a * motion.crank.cos;
+    pose.pinY = parameters.a * motion.crank.sin;
+    pose.sliderX = motion.R4x;
+    pose.status = motion.status;
+    return pose;
+}
+
 Session::Session(QObject *parent)
     : QObject(parent)
 {
@@ -96,16 +110,7 @@ Session::~Session()
 
 Pose Session::pose() const
 {
-    const Motion motion = ClosedForm(Mechanism(m_choices.parameters)).motionAt(m_time);
-    Pose pose;
-    pose.time = m_time;
-    pose.theta2 = motion.theta2;
-    pose.theta3 = motion.theta3;
-    pose.pinX = m_choices.parameters.a * motion.crank.cos;
-    pose.pinY = m_choices.parameters.a * motion.crank.sin;
-    pose.sliderX = motion.R4x;
-    pose.status = motion.status;
-    return pose;
+    return poseAt(m_choices.parameters, m_time);
 }
 
 void Session::setParameters(const Parameters &parameters)

@@ -35,6 +35,8 @@ struct Pose {
     bool exists() const { return status == Status::Solved || status == Status::Singular; }
 };
 
+Pose poseAt(const Parameters &parameters, double seconds);
+
 /// Everything the views draw, of one moment; immutable once published.
 struct Result {
     Mechanism mechanism;
