@@ -51,6 +51,11 @@ std::string plainSpelling(std::string_view name)
 {
     std::string plain;
     while (!name.empty()) {
+        if (static_cast<unsigned char>(name[0]) < 0x80) {
+            plain += name[0];
+            name.remove_prefix(1);
+            continue;
+        }
         const auto spelling = std::find_if(kSpellings.begin(), kSpellings.end(),
                                            [&](const Spelling &each) { return name.starts_with(each.printed); });
         if (spelling != kSpellings.end()) {
@@ -58,9 +63,8 @@ std::string plainSpelling(std::string_view name)
             name.remove_prefix(spelling->printed.size());
             continue;
         }
-        const std::size_t length = std::max<std::size_t>(sequenceLength(name), 1);
-        plain += length == 1 && static_cast<unsigned char>(name[0]) < 0x80 ? name[0] : '?';
-        name.remove_prefix(length);
+        plain += '?';
+        name.remove_prefix(std::max<std::size_t>(sequenceLength(name), 1));
     }
     return plain;
 }
@@ -98,8 +102,8 @@ constexpr std::array<std::string_view, 8> kTimeCompanions{"elapsed",      "sim",
                                                           "transcurrido", "de",  "la",         "stamp"};
 constexpr std::array<std::string_view, 13> kRowNumbers{"n",    "no",    "nr",   "num",  "index",  "row",  "id",
                                                        "fila", "frame", "paso", "step", "sample", "point"};
-constexpr std::array<std::string_view, 14> kFillers{
-    "de", "del", "la", "el", "of", "the", "en", "component", "componente", "trans", "translational", "c", "cm", "b"};
+constexpr std::array<std::string_view, 11> kFillers{"de", "del",       "la",         "el",    "of",           "the",
+                                                    "en", "component", "componente", "trans", "translational"};
 
 enum class Body { Crank, Coupler, Slider };
 
@@ -189,19 +193,28 @@ std::string joined(const std::vector<std::string> &words)
     return all;
 }
 
+/// nameOf() in small letters, without underscores.
+const std::array<std::string, kChannelCount> &plainChannelNames()
+{
+    static const std::array<std::string, kChannelCount> names = [] {
+        std::array<std::string, kChannelCount> plain;
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            plain[index] = nameOf(channelAt(index));
+            std::erase(plain[index], '_');
+            plain[index][0] = plain[index][0] == 'R' ? 'r' : plain[index][0];
+        }
+        return plain;
+    }();
+    return names;
+}
+
 /// The channel whose name has the same letters and digits, whatever stands between them.
 std::optional<Channel> channelSpelled(const std::vector<std::string> &words)
 {
-    const std::string spelled = joined(words);
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        std::string name(nameOf(channelAt(index)));
-        std::erase(name, '_');
-        name[0] = name[0] == 'R' ? 'r' : name[0];
-        if (spelled == name) {
-            return channelAt(index);
-        }
-    }
-    return std::nullopt;
+    const std::array<std::string, kChannelCount> &names = plainChannelNames();
+    const auto found = std::find(names.begin(), names.end(), joined(words));
+    return found == names.end() ? std::nullopt
+                                : std::optional(channelAt(static_cast<std::size_t>(found - names.begin())));
 }
 
 bool isTime(const std::vector<std::string> &words)
@@ -261,8 +274,11 @@ NameMeaning fromWords(const std::vector<std::string> &words, const std::optional
             }
             continue;
         }
-        const auto known = std::find_if(kVocabulary.begin(), kVocabulary.end(),
-                                        [&](const Vocabulary &each) { return each.word == word; });
+        // A single letter is a quantity when it stands alone, not in "a1" or "v_0".
+        const bool letterOfMany = word.size() == 1 && word != "x" && word != "y" && words.size() > 1;
+        const auto known = letterOfMany ? kVocabulary.end()
+                                        : std::find_if(kVocabulary.begin(), kVocabulary.end(),
+                                                       [&](const Vocabulary &each) { return each.word == word; });
         if (known == kVocabulary.end()) {
             if (!isOneOf(word, kFillers)) {
                 return {};

@@ -97,6 +97,9 @@ HeaderScore scoreOf(std::string_view line, char delimiter)
     HeaderScore score;
     for (const std::string_view cell : cellsOf(line, delimiter)) {
         ++score.cells;
+        if (looksNumeric(cell)) {
+            continue;
+        }
         switch (meaningOf(headingOf(cell)).kind) {
         case NameMeaning::Kind::Time: ++score.times; break;
         case NameMeaning::Kind::Channel:

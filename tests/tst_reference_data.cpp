@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reference_data.h"
 
+#include "core/comparison.h"
+#include "core/trajectory.h"
+#include "tests/file_variants.h"
+
 #include <QFile>
 #include <QTest>
 
@@ -57,6 +61,46 @@ QString described(const std::variant<ReferenceData, ReadError> &outcome)
         text += "; ignored " + name;
     }
     return QString::fromStdString(text);
+}
+
+/// What each column became: "time R4_x theta3? -", with a question mark where it was guessed.
+std::string rolesOf(const FileLayout &layout)
+{
+    std::string roles;
+    for (const FileColumn &column : layout.columns) {
+        roles += roles.empty() ? "" : " ";
+        switch (column.role) {
+        case ColumnRole::Ignored: roles += '-'; break;
+        case ColumnRole::Time: roles += "time"; break;
+        case ColumnRole::Channel: roles += nameOf(column.channel); break;
+        }
+        roles += isGuess(column.reason) ? "?" : "";
+    }
+    return roles;
+}
+
+/// "UTF-8 with mark ; comma line 3 units 4".
+std::string formOf(const FileLayout &layout)
+{
+    std::string form;
+    switch (layout.encoding) {
+    case TextEncoding::Utf8: form = "UTF-8"; break;
+    case TextEncoding::Utf16LittleEndian: form = "UTF-16LE"; break;
+    case TextEncoding::Utf16BigEndian: form = "UTF-16BE"; break;
+    case TextEncoding::Windows1252: form = "Windows-1252"; break;
+    }
+    form += layout.byteOrderMark ? " with mark " : " ";
+    form += layout.delimiter == '\t' ? std::string("tab") : std::string(1, layout.delimiter);
+    form += layout.decimalSign == DecimalSign::Comma ? " comma" : " point";
+    form += " line " + std::to_string(layout.headerLine);
+    return form + (layout.unitsLine > 0 ? " units " + std::to_string(layout.unitsLine) : "");
+}
+
+std::variant<ReferenceData, ReadError> read(const QByteArray &bytes, const std::vector<ColumnChoice> &choices)
+{
+    ReadOptions options;
+    options.columns = choices;
+    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
 }
 
 } // namespace
@@ -172,6 +216,124 @@ private slots:
     {
         QFETCH(const QByteArray, bytes);
         QTEST(described(read(bytes)), "expected");
+    }
+
+    void readsWhatProgramsWrite_data()
+    {
+        QTest::addColumn<GoodFile>("file");
+        for (const GoodFile &file : goodFiles()) {
+            QTest::newRow(file.name.c_str()) << file;
+        }
+    }
+
+    void readsWhatProgramsWrite()
+    {
+        QFETCH(const GoodFile, file);
+        const auto outcome = readReferenceData(file.bytes);
+        QVERIFY2(std::holds_alternative<ReferenceData>(outcome), qPrintable(described(outcome)));
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(QString::fromStdString(rolesOf(data.layout)), QString::fromStdString(file.columns));
+        QCOMPARE(QString::fromStdString(formOf(data.layout)), QString::fromStdString(file.form));
+        QCOMPARE(data.layout.isGuessed(), file.columns.find('?') != std::string::npos);
+        QVERIFY(data.skipped.empty());
+
+        // Every column is what it is taken for, in its unit: the motion that the file was written from.
+        Parameters parameters;
+        parameters.b = 60.0;
+        const Mechanism mechanism(parameters);
+        SolverSettings exact;
+        exact.method = Method::ClosedForm;
+        const Trajectory motion = sample(mechanism, data.time, allChannels(), exact);
+        for (const ChannelComparison &channel : compare(mechanism, motion, data)) {
+            const ReferenceSeries &series = *data.find(channel.channel);
+            const double peak =
+                std::abs(*std::max_element(series.values.begin(), series.values.end(),
+                                           [](double x, double y) { return std::abs(x) < std::abs(y); }));
+            QVERIFY2(*channel.maxAbs <= 1e-5 * peak, std::string(nameOf(channel.channel)).c_str());
+        }
+    }
+
+    void refusesWhatItCannotTell_data()
+    {
+        QTest::addColumn<BadFile>("file");
+        for (const BadFile &file : badFiles()) {
+            QTest::newRow(file.name.c_str()) << file;
+        }
+    }
+
+    void refusesWhatItCannotTell()
+    {
+        QFETCH(const BadFile, file);
+        const auto outcome = readReferenceData(file.bytes);
+        const ReadError *error = std::get_if<ReadError>(&outcome);
+        QVERIFY2(error, qPrintable(described(outcome)));
+        QVERIFY2(error->reason.find(file.reason) != std::string::npos, error->reason.c_str());
+        QVERIFY2(error->reason.back() == '.', error->reason.c_str());
+    }
+
+    void letsAPersonChooseTheColumns()
+    {
+        const QByteArray bytes = "n,time,a,R4_x\n1,5,0.1,3\n2,4,0.2,4\n3,3,0.3,5\n";
+        QCOMPARE(described(read(bytes, {{2, ColumnRole::Time, {}, "ms"},
+                                        {3, ColumnRole::Ignored, {}, {}},
+                                        {0, ColumnRole::Channel, {R4x, Order::Position}, "m"}})),
+                 QStringLiteral("time 1e-04 2e-04 3e-04; R4_x 1000 2000 3000; ignored time; ignored R4_x"));
+    }
+
+    void readsAFileWithoutNamesAsAPersonChooses()
+    {
+        const QByteArray bytes = "0;1,5\n0,5;2,5\n";
+        const auto refused = read(bytes);
+        QCOMPARE(std::get<ReadError>(refused).layout.columns.size(), std::size_t(2));
+        QCOMPARE(std::get<ReadError>(refused).layout.rows.size(), std::size_t(2));
+        const auto outcome =
+            read(bytes, {{0, ColumnRole::Time, {}, {}}, {1, ColumnRole::Channel, {Theta3, Order::Velocity}, "rad/s"}});
+        QCOMPARE(described(outcome), QStringLiteral("time 0 0.5; theta3_diff 85.94366926962348 143.2394487827058"));
+        QCOMPARE(std::get<ReferenceData>(outcome).layout.headerLine, std::size_t(0));
+    }
+
+    void refusesAChoiceThatContradictsItself()
+    {
+        const QByteArray bytes = "time,R4_x [mm]\n0,1\n1,2\n";
+        const auto twice = read(bytes, {{0, ColumnRole::Time, {}, {}}, {1, ColumnRole::Time, {}, "s"}});
+        QVERIFY(described(twice).contains(QStringLiteral("two columns are chosen as the time")));
+        const auto unit = read(bytes, {{1, ColumnRole::Channel, {Theta3, Order::Position}, {}}});
+        QVERIFY(described(unit).contains(QStringLiteral("[°]")));
+        QCOMPARE(std::get<ReadError>(unit).column, std::size_t(2));
+    }
+
+    void saysWhyAColumnIsWhatItIs()
+    {
+        const auto outcome =
+            read("time,R4_x,Linear Velocity1 (mm/s),pressure,,R4_y\n0,0,2,5,1,\n1,2,2,5,1,\n2,4,2,5,1,\n");
+        const std::vector<FileColumn> &columns = std::get<ReferenceData>(outcome).layout.columns;
+        QCOMPARE(columns.at(1).reason, ColumnReason::KnownName);
+        QCOMPARE(columns.at(2).reason, ColumnReason::QuantityInName);
+        QCOMPARE(columns.at(2).unit, std::string("mm/s"));
+        QCOMPARE(columns.at(2).heading, std::string("Linear Velocity1 (mm/s)"));
+        QCOMPARE(columns.at(3).reason, ColumnReason::UnknownName);
+        QCOMPARE(columns.at(4).reason, ColumnReason::NoName);
+        QCOMPARE(columns.at(5).reason, ColumnReason::NoNumber);
+        QCOMPARE(columns.at(5).role, ColumnRole::Ignored);
+    }
+
+    void tellsHowFarItIs()
+    {
+        QByteArray bytes = "time,R4_x\n";
+        for (int i = 0; i < 20'000; ++i) {
+            bytes += QByteArray::number(i) + ",1\n";
+        }
+        std::vector<std::size_t> done;
+        std::size_t all = 0;
+        ReadOptions options;
+        options.progress = [&](std::size_t bytesDone, std::size_t ofAll) {
+            done.push_back(bytesDone);
+            all = ofAll;
+        };
+        readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
+        QVERIFY(done.size() >= 4);
+        QVERIFY(std::is_sorted(done.begin(), done.end()));
+        QVERIFY(done.back() > all / 2 && done.back() <= all);
     }
 
     void convertsUnits_data()
