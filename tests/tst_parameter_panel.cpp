@@ -221,6 +221,24 @@ private slots:
         QVERIFY(m_received == exact);
     }
 
+    void aNumberTooLongForItsBoxLosesDigitsNotItsExponent()
+    {
+        ParameterPanel panel;
+        panel.resize(panel.minimumSizeHint());
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto *box = child<NumberBox>(panel, "box_omega2");
+        const auto *edit = box->findChild<QLineEdit *>();
+        for (const double omega2 : {-3.81966e-7, 1.23456e11, -12.3456, 2.0 * std::numbers::pi, 0.0}) {
+            Parameters parameters;
+            parameters.omega2 = omega2;
+            panel.setParameters(parameters);
+            const double shown = edit->text().toDouble();
+            QVERIFY2(std::abs(shown - omega2) <= 0.05 * std::abs(omega2), qPrintable(edit->text()));
+            QVERIFY2(edit->fontMetrics().horizontalAdvance(edit->text()) < edit->width(), qPrintable(edit->text()));
+        }
+    }
+
     void anArrowIsAStep()
     {
         ParameterPanel panel;

@@ -209,9 +209,32 @@ QString NumberBox::textFor(double value) const
         return QStringLiteral("–");
     }
     if (m_fixedDecimals >= 0) {
-        return localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'f', m_fixedDecimals);
+        const bool nothing = std::abs(value) < 0.5 * std::pow(10.0, -m_fixedDecimals); // not "-0.00"
+        return localeWithoutGroups().toString(nothing ? 0.0 : value, 'f', m_fixedDecimals);
     }
-    return numberText(value, m_editing ? QLocale::FloatingPointShortest : 6);
+    if (m_editing) {
+        return numberText(value, QLocale::FloatingPointShortest);
+    }
+    // As many digits as there is room for: with its end cut off -2.17724e-5 would read as -2.1772.
+    constexpr int kMostDigits = 6;
+    constexpr int kFewestDigits = 2;
+    constexpr int kMargins = 4; // px: what QLineEdit keeps free beside its text
+    const int room = lineEdit()->width() - kMargins;
+    for (int digits = kMostDigits; digits > kFewestDigits; --digits) {
+        const QString text = numberText(value, digits);
+        if (fontMetrics().horizontalAdvance(text + m_suffix) <= room) {
+            return text;
+        }
+    }
+    return numberText(value, kFewestDigits);
+}
+
+void NumberBox::resizeEvent(QResizeEvent *event)
+{
+    QAbstractSpinBox::resizeEvent(event);
+    if (!m_typed) {
+        showValue();
+    }
 }
 
 void NumberBox::showValue()
