@@ -16,6 +16,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
@@ -254,24 +255,65 @@ private slots:
         QCOMPARE(table->model()->rowCount(), 6);
     }
 
-    void saysThatAFileIsOfAnotherMechanismAndOffersTheSamples()
+    void saysWhoseMotionAFileIsAndTakesItOver_data()
     {
-        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        QTest::addColumn<QString>("button");
+        QTest::newRow("from the bar") << QStringLiteral("messageRemedy");
+        QTest::newRow("from the tab") << QStringLiteral("remedyButton");
+    }
+
+    void saysWhoseMotionAFileIsAndTakesItOver()
+    {
+        QFETCH(const QString, button);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         m_window->openReference(kSample); // b = 60, on show is 65
-        QVERIFY(loaded.wait());
         auto *bar = m_window->findChild<MessageBar *>();
         QTRY_VERIFY(bar->isVisible());
-        QVERIFY2(bar->text().contains(QLatin1String("another mechanism")), qPrintable(bar->text()));
+        const QString sentence = QStringLiteral("This error looks like b: 60.000 instead of 65 mm explains 99.9999 %");
+        QVERIFY2(bar->text().contains(sentence), qPrintable(bar->text()));
+        QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel"))->text().startsWith(sentence));
 
-        m_window->openSample();
-        QVERIFY(loaded.wait());
-        QTRY_VERIFY(bar->isVisible());
-        QVERIFY2(bar->text().contains(QLatin1String("60")), qPrintable(bar->text()));
-        QTest::mouseClick(bar->findChild<QAbstractButton *>(QStringLiteral("messageRemedy")), Qt::LeftButton);
-        QCOMPARE(m_window->session().parameters().b, 60.0);
+        QTest::mouseClick(m_window->findChild<QAbstractButton *>(button), Qt::LeftButton);
+        QVERIFY(std::abs(m_window->session().parameters().b - 60.0) < 1e-5);
+        QVERIFY(!bar->isVisible());
         for (const ChannelComparison &channel : m_window->session().result()->comparison) {
             QCOMPARE(channel.verdict, Verdict::Agrees);
         }
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters(), Parameters());
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(std::abs(m_window->session().parameters().b - 60.0) < 1e-5);
+    }
+
+    void saysNothingOfAFileThatAgrees()
+    {
+        m_window->session().setParameters(withCoupler(60.0));
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->session().diagnosis());
+        QVERIFY(!m_window->findChild<MessageBar *>()->isVisible());
+        QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("findingLabel")));
+    }
+
+    void theFilesMotionIsShownOrNot()
+    {
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->session().diagnosis());
+        QAction *ghost = nullptr;
+        for (QAction *action : m_window->findChildren<QAction *>()) {
+            if (action->text().remove(u'&') == QLatin1String("Show the file's motion")) {
+                ghost = action;
+            }
+        }
+        QVERIFY(ghost && ghost->isEnabled());
+        const QImage with = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        ghost->trigger();
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != with);
+        ghost->trigger();
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), with);
+        m_window->session().setReference(nullptr);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != with);
+        QVERIFY(!ghost->isEnabled());
     }
 
     void aBadFileIsToldAndNothingIsLost()

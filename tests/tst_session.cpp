@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <limits>
 
 using namespace slidercrank;
@@ -20,6 +21,16 @@ QString writeFile(const QTemporaryDir &folder, const QString &name, const QByteA
         qFatal("cannot write %s", qPrintable(path));
     }
     return path;
+}
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
+const QString kAuthorsFile = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv");
+
+bool allAgree(const std::vector<ChannelComparison> &comparison)
+{
+    return !comparison.empty() && std::ranges::all_of(comparison, [](const ChannelComparison &channel) {
+        return channel.verdict == Verdict::Agrees;
+    });
 }
 
 const QByteArray kSmallFile = "time,R4_x\n0,85\n0.5,45\n";
@@ -238,6 +249,128 @@ private slots:
         session.cancel();
         QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
         QCOMPARE(session.result(), before);
+    }
+
+    void oneClickTakesTheFoundMechanismOver_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::newRow("the sample") << kSample;
+        QTest::newRow("the author's file") << kAuthorsFile;
+    }
+
+    void oneClickTakesTheFoundMechanismOver()
+    {
+        QFETCH(const QString, path);
+        if (!QFile::exists(path)) {
+            QSKIP("the author's InventorData.csv is not at hand");
+        }
+        Session session; // Table 1: b = 65 mm
+        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        session.loadReference(path);
+        QTRY_COMPARE(diagnoses.count(), 1);
+        const Diagnosis &diagnosis = *session.diagnosis();
+        QCOMPARE(diagnosis.reference, session.reference());
+        QCOMPARE(diagnosis.identification.status, Identification::Status::Found);
+        QCOMPARE(diagnosis.attribution.front().parameter, Parameter::B);
+        QVERIFY(std::abs(diagnosis.attribution.front().value - 60.0) < 1e-4);
+        QVERIFY(diagnosis.attribution.front().explained > 0.999999);
+        QVERIFY(allAgree(diagnosis.identified));
+
+        session.takeOver();
+        QVERIFY(std::abs(session.parameters().a - 20.0) < 1e-5);
+        QVERIFY(std::abs(session.parameters().b - 60.0) < 1e-5);
+        QVERIFY(std::abs(session.parameters().c - 25.0) < 1e-5);
+        QCOMPARE(session.result()->comparison.size(), std::size_t(6));
+        QVERIFY(allAgree(session.result()->comparison));
+        session.undoStack().undo();
+        QCOMPARE(session.parameters(), Parameters());
+        QVERIFY(!allAgree(session.result()->comparison));
+        session.undoStack().redo();
+        QVERIFY(allAgree(session.result()->comparison));
+    }
+
+    void diagnosesAnewWhenTheParametersRest()
+    {
+        Session session;
+        session.loadReference(kSample);
+        QTRY_VERIFY(session.diagnosis());
+        const auto first = session.diagnosis();
+        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        Parameters parameters;
+        for (int i = 1; i <= 20; ++i) {
+            parameters.b = 65.0 + i;
+            session.setParameters(parameters);
+            QTest::qWait(20); // the whole drag takes longer than a rest
+        }
+        QCOMPARE(diagnoses.count(), 0);
+        QCOMPARE(session.diagnosis(), first); // what was found of the file stands
+        QTRY_COMPARE(diagnoses.count(), 1);
+        QCOMPARE(session.diagnosis()->parameters.b, 85.0);
+        QCOMPARE(session.diagnosis()->attribution.front().parameter, Parameter::B);
+        QCOMPARE(session.diagnosis()->identification.parameters, first->identification.parameters);
+    }
+
+    void thereIsNothingToExplainWhereEverythingAgrees()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.b = 60.0;
+        session.setParameters(parameters);
+        session.loadReference(kSample);
+        QTRY_VERIFY(session.diagnosis());
+        QVERIFY(allAgree(session.result()->comparison));
+        QVERIFY(session.diagnosis()->attribution.empty());
+        QVERIFY(session.diagnosis()->conventions.empty());
+    }
+
+    void withoutAReferenceThereIsNoDiagnosis()
+    {
+        Session session;
+        session.takeOver();
+        QCOMPARE(session.parameters(), Parameters());
+        session.loadReference(kSample);
+        QTRY_VERIFY(session.diagnosis());
+        session.setReference(nullptr);
+        QVERIFY(!session.diagnosis());
+        QTest::qWait(300); // what was under way does not come back
+        QVERIFY(!session.diagnosis());
+        session.takeOver();
+        QCOMPARE(session.parameters(), Parameters());
+    }
+
+    void aConventionIsAppliedAndTakenBack()
+    {
+        const Channel theta3{Theta3, Order::Position};
+        auto printed = std::make_shared<Reference>();
+        printed->data.time = {0.0, 0.5};
+        printed->data.series = {{theta3, {0.25, 0.5}, {}}};
+        Session session;
+        session.setReference(printed);
+        const Convention radians{Convention::Kind::AngleUnit, {theta3}, 2.0};
+        session.apply(radians);
+        session.apply(radians);
+        QCOMPARE(session.reference()->data.find(theta3)->values[1], 2.0);
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
+        QCOMPARE(session.result()->reference, session.reference());
+        session.undoStack().undo();
+        QCOMPARE(session.reference()->data.find(theta3)->values[1], 1.0);
+        session.undoStack().redo();
+        session.readAsPrinted();
+        QCOMPARE(session.reference(), printed);
+        session.undoStack().undo();
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
+    }
+
+    void theOtherAssemblyIsTheModelsNotTheFiles()
+    {
+        Session session;
+        session.setReference(std::make_shared<Reference>());
+        const auto before = session.reference();
+        session.apply({Convention::Kind::Branch, {}, 1.0});
+        QCOMPARE(session.parameters().branch, Branch::Crossed);
+        QCOMPARE(session.reference(), before);
+        session.undoStack().undo();
+        QCOMPARE(session.parameters().branch, Branch::Open);
     }
 
     void everyEditIsUndoneAndRedone()

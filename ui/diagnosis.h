@@ -10,7 +10,6 @@
 #include "ui/reference_file.h"
 
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -22,15 +21,19 @@ struct Diagnosis {
     std::shared_ptr<const Reference> reference;
     Parameters parameters; ///< the model that the file was held against
 
-    std::optional<Identification> identification; ///< absent: stopped
-    std::vector<ChannelComparison> identified;    ///< the file against the identified mechanism; empty: none was found
+    Identification identification;
+    std::vector<ChannelComparison> identified; ///< the file against the identified mechanism; empty: none was found
 
     // Empty where every channel agrees with the model.
     std::vector<Attribution> attribution; ///< the one that explains most first
     std::vector<ConventionFinding> conventions;
 };
 
-/// `known`: the identification of this reference, where it is already made. Null when stopped. May run in any thread.
+/// Those that the file has.
+ChannelSet channelsOf(const ReferenceData &data);
+
+/// `agrees`: every channel does, with this mechanism. `known`: an earlier diagnosis, whose identification is taken over
+/// where it is of the same reference; may be null. Null when stopped. May run in any thread.
 std::shared_ptr<const Diagnosis> diagnose(const std::shared_ptr<const Reference> &reference, const Mechanism &mechanism,
                                           bool agrees, const std::shared_ptr<const Diagnosis> &known,
                                           std::stop_token stop);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/edit_command.h"
 
+#include "ui/finding_text.h"
+
 #include <QCoreApplication>
 
 namespace slidercrank
@@ -22,28 +24,16 @@ QString changeName(const Parameters &before, const Parameters &after)
             changed << name;
         }
     };
-    note(before.a != after.a, parameterSymbol(Parameter::A));
-    note(before.b != after.b, parameterSymbol(Parameter::B));
-    note(before.c != after.c, parameterSymbol(Parameter::C));
-    note(before.omega2 != after.omega2, parameterSymbol(Parameter::Omega2));
-    note(before.theta20 != after.theta20, parameterSymbol(Parameter::Theta20));
+    note(before.a != after.a, symbolOf(Parameter::A));
+    note(before.b != after.b, symbolOf(Parameter::B));
+    note(before.c != after.c, symbolOf(Parameter::C));
+    note(before.omega2 != after.omega2, symbolOf(Parameter::Omega2));
+    note(before.theta20 != after.theta20, symbolOf(Parameter::Theta20));
     note(before.branch != after.branch, tr("the assembly"));
     return changed.size() == 1 ? tr("change of %1").arg(changed.first()) : tr("change of the mechanism");
 }
 
 } // namespace
-
-QString parameterSymbol(Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return QStringLiteral("a");
-    case Parameter::B: return QStringLiteral("b");
-    case Parameter::C: return QStringLiteral("c");
-    case Parameter::Omega2: return QStringLiteral("ω₂");
-    case Parameter::Theta20: return QStringLiteral("θ₂₀");
-    }
-    return {};
-}
 
 QString changeName(const Choices &before, const Choices &after)
 {

@@ -25,9 +25,6 @@ struct Choices {
     friend bool operator==(const Choices &, const Choices &) = default;
 };
 
-/// "b", "ω₂"
-QString parameterSymbol(Parameter parameter);
-
 /// What was changed from one to the other, as it reads behind "Undo": "change of b".
 QString changeName(const Choices &before, const Choices &after);
 

@@ -2,6 +2,7 @@
 #include "ui/error_panel.h"
 
 #include "ui/axis_scale.h"
+#include "ui/finding_text.h"
 #include "ui/number_box.h"
 #include "ui/theme.h"
 
@@ -59,42 +60,22 @@ QString instantText(double seconds)
     return numberText(seconds, 6);
 }
 
-/// As the report writes them: θ³, Rₓ⁴. Derivatives as quotients: a dot over a letter is too small to be told from
-/// none.
-QString symbolOf(Channel channel)
+QString markOf(Verdict verdict)
 {
-    const auto body = static_cast<int>(channel.coordinate) / 3;
-    const auto axis = static_cast<int>(channel.coordinate) % 3;
-    const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ")
-                           : axis == 0                 ? QStringLiteral("Rₓ")
-                                                       : QStringLiteral("R_y");
-    const QString symbol = letter + QStringLiteral("¹²³⁴")[body];
-    switch (channel.order) {
-    case Order::Position: return symbol;
-    case Order::Velocity: return QStringLiteral("d%1/dt").arg(symbol);
-    case Order::Acceleration: return QStringLiteral("d²%1/dt²").arg(symbol);
+    switch (verdict) {
+    case Verdict::Agrees: return QStringLiteral("✓ ");
+    case Verdict::Close: return QStringLiteral("≈ ");
+    case Verdict::Differs: return QStringLiteral("✗ ");
     }
     return {};
 }
 
-QString unitOf(Channel channel)
-{
-    const std::string_view unit = authorUnitOf(channel);
-    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
-}
-
-QString fileNameOf(Channel channel)
-{
-    const std::string_view name = nameOf(channel);
-    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
-}
-
-QString verdictText(Verdict verdict)
+QString shortVerdict(Verdict verdict)
 {
     switch (verdict) {
-    case Verdict::Agrees: return ErrorPanel::tr("✓ agrees");
-    case Verdict::Close: return ErrorPanel::tr("≈ close");
-    case Verdict::Differs: return ErrorPanel::tr("✗ differs");
+    case Verdict::Agrees: return ErrorPanel::tr("agrees");
+    case Verdict::Close: return ErrorPanel::tr("close");
+    case Verdict::Differs: return ErrorPanel::tr("differs");
     }
     return {};
 }
@@ -109,92 +90,15 @@ QColor verdictColour(Verdict verdict, const SeriesColours &colours)
     return {};
 }
 
-QString orderText(Order order)
+Verdict worstOf(const std::vector<ChannelComparison> &comparison)
 {
-    switch (order) {
-    case Order::Position: return ErrorPanel::tr("in position");
-    case Order::Velocity: return ErrorPanel::tr("in velocity");
-    case Order::Acceleration: return ErrorPanel::tr("in acceleration");
-    }
-    return {};
-}
-
-/// The largest percentage among positions if there is one, else among velocities, else among accelerations: ", by up
-/// to 20.9 % in position".
-QString extentText(const std::vector<ChannelComparison> &comparison)
-{
-    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-        std::optional<double> largest;
-        for (const ChannelComparison &channel : comparison) {
-            if (channel.channel.order == order && channel.maxPercent) {
-                largest = std::max(largest.value_or(0.0), *channel.maxPercent);
-            }
-        }
-        if (largest) {
-            return ErrorPanel::tr(", by up to %1 % %2")
-                .arg(shortNumber(*largest, kErrorDigits, QLocale()), orderText(order));
-        }
-    }
-    return {};
-}
-
-QString lengthsText(const Mechanism &mechanism)
-{
-    return ErrorPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm")
-        .arg(numberText(mechanism.a()), numberText(mechanism.b()), numberText(mechanism.c()));
-}
-
-struct Tally {
-    int agrees = 0;
-    int close = 0;
-    int differs = 0;
-    std::size_t missing = 0; ///< most instants of a channel where the file has a value and the model none
-    int all() const { return agrees + close + differs; }
-};
-
-Tally tallyOf(const std::vector<ChannelComparison> &comparison)
-{
-    Tally tally;
-    for (const ChannelComparison &channel : comparison) {
-        switch (channel.verdict) {
-        case Verdict::Agrees: ++tally.agrees; break;
-        case Verdict::Close: ++tally.close; break;
-        case Verdict::Differs: ++tally.differs; break;
-        }
-        tally.missing = std::max(tally.missing, channel.missingModel);
-    }
-    return tally;
-}
-
-QString summaryOf(const Result &result, const Tally &tally)
-{
-    const QString file = result.reference->name;
-    if (tally.all() == 0) {
-        return ErrorPanel::tr("%1 has no column that this program knows.").arg(file);
-    }
-    if (tally.differs > 0) {
-        QString text = ErrorPanel::tr("✗ %1 does not belong to this mechanism: it differs in %2 of %3 channels%4.")
-                           .arg(file)
-                           .arg(tally.differs)
-                           .arg(tally.all())
-                           .arg(extentText(result.comparison));
-        if (tally.missing > 0) {
-            text += ErrorPanel::tr(" At %1 of its instants there is no motion to compare with.")
-                        .arg(QLocale().toString(static_cast<qulonglong>(tally.missing)));
-        }
-        return text + ErrorPanel::tr(" Check the lengths: here %1.").arg(lengthsText(result.mechanism));
-    }
-    if (tally.close > 0) {
-        return ErrorPanel::tr(
-                   "≈ %1 comes close to this mechanism: %2 of %3 channels agree, the others are a little beyond "
-                   "the file's rounding.")
-            .arg(file)
-            .arg(tally.agrees)
-            .arg(tally.all());
-    }
-    return tally.all() == 1
-               ? ErrorPanel::tr("✓ %1 agrees with this mechanism in its one channel.").arg(file)
-               : ErrorPanel::tr("✓ %1 agrees with this mechanism in all %2 channels.").arg(file).arg(tally.all());
+    const auto holds = [&comparison](Verdict verdict) {
+        return std::ranges::any_of(comparison,
+                                   [verdict](const ChannelComparison &channel) { return channel.verdict == verdict; });
+    };
+    return comparison.empty() || holds(Verdict::Differs) ? Verdict::Differs
+           : holds(Verdict::Close)                       ? Verdict::Close
+                                                         : Verdict::Agrees;
 }
 
 /// One line about rows and columns of the file that were not used; details, a line each.
@@ -340,6 +244,9 @@ QWidget *ErrorPanel::createTablePage()
     m_table->viewport()->installEventFilter(this);
     connect(m_table, &QTableWidget::cellClicked, this, &ErrorPanel::goToError);
 
+    m_findings = new FindingList;
+    connect(m_findings, &FindingList::remedyRequested, this, &ErrorPanel::remedyRequested);
+
     m_leftOut = new QLabel;
     m_leftOut->setObjectName(QStringLiteral("leftOutLabel"));
     m_leftOut->setTextFormat(Qt::PlainText);
@@ -350,6 +257,7 @@ QWidget *ErrorPanel::createTablePage()
     rows->setContentsMargins(6, 6, 6, 4);
     rows->setSpacing(4);
     rows->addWidget(m_verdict);
+    rows->addWidget(m_findings);
     rows->addWidget(m_table, 1);
     rows->addWidget(m_leftOut);
     return page;
@@ -358,6 +266,17 @@ QWidget *ErrorPanel::createTablePage()
 void ErrorPanel::setResult(const std::shared_ptr<const Result> &result)
 {
     m_result = result;
+    refresh();
+}
+
+void ErrorPanel::setDiagnosis(const std::shared_ptr<const Diagnosis> &diagnosis)
+{
+    m_diagnosis = diagnosis;
+    refresh();
+}
+
+void ErrorPanel::refresh()
+{
     m_stale = true;
     if (isVisible()) {
         fill();
@@ -376,10 +295,7 @@ void ErrorPanel::changeEvent(QEvent *event)
 {
     const bool repaints = event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange;
     if (repaints && m_result) {
-        m_stale = true;
-        if (isVisible()) {
-            fill();
-        }
+        refresh();
     }
     QWidget::changeEvent(event);
 }
@@ -402,17 +318,36 @@ bool ErrorPanel::eventFilter(QObject *watched, QEvent *event)
 void ErrorPanel::fitColumns()
 {
     constexpr int kMostAir = 28;
-    std::array<int, kColumnCount> needed{};
-    int used = 0;
-    for (int column = 0; column < kColumnCount; ++column) {
-        m_table->resizeColumnToContents(column);
-        const int width = m_table->columnWidth(column);
-        needed[static_cast<std::size_t>(column)] = width;
-        used += width;
+    const auto widthNeeded = [this] {
+        int width = 0;
+        for (int column = 0; column < kColumnCount; ++column) {
+            m_table->resizeColumnToContents(column);
+            width += m_table->columnWidth(column);
+        }
+        return width;
+    };
+    const int room = m_table->viewport()->width();
+    m_shortVerdicts = false;
+    wordVerdicts();
+    int needed = widthNeeded();
+    if (needed > room) {
+        m_shortVerdicts = true;
+        wordVerdicts();
+        needed = widthNeeded();
     }
-    const int air = std::clamp((m_table->viewport()->width() - used) / kColumnCount, 0, kMostAir);
+    const int air = std::clamp((room - needed) / kColumnCount, 0, kMostAir);
     for (int column = 0; column < kColumnCount; ++column) {
-        m_table->setColumnWidth(column, needed[static_cast<std::size_t>(column)] + air);
+        m_table->setColumnWidth(column, m_table->columnWidth(column) + air);
+    }
+}
+
+void ErrorPanel::wordVerdicts()
+{
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ChannelComparison &channel = m_result->comparison[static_cast<std::size_t>(row)];
+        m_table->item(row, Outcome)
+            ->setText(markOf(channel.verdict) +
+                      (m_shortVerdicts ? shortVerdict(channel.verdict) : verdictText(channel)));
     }
 }
 
@@ -424,22 +359,36 @@ void ErrorPanel::fill()
     if (!compared) {
         return;
     }
-    const SeriesColours colours = seriesColours(palette());
-    const std::vector<ChannelComparison> &comparison = m_result->comparison;
-    const Tally tally = tallyOf(comparison);
-    m_verdict->setText(summaryOf(*m_result, tally));
+    const Verdict worst = worstOf(m_result->comparison);
+    m_verdict->setText(tr("%1%2: %3").arg(markOf(worst), m_result->reference->name, summaryOf(m_result->comparison)));
     QPalette verdictPalette = palette();
-    const Verdict worst = tally.differs > 0 || tally.all() == 0 ? Verdict::Differs
-                          : tally.close > 0                     ? Verdict::Close
-                                                                : Verdict::Agrees;
-    verdictPalette.setColor(QPalette::WindowText, verdictColour(worst, colours));
+    verdictPalette.setColor(QPalette::WindowText, verdictColour(worst, seriesColours(palette())));
     m_verdict->setPalette(verdictPalette);
+    fillFindings();
 
     const LeftOut leftOut = leftOutOf(m_result->reference->data);
     m_leftOut->setText(leftOut.line);
     m_leftOut->setToolTip(leftOut.details);
     m_leftOut->setVisible(!leftOut.line.isEmpty());
+    fillTable();
+}
 
+void ErrorPanel::fillFindings()
+{
+    const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->reference;
+    const bool upToDate = ofThisFile && m_diagnosis->parameters == m_result->mechanism.parameters();
+    // While the parameters move, what was found for others stays, dimmed, lest the panel jump under the hand.
+    const bool onTheMove = ofThisFile && !upToDate && worstOf(m_result->comparison) != Verdict::Agrees;
+    if (!onTheMove) {
+        m_findings->setFindings(findingsOf(*m_result, upToDate ? m_diagnosis.get() : nullptr));
+    }
+    m_findings->setUpToDate(!onTheMove);
+}
+
+void ErrorPanel::fillTable()
+{
+    const SeriesColours colours = seriesColours(palette());
+    const std::vector<ChannelComparison> &comparison = m_result->comparison;
     m_table->setRowCount(static_cast<int>(comparison.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ChannelComparison &channel = comparison[static_cast<std::size_t>(row)];
@@ -461,7 +410,7 @@ void ErrorPanel::fill()
             return text == dash() ? text : text + QLatin1Char(' ') + unit;
         };
         const QString goThere = tr("Click to go to the instant of the largest error");
-        QString nameTip = tr("%1 in the file, %2 instants").arg(fileNameOf(channel.channel)).arg(channel.count);
+        QString nameTip = tr("%1 in the file, %2 instants").arg(columnNameOf(channel.channel)).arg(channel.count);
         if (channel.missingModel > 0) {
             nameTip += tr("; at %1 more there is no motion to compare with").arg(channel.missingModel);
         }
@@ -487,7 +436,7 @@ void ErrorPanel::fill()
             channel.roundingStep ? tr("The file writes this channel in steps of %1 at most")
                                        .arg(withUnit(stepText(channel.roundingStep)))
                                  : tr("The file does not show how it was rounded"));
-        QTableWidgetItem *outcome = set(Outcome, verdictText(channel.verdict));
+        QTableWidgetItem *outcome = set(Outcome, {}, tr("%1\n%2").arg(verdictText(channel), verdictFormula(channel)));
         outcome->setForeground(verdictColour(channel.verdict, colours));
     }
     fitColumns();

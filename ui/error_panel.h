@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far the reference data are from the model: a sentence that says whether they belong together, and a row a
-// channel.
+// How far the reference data are from the model: a sentence that says whether they belong together, what explains the
+// difference and how to remedy it, and a row a channel.
 
+#include "ui/findings.h"
 #include "ui/session.h"
 
 #include <QWidget>
@@ -28,8 +29,12 @@ public slots:
     /// Kept, and filled in when the panel is on show.
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
 
+    /// Null: not known yet.
+    void setDiagnosis(const std::shared_ptr<const slidercrank::Diagnosis> &diagnosis);
+
 signals:
     void timeRequested(double seconds); ///< somebody wants to see where an error is largest
+    void remedyRequested(const slidercrank::Finding &finding);
     void openReferenceRequested();
     void openSampleRequested();
 
@@ -41,14 +46,21 @@ protected:
 private:
     QWidget *createEmptyPage();
     QWidget *createTablePage();
+    void refresh(); ///< fills in, now or when the panel comes on show
     void fill();
-    void fitColumns(); ///< shares spare width out among them
+    void fillFindings();
+    void fillTable();
+    void fitColumns(); ///< shares spare width out among them, or says verdicts in short
+    void wordVerdicts();
     void goToError(int row, int column);
 
     std::shared_ptr<const Result> m_result;
-    bool m_stale = false; ///< m_result is not on show yet
+    std::shared_ptr<const Diagnosis> m_diagnosis;
+    bool m_stale = false;         ///< these are not on show yet
+    bool m_shortVerdicts = false; ///< there is no room for whole ones
     QStackedWidget *m_pages = nullptr;
     QLabel *m_verdict = nullptr;
+    FindingList *m_findings = nullptr;
     QLabel *m_leftOut = nullptr;
     QTableWidget *m_table = nullptr;
 };

@@ -202,6 +202,10 @@ void MainWindow::buildMenus()
     fold->setChecked(true);
     connect(fold, &QAction::triggered, this, [this](bool shown) { m_tabs->setFolded(!shown); });
     connect(m_tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
+    m_ghostAction = view->addAction(tr("Show the file's &motion"), this, &MainWindow::showGhost);
+    m_ghostAction->setCheckable(true);
+    m_ghostAction->setChecked(true);
+    m_ghostAction->setEnabled(false);
     view->addSeparator();
     auto *themes = new QActionGroup(this);
     const std::pair<Theme, QString> choices[] = {
@@ -286,6 +290,11 @@ void MainWindow::connectRooms()
     connect(m_session, &Session::resultChanged, m_errorPanel, &ErrorPanel::setResult);
     connect(m_session, &Session::resultChanged, this, &MainWindow::showStatus);
     connect(m_session, &Session::resultChanged, this, &MainWindow::showAgreement);
+    connect(m_session, &Session::diagnosisChanged, m_errorPanel, &ErrorPanel::setDiagnosis);
+    connect(m_session, &Session::diagnosisChanged, this, &MainWindow::announce);
+    connect(m_session, &Session::diagnosisChanged, this, &MainWindow::showGhost);
+    connect(m_session, &Session::timeChanged, this, &MainWindow::showGhost);
+    connect(m_errorPanel, &ErrorPanel::remedyRequested, this, &MainWindow::remedy);
 
     connect(m_session, &Session::timeChanged, m_mechanismView, &MechanismView::setPose);
     connect(m_session, &Session::timeChanged, m_timeline, &Timeline::setPose);
@@ -308,6 +317,7 @@ void MainWindow::connectRooms()
     });
     connect(m_session, &Session::referenceLoaded, this, [this](const std::shared_ptr<const Reference> &reference) {
         m_closeReferenceAction->setEnabled(reference != nullptr);
+        m_ghostAction->setEnabled(reference != nullptr);
         m_announceReference = reference != nullptr;
         setWindowTitle(reference ? tr("%1 – Slider-crank").arg(reference->name) : tr("Slider-crank"));
         m_messageBar->hide();
@@ -533,35 +543,57 @@ void MainWindow::showAgreement(const std::shared_ptr<const Result> &result)
         std::count_if(result->comparison.begin(), result->comparison.end(),
                       [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
     m_tabs->setTitle(m_errorPanel, differing > 0 ? tr("Errors ⚠") : tr("Errors"));
-    if (m_announceReference && result->reference) {
-        m_announceReference = false;
-        announceReference(differing);
+}
+
+/// Said once, when a file is opened or read otherwise: what it says about itself, with the remedy at hand.
+void MainWindow::announce(const std::shared_ptr<const Diagnosis> &diagnosis)
+{
+    const Result &result = *m_session->result();
+    if (!diagnosis || !m_announceReference || diagnosis->reference != result.reference) {
+        return;
+    }
+    m_announceReference = false;
+    const std::vector<Finding> findings = findingsOf(result, diagnosis.get());
+    if (findings.empty() || findings.front().remedy == Finding::Remedy::ReadAsPrinted) {
+        return; // it agrees
+    }
+    const Finding &first = findings.front();
+    const QString sentence = tr("%1 differs from this mechanism. %2").arg(result.reference->name, first.sentence);
+    if (findings.size() == 1 && first.remedy != Finding::Remedy::None) {
+        m_messageBar->showMessage(MessageBar::Kind::Problem, sentence, first.remedyText,
+                                  [this, first] { remedy(first); });
+    } else {
+        m_messageBar->showMessage(MessageBar::Kind::Problem, sentence, tr("Show the errors"),
+                                  [this] { m_tabs->showPage(m_errorPanel); });
     }
 }
 
-/// Said once, when a file is opened: whether it is of this mechanism at all.
-void MainWindow::announceReference(std::ptrdiff_t differing)
+void MainWindow::remedy(const Finding &finding)
 {
-    if (differing == 0) {
-        return;
+    m_messageBar->hide();
+    switch (finding.remedy) {
+    case Finding::Remedy::None: break;
+    case Finding::Remedy::TakeOver: m_session->takeOver(); break;
+    case Finding::Remedy::Apply: m_session->apply(finding.convention); break;
+    case Finding::Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
     }
+}
+
+/// The linkage as the file has it, where that is another one; its lengths, which the file does not tell, those of the
+/// mechanism found for it.
+void MainWindow::showGhost()
+{
     const Result &result = *m_session->result();
-    if (result.reference->path == kSamplePath) {
-        m_messageBar->showMessage(MessageBar::Kind::Hint,
-                                  tr("The sample is the motion of a mechanism with a coupler of b = 60 mm."),
-                                  tr("Set b = 60 mm"), [this] {
-                                      Parameters parameters;
-                                      parameters.b = 60.0;
-                                      m_session->setParameters(parameters);
-                                  });
+    const bool differs = std::ranges::any_of(
+        result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+    if (!differs || !m_ghostAction->isChecked()) {
+        m_mechanismView->setGhost({});
         return;
     }
-    m_messageBar->showMessage(
-        MessageBar::Kind::Problem,
-        tr("%1 belongs to another mechanism than the one on show: %2 of its %3 channels differ. "
-           "Compare its lengths with yours.")
-            .arg(result.reference->name, QString::number(differing), QString::number(result.comparison.size())),
-        tr("Show the errors"), [this] { m_tabs->showPage(m_errorPanel); });
+    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+    const bool found = diagnosis && diagnosis->identification.status == Identification::Status::Found;
+    const Mechanism lengths(found ? diagnosis->identification.parameters : m_session->parameters());
+    m_mechanismView->setGhost(referencePoseAt(result.reference->data, lengths, m_session->time()));
 }
 
 void MainWindow::showAbout()

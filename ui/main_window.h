@@ -3,6 +3,7 @@
 
 // Constructs the rooms of the window, lays them out and connects them; no arithmetic.
 
+#include "ui/findings.h"
 #include "ui/session.h"
 #include "ui/theme.h"
 
@@ -75,7 +76,9 @@ private:
 
     void showStatus(const std::shared_ptr<const Result> &result);
     void showAgreement(const std::shared_ptr<const Result> &result);
-    void announceReference(std::ptrdiff_t differing);
+    void announce(const std::shared_ptr<const Diagnosis> &diagnosis);
+    void remedy(const Finding &finding);
+    void showGhost();
     void rememberReference(const QString &path);
     void fillRecentMenu();
     void showAbout();
@@ -94,7 +97,8 @@ private:
     AnimationExport *m_animation = nullptr; ///< while one is written
     QMenu *m_recentMenu = nullptr;
     QAction *m_closeReferenceAction = nullptr;
-    bool m_announceReference = false; ///< the next result is the first with a newly loaded file
+    QAction *m_ghostAction = nullptr;
+    bool m_announceReference = false; ///< the next diagnosis is the first of a newly loaded file
     bool m_foldedByHand = false;      ///< the person chose; a resize no longer does
 };
 

@@ -28,6 +28,10 @@ MessageBar::MessageBar(QWidget *parent)
     auto *dismiss = new QPushButton(tr("Dismiss"), this);
     dismiss->setObjectName(QStringLiteral("messageDismiss"));
 
+    for (QPushButton *button : {m_remedyButton, dismiss}) {
+        button->setFocusPolicy(Qt::TabFocus); // they vanish when pressed: a click must not leave the focus to chance
+    }
+
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(10, 4, 6, 4);
     row->addWidget(m_symbol);

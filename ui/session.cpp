@@ -3,6 +3,7 @@
 
 #include "core/closed_form.h"
 #include "ui/column_choices.h"
+#include "ui/finding_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -10,6 +11,7 @@
 #include <QThreadPool>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <variant>
 
@@ -19,8 +21,9 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMostSteps = 200;          // to be undone
-constexpr qint64 kSameStepWithin = 1000; // ms: longer than the wait before a key held down repeats itself
+constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner than this are on the move
+constexpr int kMostSteps = 200;                 // to be undone
+constexpr qint64 kSameStepWithin = 1000;        // ms: longer than the wait before a key held down repeats itself
 
 /// What a Result is computed from: a value that can travel to another thread.
 struct Request {
@@ -44,13 +47,10 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
     const std::vector<double> instants = request.sampling.instants();
     result->trajectory = sample(request.mechanism, instants, plottedChannels(), request.solver, stop);
     if (request.reference && result->trajectory.complete) {
-        ChannelSet channels;
-        for (const ReferenceSeries &series : request.reference->data.series) {
-            channels.set(indexOf(series.channel));
-        }
-        result->atReference = sample(request.mechanism, request.reference->data.time, channels, request.solver, stop);
+        const ReferenceData &data = request.reference->data;
+        result->atReference = sample(request.mechanism, data.time, channelsOf(data), request.solver, stop);
         if (result->atReference.complete) {
-            result->comparison = compare(request.mechanism, result->atReference, request.reference->data);
+            result->comparison = compare(request.mechanism, result->atReference, data);
         }
     }
     if (!result->trajectory.complete || !result->atReference.complete) {
@@ -100,12 +100,15 @@ Session::Session(QObject *parent)
     solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
     m_result = compute({Mechanism(m_choices.parameters), m_choices.sampling, solver, nullptr}, {});
     m_undoStack.setUndoLimit(kMostSteps);
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
 }
 
 Session::~Session()
 {
     m_computation.request_stop();
     m_reading.request_stop();
+    m_diagnosing.request_stop();
 }
 
 Pose Session::pose() const
@@ -119,7 +122,7 @@ void Session::setParameters(const Parameters &parameters)
         return;
     }
     if (const std::optional<ParameterFault> fault = findFault(parameters)) {
-        const QString symbol = parameterSymbol(fault->parameter);
+        const QString symbol = symbolOf(fault->parameter);
         switch (fault->reason) {
         case ParameterFault::Reason::NotFinite: emit problemFound(tr("%1 must be a number.").arg(symbol)); break;
         case ParameterFault::Reason::TooLarge:
@@ -170,10 +173,12 @@ void Session::putInForce(const Choices &choices)
 {
     const Choices before = std::exchange(m_choices, choices);
     if (m_choices.reference != before.reference) {
+        m_diagnosing.request_stop();
         publishDiagnosis(nullptr);
         emit referenceLoaded(m_choices.reference);
     }
     if (m_choices.parameters != before.parameters) {
+        m_diagnosing.request_stop();
         emit parametersChanged(m_choices.parameters);
     }
     if (m_choices.sampling != before.sampling || m_choices.solver != before.solver) {
@@ -246,9 +251,35 @@ void Session::recompute()
 
 void Session::publish(std::shared_ptr<const Result> result)
 {
+    const bool newReference = result->reference != m_result->reference;
     m_result = std::move(result);
     emit resultChanged(m_result);
     emit timeChanged(pose());
+    if (m_result->reference) {
+        m_rest.start(newReference ? std::chrono::milliseconds(0) : kRest);
+    }
+}
+
+void Session::diagnoseAside()
+{
+    const std::shared_ptr<const Reference> &reference = m_choices.reference;
+    const bool upToDate = m_result->reference == reference && m_result->mechanism.parameters() == m_choices.parameters;
+    const bool known = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
+    if (!reference || !upToDate || known) {
+        return; // nothing to say, or not yet: the next result asks again
+    }
+    const bool agrees = std::ranges::all_of(
+        m_result->comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+    m_diagnosing.request_stop();
+    m_diagnosing = std::stop_source();
+    const std::stop_token stop = m_diagnosing.get_token();
+    runAside([reference, mechanism = m_result->mechanism, agrees, known = m_diagnosis,
+              stop] { return diagnose(reference, mechanism, agrees, known, stop); },
+             [this, stop](const std::shared_ptr<const Diagnosis> &diagnosis) {
+                 if (diagnosis && !stop.stop_requested()) {
+                     publishDiagnosis(diagnosis);
+                 }
+             });
 }
 
 void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
@@ -309,12 +340,11 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
 
 void Session::takeOver()
 {
-    if (!m_diagnosis || !m_diagnosis->identification ||
-        m_diagnosis->identification->status != Identification::Status::Found) {
+    if (!m_diagnosis || m_diagnosis->identification.status != Identification::Status::Found) {
         return;
     }
     Choices choices = m_choices;
-    choices.parameters = m_diagnosis->identification->parameters;
+    choices.parameters = m_diagnosis->identification.parameters;
     edit(choices, tr("taking over the file's mechanism"));
 }
 
@@ -324,6 +354,14 @@ void Session::apply(const Convention &convention)
         Parameters parameters = m_choices.parameters;
         parameters.branch = parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
         setParameters(parameters);
+    } else if (m_choices.reference) {
+        auto reference = std::make_shared<Reference>(*m_choices.reference);
+        reference->data = applied(convention, std::move(reference->data));
+        reference->conventions.push_back(convention);
+        if (!reference->asPrinted) {
+            reference->asPrinted = m_choices.reference;
+        }
+        setReference(reference);
     }
 }
 
@@ -338,6 +376,7 @@ void Session::cancel()
 {
     m_computation.request_stop();
     m_reading.request_stop();
+    m_diagnosing.request_stop();
 }
 
 } // namespace slidercrank

@@ -15,6 +15,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <memory>
@@ -69,8 +70,8 @@ public:
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
 
-    /// Null without a reference, and until it is known. Once there is one it stays until a newer one is there: it may
-    /// be of other parameters than the ones on show (Diagnosis::parameters).
+    /// Null without a reference, and until it is known. Of a reference's diagnoses the last stays until the parameters
+    /// have rested and the next is there: it may be of other parameters than the ones on show (Diagnosis::parameters).
     const std::shared_ptr<const Diagnosis> &diagnosis() const { return m_diagnosis; }
 
     QUndoStack &undoStack() { return m_undoStack; }
@@ -128,6 +129,7 @@ private:
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);
+    void diagnoseAside();
     void publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis);
 
     /// Runs work() in another thread, then done(its outcome) in this one.
@@ -140,6 +142,8 @@ private:
     std::shared_ptr<const Diagnosis> m_diagnosis;
     std::stop_source m_computation;
     std::stop_source m_reading;
+    std::stop_source m_diagnosing;
+    QTimer m_rest;     ///< runs while the parameters may still be on the move
     int m_pending = 0; ///< jobs aside
 
     QUndoStack m_undoStack;
