@@ -32,16 +32,19 @@ constexpr std::size_t kFewestValues = 8;
 constexpr std::size_t kRowsPerSwing = 20;
 /// Instants on which phases are compared before all of them are.
 constexpr std::size_t kScanRows = 64;
+/// Instants of one column from which a mechanism is found that all of them then judge.
+constexpr std::size_t kWitnessRows = 100;
 /// Phases of a turn that are tried for a late start: no motion has more than a few extremes a turn.
 constexpr int kPhases = 128;
 
 /// A factor between a column and the model is a unit's when it is this near to it: units lie further apart.
 constexpr double kUnitTolerance = 0.05;
-/// A column reads as a channel when no value is farther off, as part of the channel's peak. The mechanism may be known
-/// from one column only, and not well; that it is the one is then for kNearlyNothing to say.
+/// A column reads as a channel when no value is farther off, as part of how much the channel varies. The mechanism may
+/// be known from one column only, and not well; that it is the one is then for kNearlyNothing to say.
 constexpr double kLooselyEqual = 0.05;
-/// What may be left of the error, as part of the peak, where the file's own rounding is not reached: a derivative may
-/// have been computed with few digits, the data may have been measured. A derivative that is farther off is none.
+/// What may be left of the error, as part of how much the channel varies, where the file's own rounding is not reached:
+/// a derivative may have been computed with few digits, the data may have been measured. A derivative that is farther
+/// off is none.
 constexpr double kNearlyNothing = 0.01;
 /// Values next to zero have finer steps than a shift that was found from the data can meet: so many steps of the
 /// largest values are agreement too.
@@ -101,14 +104,15 @@ void makeContinuous(std::span<double> degrees)
 void turn(ReferenceSeries &series, double degrees)
 {
     // A turned column keeps its decimals, but not its significant digits.
-    if (series.rounding.rule == Rounding::Rule::SignificantDigits) {
+    Rounding &rounding = series.rounding;
+    if (rounding.rule == Rounding::Rule::SignificantDigits) {
         double largest = 0.0;
         for (const double value : series.values) {
             largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
         }
-        const double step = series.rounding.stepAt(largest) / series.rounding.unitFactor;
-        series.rounding.finestPlace =
-            std::max(series.rounding.finestPlace, static_cast<int>(std::lround(std::log10(step))));
+        const double step = rounding.stepAt(largest) / rounding.unitFactor;
+        rounding.rule = Rounding::Rule::Decimals;
+        rounding.digits = -static_cast<int>(std::lround(std::log10(step)));
     }
     makeContinuous(series.values);
     for (double &value : series.values) {
@@ -127,6 +131,23 @@ ReferenceData allApplied(std::span<const Convention> conventions, ReferenceData 
         data = applied(convention, std::move(data));
     }
     return data;
+}
+
+/// How much a channel varies; where it does not, how large it is.
+double sizeOf(std::span<const double> values)
+{
+    constexpr double kVaries = 1e-3; // of the largest magnitude
+    double lowest = kInfinity;
+    double highest = -kInfinity;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            lowest = std::min(lowest, value);
+            highest = std::max(highest, value);
+        }
+    }
+    const double peak = std::max(std::abs(lowest), std::abs(highest));
+    const double range = highest - lowest;
+    return range > kVaries * peak ? range : peak;
 }
 
 // ---- the rows that decide ------------------------------------------------------------------------------------------
@@ -193,6 +214,23 @@ ReferenceData decisiveRows(const ReferenceData &data, const std::stop_token &sto
     return some;
 }
 
+/// So many rows at least, spread evenly.
+ReferenceData everySoManyth(const ReferenceData &data, std::size_t rows)
+{
+    const std::size_t stride = std::max<std::size_t>(1, data.time.size() / rows);
+    ReferenceData some;
+    for (const ReferenceSeries &series : data.series) {
+        some.series.push_back({series.channel, {}, series.rounding});
+    }
+    for (std::size_t row = 0; row < data.time.size(); row += stride) {
+        some.time.push_back(data.time[row]);
+        for (std::size_t k = 0; k < data.series.size(); ++k) {
+            some.series[k].values.push_back(data.series[k].values[row]);
+        }
+    }
+    return some;
+}
+
 // ---- one column against one channel --------------------------------------------------------------------------------
 
 /// How a column's numbers become a channel's: multiplied, then made continuous, then turned.
@@ -203,7 +241,7 @@ struct Reading {
     bool turned = false;
     double turn = 0.0; ///< degrees
 
-    double misfit = kInfinity; ///< largest error as part of the channel's peak
+    double misfit = kInfinity; ///< largest error as part of the channel's size
 
     double factor() const { return sign * unit * timeUnit; }
     /// The time unit is a fault of the file, and none of the column.
@@ -218,13 +256,13 @@ public:
     ColumnPair(std::span<const double> values, std::span<const double> model)
         : m_values(values)
         , m_model(model)
+        , m_size(sizeOf(model))
     {
         std::size_t count = 0;
         std::size_t missing = 0;
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (std::isfinite(values[i]) && std::isfinite(model[i])) {
                 ++count;
-                m_peak = std::max(m_peak, std::abs(model[i]));
                 m_valueSquares += values[i] * values[i];
                 m_products += values[i] * model[i];
             } else if (std::isfinite(values[i])) {
@@ -260,19 +298,19 @@ public:
                 error -= 360.0 * std::round(error / 360.0); // a jump that makeContinuous() takes out
             }
             largest = std::max(largest, std::abs(error));
-            if (largest > kLooselyEqual * m_peak) {
+            if (largest > kLooselyEqual * m_size) {
                 reading.misfit = kInfinity;
                 return reading;
             }
         }
-        reading.misfit = largest == 0.0 ? 0.0 : largest / m_peak; // of a channel of zeros, nothing else
+        reading.misfit = largest == 0.0 ? 0.0 : largest / m_size; // of a channel of zeros, nothing else
         return reading;
     }
 
 private:
     std::span<const double> m_values;
     std::span<const double> m_model;
-    double m_peak = 0.0;
+    double m_size;
     double m_valueSquares = 0.0;
     double m_products = 0.0;
     bool m_comparable = false;
@@ -424,6 +462,7 @@ bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanat
     }
     addSwaps(explanation.conventions, names, contents);
 
+    std::array<std::vector<Channel>, 2> signs; // an axis and a sense of rotation are not the same fault
     std::vector<Channel> notDerivatives;
     for (std::size_t i = 0; i < count; ++i) {
         const Channel channel = contents[i];
@@ -446,11 +485,16 @@ bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanat
             add(explanation.conventions, kind, reading.unit).channels.push_back(channel);
         }
         if (reading.sign < 0.0) {
-            add(explanation.conventions, Kind::Sign, -1.0).channels.push_back(channel);
+            signs[isAngle(channel.coordinate) ? 1 : 0].push_back(channel);
         }
         if (reading.turned) {
             const Kind kind = std::fmod(reading.turn, 360.0) == 0.0 ? Kind::WholeTurns : Kind::HalfTurn;
             add(explanation.conventions, kind, reading.turn).channels.push_back(channel);
+        }
+    }
+    for (const std::vector<Channel> &channels : signs) {
+        if (!channels.empty()) {
+            explanation.conventions.push_back({Kind::Sign, channels, -1.0});
         }
     }
     if (!notDerivatives.empty()) {
@@ -509,13 +553,15 @@ std::optional<Explanation> explain(const ReferenceData &data, Explanation explan
 double costOf(const Explanation &explanation)
 {
     constexpr double kOfAColumn = 0.01;
-    constexpr double kOfAShift = 1.5; // any amount of it is possible
-    constexpr double kOfALoss = 1.5;  // what is left out can no longer contradict
+    constexpr double kOfAShift = 1.5;  // any amount of it is possible
+    constexpr double kOfALoss = 1.5;   // what is left out can no longer contradict
+    constexpr double kOfASign = 1.005; // an angle negated is often one turned
     double cost = 0.0;
     for (const Convention &convention : explanation.conventions) {
         switch (convention.kind) {
         case Kind::TimeShift: cost += kOfAShift; break;
         case Kind::NotDerivative: cost += kOfALoss; break;
+        case Kind::Sign: cost += kOfASign; break;
         default: cost += 1.0;
         }
         cost += kOfAColumn * static_cast<double>(convention.channels.size());
@@ -619,11 +665,11 @@ std::optional<Explanation> proven(const ReferenceData &data, Explanation explana
     std::vector<Channel> notDerivatives;
     for (const ReferenceSeries &series : comparison.read.series) {
         const ChannelComparison column = comparison.of(series, explanation.parameters);
-        const std::array<Channel, 1> only{series.channel};
-        const bool small = comparison.largestError(only) <= kNearlyNothing && column.missingModel <= column.count / 20;
+        const double error = column.maxAbs.value_or(kInfinity);
+        const bool small = error <= kNearlyNothing * sizeOf(comparison.model[series.channel]) &&
+                           column.missingModel <= column.count / 20;
         const bool derivative = hasLowerOrder(comparison.read, series.channel);
-        const bool nearRounding =
-            column.maxAbs.value_or(kInfinity) <= kStepsOfAgreement * column.roundingStep.value_or(0.0);
+        const bool nearRounding = error <= kStepsOfAgreement * column.roundingStep.value_or(0.0);
         const bool agrees =
             column.verdict == Verdict::Agrees || (small && (column.verdict == Verdict::Close || nearRounding));
         if (demand == Demand::Agreement && !derivative ? agrees : small || agrees) {
@@ -682,19 +728,25 @@ double minimumBetween(double low, double high, Function f)
     return 0.5 * (low + high);
 }
 
+/// Root mean square of the errors, as part of that of the model about its mean.
 double rmsMisfit(std::span<const double> values, std::span<const double> model)
 {
+    double count = 0.0;
     double errors = 0.0;
-    double size = 0.0;
+    double sum = 0.0;
+    double squares = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (std::isfinite(values[i]) && std::isfinite(model[i])) {
+            count += 1.0;
             errors += (values[i] - model[i]) * (values[i] - model[i]);
-            size += model[i] * model[i];
+            sum += model[i];
+            squares += model[i] * model[i];
         } else if (std::isfinite(values[i])) {
             return kInfinity;
         }
     }
-    return size > 0.0 ? std::sqrt(errors / size) : kInfinity;
+    const double variation = squares - sum * sum / count;
+    return variation > 0.0 ? std::sqrt(errors / variation) : kInfinity;
 }
 
 Parameters started(Parameters parameters, double shift)
@@ -706,22 +758,10 @@ Parameters started(Parameters parameters, double shift)
 /// Shifts of time with which one of the columns at least is the mechanism's motion.
 std::vector<double> likelyShifts(const ReferenceData &data, const Parameters &parameters)
 {
-    const std::size_t stride = std::max<std::size_t>(1, data.time.size() / kScanRows);
-    std::vector<double> time;
-    std::vector<ReferenceSeries> columns;
-    ChannelSet channels;
-    for (const ReferenceSeries &series : data.series) {
-        if (isPlotted(series.channel)) {
-            columns.push_back({series.channel, {}, {}});
-            channels.set(indexOf(series.channel));
-            for (std::size_t i = 0; i < data.time.size(); i += stride) {
-                columns.back().values.push_back(series.values[i]);
-            }
-        }
-    }
-    for (std::size_t i = 0; i < data.time.size(); i += stride) {
-        time.push_back(data.time[i]);
-    }
+    ReferenceData few = everySoManyth(data, kScanRows);
+    std::erase_if(few.series, [](const ReferenceSeries &series) { return !isPlotted(series.channel); });
+    const std::vector<ReferenceSeries> &columns = few.series;
+    const ChannelSet channels = channelsOf(few);
 
     const double period = 2.0 * std::numbers::pi / std::abs(parameters.omega2);
     if (!std::isfinite(period)) {
@@ -730,7 +770,7 @@ std::vector<double> likelyShifts(const ReferenceData &data, const Parameters &pa
     const auto shiftAt = [period](int phase) { return period * (static_cast<double>(phase) / kPhases - 0.5); };
     std::vector<std::array<double, kPhases>> misfits(columns.size());
     for (int phase = 0; phase < kPhases; ++phase) {
-        const Trajectory model = motionOf(started(parameters, shiftAt(phase)), time, channels);
+        const Trajectory model = motionOf(started(parameters, shiftAt(phase)), few.time, channels);
         for (std::size_t k = 0; k < columns.size(); ++k) {
             misfits[k][static_cast<std::size_t>(phase)] = rmsMisfit(columns[k].values, model[columns[k].channel]);
         }
@@ -742,7 +782,7 @@ std::vector<double> likelyShifts(const ReferenceData &data, const Parameters &pa
         const auto misfit = [&](double shift) {
             ChannelSet only;
             only.set(indexOf(channel));
-            return rmsMisfit(columns[k].values, motionOf(started(parameters, shift), time, only)[channel]);
+            return rmsMisfit(columns[k].values, motionOf(started(parameters, shift), few.time, only)[channel]);
         };
         const double shift = minimumBetween(shiftAt(best - 1), shiftAt(best + 1), misfit);
         const auto isSame = [&](double other) { return std::abs(shift - other) < period / (100.0 * kPhases); };
@@ -863,6 +903,17 @@ std::vector<Parameters> sizesOf(const Parameters &parameters, const ReferenceDat
     return sizes;
 }
 
+/// The mechanism that a derivative alone was taken for, when its instants count in another unit than itself.
+Parameters retimed(Parameters parameters, double timeUnit, Channel witness)
+{
+    const double size = isAngle(witness.coordinate) ? 1.0 : powerOf(timeUnit, orderOf(witness));
+    parameters.a *= size;
+    parameters.b *= size;
+    parameters.c *= size;
+    parameters.omega2 /= timeUnit;
+    return parameters;
+}
+
 /// One column, read as that channel: if nothing is wrong with it, the mechanism follows from it, and what is wrong
 /// with the others from the mechanism.
 ReferenceData alone(const ReferenceData &data, std::size_t column, Channel channel, double unit)
@@ -872,7 +923,7 @@ ReferenceData alone(const ReferenceData &data, std::size_t column, Channel chann
     one.series.push_back(data.series[column]);
     one.series.front().channel = channel;
     multiply(one.series.front(), unit);
-    return one;
+    return everySoManyth(one, kWitnessRows);
 }
 
 /// Columns that may be trusted one by one: first as they stand, ...
@@ -974,8 +1025,7 @@ std::vector<Explanation> explanationsOf(const ReferenceData &data, const std::ve
         for (const Parameters &image : imagesOf(fit.parameters)) {
             for (const Parameters &sized : fit.onlyRatios ? sizesOf(image, data) : std::vector{image}) {
                 for (const double timeUnit : {1.0, kTimeUnits[0], kTimeUnits[1]}) {
-                    Explanation assumption{sized, {}, timeUnit};
-                    assumption.parameters.omega2 /= timeUnit;
+                    Explanation assumption{retimed(sized, timeUnit, witness.series.front().channel), {}, timeUnit};
                     if (timeUnit != 1.0) {
                         assumption.conventions.push_back({Kind::TimeUnit, {}, timeUnit});
                     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conventions.h"
 
+#include "core/comparison.h"
+
 #include "random_mechanisms.h"
 
 #include <QFile>
@@ -336,6 +338,18 @@ const Fault kAxisReversed{"the x axis reversed", [](Table &table, Parameters &, 
                               return std::vector<Convention>{{Kind::Sign, kLengths, -1.0}};
                           }};
 
+Fault faultNamed(const std::string &name)
+{
+    for (const auto &list : {faults(), faultsOfTheWhole()}) {
+        for (const Fault &fault : list) {
+            if (fault.name == name) {
+                return fault;
+            }
+        }
+    }
+    return {};
+}
+
 const char *nameOfKind(Kind kind)
 {
     switch (kind) {
@@ -391,6 +405,15 @@ bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<
            std::all_of(findings.begin(), findings.end(), helps);
 }
 
+ReferenceData authorsFile()
+{
+    QFile file(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv"));
+    const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    const auto outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? *data : ReferenceData();
+}
+
 } // namespace
 
 class TestConventions : public QObject
@@ -442,6 +465,82 @@ private slots:
         }
     }
 
+    void findsTwoFaultsInOneFile_data()
+    {
+        QTest::addColumn<Fault>("first");
+        QTest::addColumn<Fault>("second");
+        QTest::addColumn<bool>("atHand");
+        const auto add = [](const char *first, const char *second, bool atHand) {
+            const std::string name = std::string(first) + ", " + second + (atHand ? ", mechanism at hand" : "");
+            QTest::newRow(name.c_str()) << faultNamed(first) << faultNamed(second) << atHand;
+        };
+        for (const bool atHand : {true, false}) {
+            add("angles in radians", "velocity in m/s", atHand);
+            add("angles in radians", "the textbook's θ_3", atHand);
+            add("angles in radians", "velocity and acceleration swapped", atHand);
+            add("instants in ms", "angles in radians", atHand);
+            add("instants in ms", "angle and position swapped", atHand);
+            add("position in cm", "the textbook's θ_3", atHand);
+            add("velocity with the other sign", "the angle's derivatives in radians", atHand);
+            add("velocity with the other sign", "a whole turn less", atHand);
+            add("a velocity of noise", "angles in radians", atHand);
+            add("an acceleration delayed by some rows", "the textbook's θ_3", atHand);
+        }
+        add("all lengths in metres", "angles in radians", true);
+        add("all lengths in inches", "a late start", true);
+        add("the other assembly", "a late start", true);
+        add("a late start", "the textbook's θ_3", true);
+        add("a late start", "the other sense of rotation", true);
+        add("a late start", "velocity and acceleration swapped", true);
+    }
+
+    void findsTwoFaultsInOneFile()
+    {
+        QFETCH(const Fault, first);
+        QFETCH(const Fault, second);
+        QFETCH(const bool, atHand);
+        RandomFiles files(3);
+        for (int i = 0; i < 20; ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            std::vector<Convention> expected = second.inject(table, p, files);
+            for (const Convention &one : first.inject(table, p, files)) {
+                expected.push_back(one);
+            }
+            const std::vector<ConventionFinding> found =
+                findConventions(writtenAndRead(table), atHand ? Mechanism(p) : Mechanism());
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void makesTheFileAgreeWhenAllIsApplied_data() { findsAFaultAgainstTheMechanismAtHand_data(); }
+
+    void makesTheFileAgreeWhenAllIsApplied()
+    {
+        QFETCH(const Fault, fault);
+        RandomFiles files(4);
+        for (int i = 0; i < 10; ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            fault.inject(table, p, files);
+            ReferenceData data = writtenAndRead(table);
+            for (const ConventionFinding &finding : findConventions(data, Mechanism(p))) {
+                data = applied(finding.convention, data);
+                if (finding.convention.kind == Kind::Branch) {
+                    p.branch = p.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+                }
+            }
+            QVERIFY(data.series.size() >= 5);
+            SolverSettings settings;
+            settings.method = Method::ClosedForm;
+            const Mechanism mechanism(p);
+            const Trajectory model = sample(mechanism, data.time, plottedChannels(), settings);
+            for (const ChannelComparison &column : compare(mechanism, model, data)) {
+                QVERIFY2(column.percentOfPeak.value() < 0.02, nameOf(column.channel).data());
+            }
+        }
+    }
+
     void findsNothingInCleanFiles()
     {
         RandomFiles files(2);
@@ -453,6 +552,287 @@ private slots:
                 QVERIFY2(found.empty(), (std::to_string(i) + ": " + inWords(found)).c_str());
             }
         }
+    }
+
+    void findsNothingInCleanFilesOfFewColumns_data()
+    {
+        QTest::addColumn<std::vector<Channel>>("channels");
+        QTest::newRow("angle") << std::vector{kTheta};
+        QTest::newRow("position") << std::vector{kX};
+        QTest::newRow("angle and position") << std::vector{kTheta, kX};
+        QTest::newRow("angle and its derivatives") << kAngles;
+        QTest::newRow("position and its derivatives") << kLengths;
+        QTest::newRow("velocities") << std::vector{kThetaDot, kXDot};
+    }
+
+    void findsNothingInCleanFilesOfFewColumns()
+    {
+        QFETCH(const std::vector<Channel>, channels);
+        RandomFiles files(5);
+        for (int i = 0; i < 40; ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            table.keepOnly(channels);
+            const ReferenceData data = writtenAndRead(table);
+            for (const Parameters &compared : {p, files.mechanism(), Parameters()}) {
+                const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
+                QVERIFY2(found.empty(), (std::to_string(i) + ": " + inWords(found)).c_str());
+            }
+        }
+    }
+
+    void findsAFaultInFewColumns_data()
+    {
+        QTest::addColumn<std::vector<Channel>>("channels");
+        QTest::addColumn<Fault>("fault");
+        QTest::addColumn<bool>("atHand");
+        for (const bool atHand : {true, false}) {
+            const char *where = atHand ? ", mechanism at hand" : "";
+            const auto add = [&](const char *columns, const std::vector<Channel> &channels, const char *fault) {
+                const std::string name = std::string(columns) + ": " + fault + where;
+                QTest::newRow(name.c_str()) << channels << faultNamed(fault) << atHand;
+            };
+            add("positions only", {kTheta, kX}, "only the angle in radians");
+            add("positions only", {kTheta, kX}, "the textbook's θ_3");
+            add("positions only", {kTheta, kX}, "a whole turn less");
+            add("positions only", {kTheta, kX}, "angle and position swapped");
+            add("angles only", kAngles, "angles in radians");
+            add("angles only", kAngles, "instants in ms");
+            add("angles only", kAngles, "angular acceleration with the other sign");
+            add("lengths only", kLengths, "instants in ms");
+            add("lengths only", kLengths, "velocity in m/s");
+            add("lengths only", kLengths, "velocity with the other sign");
+            add("lengths only", kLengths, "position and acceleration swapped");
+            add("lengths only", kLengths, "an acceleration delayed by some rows");
+        }
+    }
+
+    void findsAFaultInFewColumns()
+    {
+        QFETCH(const std::vector<Channel>, channels);
+        QFETCH(const Fault, fault);
+        QFETCH(const bool, atHand);
+        RandomFiles files(6);
+        for (int i = 0; i < 20; ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            const std::vector<Convention> expected = fault.inject(table, p, files);
+            table.keepOnly(channels);
+            const std::vector<ConventionFinding> found =
+                findConventions(writtenAndRead(table), atHand ? Mechanism(p) : Mechanism());
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void staysSilentWhereAnotherMechanismExplainsAsMuch_data()
+    {
+        QTest::addColumn<Fault>("fault");
+        for (const Fault &fault : faultsOfTheWhole()) {
+            QTest::newRow(fault.name) << fault;
+        }
+    }
+
+    void staysSilentWhereAnotherMechanismExplainsAsMuch()
+    {
+        QFETCH(const Fault, fault);
+        RandomFiles files(7);
+        for (int i = 0; i < 50; ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            fault.inject(table, p, files);
+            // Negated, the angles of a crossed mechanism are a whole turn away from those of its mirror image.
+            const std::vector<double> &angles = table[kTheta];
+            const bool turned = std::all_of(angles.begin(), angles.end(), [](double angle) { return angle < -90.0; });
+            const std::vector<Convention> expected =
+                turned ? std::vector<Convention>{{Kind::WholeTurns, {kTheta}, 360.0}} : std::vector<Convention>();
+            const std::vector<ConventionFinding> found =
+                findConventions(writtenAndRead(table), Mechanism(files.mechanism()));
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void tellsAReversedAxisFromAHalfTurnByASimilarMechanism()
+    {
+        RandomFiles files(8);
+        for (int i = 0; i < 20; ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            const std::vector<Convention> expected = kAxisReversed.inject(table, p, files);
+            const ReferenceData data = writtenAndRead(table);
+            Parameters similar = p;
+            similar.b *= 1.02;
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(similar));
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+
+            Parameters reversed = p; // what the file looks like when θ3 is taken half a turn on
+            reversed.omega2 *= 0.7;
+            const std::vector<ConventionFinding> otherwise = findConventions(data, Mechanism(reversed));
+            QVERIFY2(areFound(otherwise, {{Kind::HalfTurn, {kTheta}, p.branch == Branch::Open ? 180.0 : -180.0}}),
+                     (std::to_string(i) + ": " + inWords(otherwise)).c_str());
+        }
+    }
+
+    void takesAnglesThatJumpTogether()
+    {
+        RandomFiles files(9);
+        for (int i = 0; i < 50; ++i) {
+            Parameters p = files.mechanism();
+            p.branch = Branch::Crossed;
+            Table table = motionAt(p, files.instants(p));
+            for (double &angle : table[kTheta]) {
+                angle = angle > 180.0 ? angle - 360.0 : angle;
+            }
+            const bool jumps =
+                std::any_of(table[kTheta].begin(), table[kTheta].end(), [](double angle) { return angle < 0.0; });
+            const double turn = table[kTheta][0] < 0.0 ? 360.0 : 0.0;
+            const std::vector<Convention> expected =
+                jumps ? std::vector<Convention>{{Kind::WholeTurns, {kTheta}, turn}} : std::vector<Convention>();
+            const ReferenceData data = writtenAndRead(table);
+            for (const Mechanism &compared : {Mechanism(p), Mechanism()}) {
+                const std::vector<ConventionFinding> found = findConventions(data, compared);
+                QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+            }
+        }
+    }
+
+    void findsNoConventionInTheAuthorsFileButAMistypedLength()
+    {
+        const ReferenceData data = authorsFile();
+        if (data.series.empty()) {
+            QSKIP("the author's InventorData.csv is not at hand");
+        }
+        for (const double b : {60.0, 65.0}) {
+            Parameters p;
+            p.b = b;
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(p));
+            QVERIFY2(found.empty(), inWords(found).c_str());
+        }
+        const std::vector<ConventionFinding> found =
+            findConventions(applied({Kind::HalfTurn, {kTheta}, 180.0}, data), Mechanism());
+        QVERIFY2(areFound(found, {{Kind::HalfTurn, {kTheta}, -180.0}}), inWords(found).c_str());
+    }
+
+    void findsAFaultInMeasuredData()
+    {
+        RandomFiles files(10);
+        for (int i = 0; i < 20; ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            for (auto &[channel, values] : table.columns) {
+                const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+                const double range = *highest - *lowest;
+                for (double &value : values) {
+                    value += range * files.uniform(-0.003, 0.003);
+                }
+            }
+            const std::vector<ConventionFinding> clean = findConventions(writtenAndRead(table), Mechanism());
+            QVERIFY2(clean.empty(), (std::to_string(i) + ": " + inWords(clean)).c_str());
+            multiply(table, kAngles, kPi / 180.0);
+            const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism());
+            QVERIFY2(found.size() == 1 && isSame(found[0].convention, {Kind::AngleUnit, kAngles, 180.0 / kPi}),
+                     (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void copesWithGapsAndOtherColumns()
+    {
+        RandomFiles files(11);
+        const Parameters p = files.mechanism();
+        Table table = motionAt(p, files.instants(p));
+        multiply(table, {kTheta}, kPi / 180.0);
+        ReferenceData data = writtenAndRead(table);
+        for (ReferenceSeries &series : data.series) {
+            for (std::size_t row = indexOf(series.channel) % 5; row < series.values.size(); row += 5) {
+                series.values[row] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+        // Columns that are none of the six, and no motion of this mechanism.
+        data.series.push_back({{R2x, Order::Position}, std::vector<double>(data.time.size(), 7.0), {}});
+        for (const Mechanism &compared : {Mechanism(p), Mechanism()}) {
+            const std::vector<ConventionFinding> found = findConventions(data, compared);
+            QVERIFY2(areFound(found, {{Kind::AngleUnit, {kTheta}, 180.0 / kPi}}), inWords(found).c_str());
+        }
+    }
+
+    void saysNothingOfWhatIsNoSliderCrank()
+    {
+        RandomFiles files(12);
+        const Parameters p = files.mechanism();
+        Table table = motionAt(p, files.instants(p));
+        for (auto &[channel, values] : table.columns) {
+            for (double &value : values) {
+                value = files.uniform(-100.0, 100.0);
+            }
+        }
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism(p)).empty());
+        QVERIFY(findConventions(ReferenceData(), Mechanism()).empty());
+        table.time.resize(3);
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism()).empty());
+    }
+
+    void looksAtSomeRowsOfAMillionOnly_data()
+    {
+        QTest::addColumn<double>("turns");
+        QTest::newRow("one turn") << 1.0;
+        QTest::newRow("ten thousand turns") << 1e4;
+    }
+
+    void looksAtSomeRowsOfAMillionOnly()
+    {
+        QFETCH(const double, turns);
+        Parameters p;
+        std::vector<double> instants(1000000);
+        for (std::size_t i = 0; i < instants.size(); ++i) {
+            instants[i] = turns * static_cast<double>(i) * 1e-6;
+        }
+        Table table = motionAt(p, instants);
+        multiply(table, kAngles, kPi / 180.0);
+        ReferenceData data;
+        data.time = table.time;
+        for (const auto &[channel, values] : table.columns) {
+            data.series.push_back({channel, values, {Rounding::Rule::SignificantDigits, 17}});
+        }
+        for (const double b : {p.b, 60.0}) {
+            Parameters compared = p;
+            compared.b = b;
+            const auto start = std::chrono::steady_clock::now();
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+            QVERIFY2(areFound(found, {{Kind::AngleUnit, kAngles, 180.0 / kPi}}), inWords(found).c_str());
+            QVERIFY2(spent.count() < 2.0, std::to_string(spent.count()).c_str()); // some 0.05 s on a quiet machine
+        }
+    }
+
+    void stopsWhenAsked()
+    {
+        RandomFiles files(13);
+        const Parameters p = files.mechanism();
+        Table table = motionAt(p, files.instants(p));
+        multiply(table, kAngles, kPi / 180.0);
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism(), stop.get_token()).empty());
+    }
+
+    void appliesAHalfTurnWithoutPromisingDigits()
+    {
+        // 204.624 has its last digit at 0.001, and so has the 24.624 that it is half a turn before.
+        ReferenceData data;
+        data.time = {0.0, 1.0, 2.0};
+        data.series.push_back({kTheta, {204.624, 190.5, 180.25}, {Rounding::Rule::SignificantDigits, 6}});
+        const ReferenceData turned = applied({Kind::HalfTurn, {kTheta}, -180.0}, data);
+        QVERIFY(std::abs(turned.series[0].values[2] - 0.25) < 1e-9);
+        QVERIFY(std::abs(turned.series[0].rounding.stepAt(0.25) - 1e-3) < 1e-12);
+    }
+
+    void appliesAUnitToTheRoundingToo()
+    {
+        ReferenceData data;
+        data.time = {0.0, 1.0};
+        data.series.push_back({kXDot, {1.25, -2.5}, {Rounding::Rule::Decimals, 2}});
+        const ReferenceData read = applied({Kind::LengthUnit, {kXDot}, 1e3}, data);
+        QCOMPARE(read.series[0].values[1], -2500.0);
+        QVERIFY(std::abs(read.series[0].rounding.stepAt(1.0) - 10.0) < 1e-9);
     }
 };
 
