@@ -274,6 +274,24 @@ private slots:
         QCOMPARE(rowCountOf(twoArcs.peaks()), 4);
     }
 
+    void thereIsAPoseAtEveryInstantThatARowLeadsTo()
+    {
+        for (int i = 0; i < 50; ++i) {
+            const Parameters parameters = lengths(20.0 + 0.37 * i, 30.0 + 0.11 * i, (i % 2 == 0 ? 1.0 : -1.0) * 15.3);
+            const Shown shown(parameters);
+            const ClosedForm motion{Mechanism(parameters)};
+            for (const QTableView *table : {shown.positions(), shown.peaks()}) {
+                for (int row = 0; row < rowCountOf(table); ++row) {
+                    const QVariant instant = table->model()->index(row, Instant).data(Qt::UserRole);
+                    const Status status =
+                        instant.isValid() ? motion.motionAt(instant.toDouble()).status : Status::Solved;
+                    QVERIFY2(status == Status::Solved || status == Status::Singular,
+                             qPrintable(textOf(table, row, Name)));
+                }
+            }
+        }
+    }
+
     void nothingMovesWhereNothingCan()
     {
         Parameters parameters;
@@ -284,6 +302,10 @@ private slots:
                               "coupler speed|0 °/s|crank at rest|–", "coupler acceleration|0 °/s²|crank at rest|–"}));
         QCOMPARE(textOf(still.positions(), 0, Instant), QString("–"));
         QCOMPARE(textOf(still.positions(), rowStarting(still.positions(), "forward stroke"), Angle), QString());
+        parameters.theta20 = 1.5 * std::numbers::pi; // at rest where the coupler is steepest
+        const Shown there(parameters);
+        QCOMPARE(textOf(there.positions(), rowStarting(there.positions(), "least transmission angle"), Instant),
+                 QString("0.0000"));
 
         const Shown locked(lengths(20.0, 5.0, 25.0));
         QCOMPARE(Shown::rowsOf(locked.positions()), QStringList({"only pose|0 mm|90.00|0.2500"}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/motion_facts.h"
 
+#include "core/closed_form.h"
 #include "core/crank_instant.h"
 #include "ui/axis_scale.h"
 #include "ui/number_box.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slidercrank
 {
@@ -117,13 +119,36 @@ std::vector<PeakPlace> togglesOf(const std::vector<Peak> &peaks)
     return jump == peaks.end() ? std::vector<PeakPlace>() : jump->places;
 }
 
+/// The end of a rocker's arc is known to a rounding, and beyond it there is no pose: the nearest instant that has one,
+/// if it is within a few roundings of the crank angle.
+double withAPose(const Mechanism &mechanism, double t)
+{
+    const ClosedForm motion(mechanism);
+    const auto exists = [&motion](double instant) { return motion.motionAt(instant).status != Status::NotAssemblable; };
+    if (exists(t) || mechanism.omega2() == 0.0) {
+        return t;
+    }
+    const double rounding =
+        std::numeric_limits<double>::epsilon() * 2.0 * std::numbers::pi / std::abs(mechanism.omega2());
+    constexpr double kFew = 16.0;
+    for (double steps = 0.5; steps <= kFew; steps += 0.5) {
+        for (const double instant : {t - steps * rounding, t + steps * rounding}) {
+            if (exists(instant)) {
+                return instant;
+            }
+        }
+    }
+    return t;
+}
+
 /// The first instant of the run with the crank at that angle.
 std::optional<double> instantWithin(const Mechanism &mechanism, const Sampling &run, double theta2)
 {
     constexpr double kSlack = 1e-9; // of the run: its last instant counts
     const double end = run.start + run.duration;
     const std::optional<double> t = instantAtCrankAngle(mechanism, kDegreesPerRadian * theta2, run.start);
-    return t && *t <= end + kSlack * run.duration ? std::optional(std::min(*t, end)) : std::nullopt;
+    return t && *t <= end + kSlack * run.duration ? std::optional(withAPose(mechanism, std::min(*t, end)))
+                                                  : std::nullopt;
 }
 
 /// Of one mechanism and run.
