@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/number_box.h"
 #include "ui/parameter_panel.h"
+#include "ui/theme.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -335,6 +336,92 @@ private slots:
         parameters.c = 0.025;
         panel.setParameters(parameters);
         QVERIFY(slider->value() > slider->maximum() / 10);
+    }
+
+    void shadesWhereTheCrankCannotTurnRound_data()
+    {
+        QTest::addColumn<Parameters>("parameters");
+        QTest::addColumn<QString>("slider");
+        QTest::addColumn<QList<double>>("clear"); // parts of the slider's length
+        QTest::addColumn<QList<double>>("shaded");
+        QTest::addColumn<QString>("tip");
+        const Parameters table1;
+        Parameters rocker;
+        rocker.b = 40.0; // from -48.6° to 228.6°, that is not from -131.4° to -48.6°
+        Parameters shortCoupler;
+        shortCoupler.b = 15.0;
+        QTest::newRow("a up to b - |c| = 40")
+            << table1 << "a" << QList<double>{0.1, 0.38} << QList<double>{0.42, 0.9} << "above 40 mm";
+        QTest::newRow("b from a + |c| = 45")
+            << table1 << "b" << QList<double>{0.24, 0.9} << QList<double>{0.05, 0.21} << "below 45 mm";
+        QTest::newRow("|c| up to b - a = 45") << table1 << "c" << QList<double>{0.29, 0.5, 0.71}
+                                              << QList<double>{0.1, 0.26, 0.74, 0.9} << "beyond ±45 mm";
+        QTest::newRow("ω₂ never") << rocker << "omega2" << QList<double>{0.1, 0.9} << QList<double>{} << "";
+        QTest::newRow("θ₂₀ of a crank that turns round")
+            << table1 << "theta20" << QList<double>{0.1, 0.25, 0.9} << QList<double>{} << "";
+        QTest::newRow("θ₂₀ of a rocker") << rocker << "theta20" << QList<double>{0.05, 0.12, 0.39, 0.9}
+                                         << QList<double>{0.15, 0.25, 0.35} << "cannot be assembled";
+        QTest::newRow("no crank") << shortCoupler << "a" << QList<double>{} << QList<double>{0.05, 0.5, 0.9}
+                                  << "no crank can turn round";
+        QTest::newRow("no offset") << shortCoupler << "c" << QList<double>{} << QList<double>{0.1, 0.5, 0.9}
+                                   << "no offset";
+    }
+    void shadesWhereTheCrankCannotTurnRound()
+    {
+        QFETCH(Parameters, parameters);
+        QFETCH(QString, slider);
+        QFETCH(QList<double>, clear);
+        QFETCH(QList<double>, shaded);
+        QFETCH(QString, tip);
+        for (const Theme theme : {Theme::Light, Theme::Dark}) {
+            ParameterPanel panel;
+            panel.setPalette(paletteFor(theme));
+            panel.resize(430, panel.sizeHint().height());
+            panel.show();
+            panel.setParameters(parameters);
+            auto *shown = child<QSlider>(panel, "slider_" + slider);
+            const QImage image = shown->grab().toImage();
+            const int between = image.height() / 2 + 4; // below the groove, within the handle's height
+            const auto isShaded = [&](double part) {
+                const int handle = 13;
+                const int x = handle / 2 + static_cast<int>(part * (image.width() - handle));
+                const QColor there = image.pixelColor(x, between);
+                const QColor plain = panel.palette().color(QPalette::Window);
+                return std::abs(there.red() - plain.red()) + std::abs(there.blue() - plain.blue()) > 40;
+            };
+            for (const double part : clear) {
+                QVERIFY2(!isShaded(part), qPrintable(QString::number(part)));
+            }
+            for (const double part : shaded) {
+                QVERIFY2(isShaded(part), qPrintable(QString::number(part)));
+            }
+            QVERIFY2(shown->toolTip().contains(tip), qPrintable(shown->toolTip()));
+            QCOMPARE(shown->toolTip().contains("Shaded"), !shaded.isEmpty());
+        }
+    }
+
+    void theShadeFollowsTheUnit()
+    {
+        Parameters rocker;
+        rocker.b = 40.0;
+        ParameterPanel panel;
+        panel.resize(430, panel.sizeHint().height());
+        panel.show();
+        panel.setParameters(rocker);
+        auto *slider = child<QSlider>(panel, "slider_theta20");
+        const auto shadedPixels = [slider] {
+            const QImage image = slider->grab().toImage();
+            const QRgb plain = image.pixel(image.width() - 10, image.height() / 2 + 4);
+            int count = 0;
+            for (int x = 10; x < image.width() - 10; ++x) {
+                count += image.pixel(x, image.height() / 2 + 4) != plain ? 1 : 0;
+            }
+            return count;
+        };
+        const int inDegrees = shadedPixels();
+        QVERIFY(inDegrees > 20);
+        child<QComboBox>(panel, "unit_theta20")->setCurrentIndex(1);
+        QVERIFY(std::abs(shadedPixels() - inDegrees) <= 3); // 3.2 rad are 183°
     }
 
     void readsTheUsersLocale()

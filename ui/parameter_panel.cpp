@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -107,9 +109,39 @@ Wording wordingOf(Parameter parameter)
     return {};
 }
 
+/// A part of a slider's numbers.
+struct Stretch {
+    double from;
+    double to;
+    friend bool operator==(const Stretch &, const Stretch &) = default;
+};
+
+/// Where a rocker's crank cannot stand, from -range to range (rad).
+std::vector<Stretch> anglesWithoutPose(const MotionLimits &limits, double range)
+{
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    constexpr double kMostTurns = 4.0; // more on a slider would be but stripes
+    const bool rocks = limits.mobility == Mobility::Rocker || limits.mobility == Mobility::Locked;
+    if (!rocks || range > kMostTurns * kTurn) {
+        return {};
+    }
+    std::vector<Stretch> stretches;
+    for (double turn = -kMostTurns - 1.0; turn <= kMostTurns + 1.0; turn += 1.0) {
+        for (std::size_t i = 0; i < limits.ranges.size(); ++i) { // from the end of each arc to the start of the next
+            const bool last = i + 1 == limits.ranges.size();
+            const double from = limits.ranges[i].to + kTurn * turn;
+            const double to = (last ? limits.ranges[0].from + kTurn : limits.ranges[i + 1].from) + kTurn * turn;
+            if (to > -range && from < range) {
+                stretches.push_back({from, to});
+            }
+        }
+    }
+    return stretches;
+}
+
 } // namespace
 
-/// A slider over real numbers, in steps that are round numbers, with a part of its groove shaded.
+/// A slider over real numbers, in steps that are round numbers, with parts of its range shaded.
 class ParameterSlider : public QSlider
 {
 public:
@@ -138,43 +170,50 @@ public:
     /// Without the binary tail of 3 · 0.1.
     double number() const { return QString::number(value() * m_step, 'g', 12).toDouble(); }
 
-    /// Shades what lies below `from` and above `to`.
-    void setPermitted(double from, double to)
+    /// Shades them, in the unit of number(); `why` joins the tooltip.
+    void setForbidden(std::vector<Stretch> forbidden, const QString &explanation, const QString &why)
     {
-        if (from != m_permittedFrom || to != m_permittedTo) {
-            m_permittedFrom = from;
-            m_permittedTo = to;
+        if (forbidden != m_forbidden) {
+            m_forbidden = std::move(forbidden);
             update();
         }
+        setToolTip(m_forbidden.empty() ? explanation : explanation + QLatin1Char('\n') + why);
     }
 
 protected:
     void paintEvent(QPaintEvent *event) override
     {
+        paintForbidden();
         QSlider::paintEvent(event);
-        QStyleOptionSlider option;
-        initStyleOption(&option);
-        const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
-        const int travel = width() - handle.width();
-        const auto pixel = [&](double number) {
-            const int position = static_cast<int>(std::lround(std::clamp(number, -m_range, m_range) / m_step));
-            return handle.width() / 2 + QStyle::sliderPositionFromValue(
-                                            minimum(), maximum(), std::clamp(position, minimum(), maximum()), travel);
-        };
-        QPainter painter(this);
-        const int top = height() - 3;
-        const QColor colour = seriesColours(palette()).warning;
-        const int left = pixel(m_permittedFrom);
-        const int right = pixel(m_permittedTo);
-        painter.fillRect(QRect(QPoint(handle.width() / 2, top), QPoint(left - 1, top + 1)), colour);
-        painter.fillRect(QRect(QPoint(right + 1, top), QPoint(handle.width() / 2 + travel, top + 1)), colour);
     }
 
 private:
+    void paintForbidden()
+    {
+        QStyleOptionSlider option;
+        initStyleOption(&option);
+        const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+        const double first = 0.5 * handle.width();
+        const double travel = width() - handle.width();
+        const double lowest = minimum() * m_step;
+        const double highest = maximum() * m_step;
+        const auto pixel = [&](double number) { return first + travel * (number - lowest) / (highest - lowest); };
+        QColor colour = seriesColours(palette()).warning;
+        colour.setAlphaF(kShade);
+        QPainter painter(this);
+        for (const Stretch &stretch : m_forbidden) {
+            const double left = stretch.from <= lowest ? 0.0 : pixel(std::min(stretch.from, highest));
+            const double right = stretch.to >= highest ? width() : pixel(std::max(stretch.to, lowest));
+            painter.fillRect(QRectF(left, handle.center().y() - 0.5 * kBand, right - left, kBand), colour);
+        }
+    }
+
+    static constexpr float kShade = 0.3F; // opacity: the groove and the handle stay clear
+    static constexpr double kBand = 12.0; // px high
+
     double m_range = 0.0;
     double m_step = 1.0;
-    double m_permittedFrom = -kLargestParameter;
-    double m_permittedTo = kLargestParameter;
+    std::vector<Stretch> m_forbidden;
 };
 
 ParameterPanel::ParameterPanel(QWidget *parent)
@@ -256,7 +295,10 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
             row.unit->addItem(speed ? omegaUnit(i).name : angleUnit(i).name);
         }
         grid->addWidget(row.unit, line, 3);
-        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, &row] { showRow(row); });
+        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, &row] {
+            showRow(row);
+            shadeForbidden();
+        });
     }
 
     row.reset = new QToolButton;
@@ -358,20 +400,48 @@ void ParameterPanel::showParameters()
 
 void ParameterPanel::shadeForbidden()
 {
-    // a + |c| <= b, solved for each of the three
-    const double needed = shortestCouplerForFullTurn(Mechanism(m_parameters));
-    const double spare = m_parameters.b - needed;
+    const Mechanism mechanism(m_parameters);
     for (const Row &row : m_rows) {
+        const QString explanation = wordingOf(row.parameter).explanation;
+        const auto limitText = [](double limit) { return tr("%1 mm").arg(numberText(limit)); };
         switch (row.parameter) {
-        case Parameter::A: row.slider->setPermitted(-kLargestParameter, std::max(0.0, m_parameters.a + spare)); break;
-        case Parameter::B: row.slider->setPermitted(needed, kLargestParameter); break;
-        case Parameter::C: {
-            const double largest = std::max(0.0, std::abs(m_parameters.c) + spare);
-            row.slider->setPermitted(-largest, largest);
+        case Parameter::A: {
+            const double longest = longestCrankForFullTurn(mechanism);
+            row.slider->setForbidden({{longest, kLargestParameter}}, explanation,
+                                     longest > 0.0
+                                         ? tr("Shaded: above %1 the crank cannot turn round").arg(limitText(longest))
+                                         : tr("Shaded: with this coupler and offset no crank can turn round"));
             break;
         }
-        case Parameter::Omega2:
-        case Parameter::Theta20: break;
+        case Parameter::B: {
+            const double shortest = shortestCouplerForFullTurn(mechanism);
+            row.slider->setForbidden({{-kLargestParameter, shortest}}, explanation,
+                                     tr("Shaded: below %1 the crank cannot turn round").arg(limitText(shortest)));
+            break;
+        }
+        case Parameter::C: {
+            const double largest = largestOffsetForFullTurn(mechanism);
+            if (largest >= 0.0) {
+                row.slider->setForbidden({{-kLargestParameter, -largest}, {largest, kLargestParameter}}, explanation,
+                                         tr("Shaded: beyond ±%1 the crank cannot turn round").arg(limitText(largest)));
+            } else {
+                row.slider->setForbidden(
+                    {{-kLargestParameter, kLargestParameter}}, explanation,
+                    tr("Shaded: with a crank longer than the coupler no offset lets it turn round"));
+            }
+            break;
+        }
+        case Parameter::Omega2: break;
+        case Parameter::Theta20: {
+            std::vector<Stretch> stretches =
+                anglesWithoutPose(motionLimits(mechanism), fromUnitOf(row, row.slider->range()));
+            for (Stretch &stretch : stretches) {
+                stretch = {toUnitOf(row, stretch.from), toUnitOf(row, stretch.to)};
+            }
+            row.slider->setForbidden(std::move(stretches), explanation,
+                                     tr("Shaded: with the crank there the mechanism cannot be assembled"));
+            break;
+        }
         }
     }
 }
