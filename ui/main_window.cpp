@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/animation_export.h"
+#include "ui/column_mapping.h"
 #include "ui/error_panel.h"
 #include "ui/figure_export.h"
 #include "ui/folding_tabs.h"
@@ -11,6 +12,7 @@
 #include "ui/newton_panel.h"
 #include "ui/parameter_panel.h"
 #include "ui/plot_grid.h"
+#include "ui/reference_panel.h"
 #include "ui/study_panel.h"
 #include "ui/timeline.h"
 
@@ -122,6 +124,7 @@ void MainWindow::buildLayout()
     left->setMinimumWidth(340);
 
     m_tabs->addPage(m_errorPanel, tr("Errors"));
+    m_tabs->addPage([this] { return makeReferencePanel(); }, tr("Reference"));
     m_tabs->addPage([this] { return makeNewtonPanel(); }, tr("Newton-Raphson"));
     m_tabs->addPage([this] { return makeStudyPanel(); }, tr("Speed and accuracy"));
     m_tabs->addPage([this] { return makeLimitsPanel(); }, tr("Motion limits"));
@@ -312,20 +315,45 @@ void MainWindow::connectRooms()
     connect(m_errorPanel, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
     connect(m_session, &Session::problemFound, this,
             [this](const QString &sentence) { m_messageBar->showMessage(MessageBar::Kind::Problem, sentence); });
-    connect(m_session, &Session::referenceRefused, this, [this](const QString &, const QString &sentence) {
-        m_messageBar->showMessage(MessageBar::Kind::Problem, sentence);
+    connect(m_session, &Session::referenceRefused, this, [this](const QString &path, const QString &sentence) {
+        const bool hasColumns = !layoutOf(beginningOf(path)).columns.empty(); // which of them is what may help
+        m_messageBar->showMessage(MessageBar::Kind::Problem, sentence, hasColumns ? tr("Columns…") : QString(),
+                                  hasColumns ? [this, path] { chooseColumns(path); } : std::function<void()>());
     });
     connect(m_session, &Session::referenceLoaded, this, [this](const std::shared_ptr<const Reference> &reference) {
         m_closeReferenceAction->setEnabled(reference != nullptr);
         m_ghostAction->setEnabled(reference != nullptr);
-        m_announceReference = reference != nullptr;
+        const bool guessed = reference && !reference->asPrinted && reference->data.layout.isGuessed();
+        m_announceReference = reference && !guessed; // with wrong columns it would be another mechanism's
         setWindowTitle(reference ? tr("%1 – Slider-crank").arg(reference->name) : tr("Slider-crank"));
         m_messageBar->hide();
+        if (guessed) {
+            m_messageBar->showMessage(
+                MessageBar::Kind::Hint,
+                tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name),
+                tr("Columns…"), [this] { chooseColumns(m_session->reference()->path); });
+        }
         if (reference && reference->path != kSamplePath) {
             rememberReference(reference->path);
         }
     });
     connect(m_tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
+}
+
+QWidget *MainWindow::makeReferencePanel()
+{
+    auto *panel = new ReferencePanel(this);
+    panel->setReference(m_session->reference());
+    panel->setDiagnosis(m_session->diagnosis());
+    connect(m_session, &Session::referenceLoaded, panel, &ReferencePanel::setReference);
+    connect(m_session, &Session::diagnosisChanged, panel, &ReferencePanel::setDiagnosis);
+    connect(panel, &ReferencePanel::openReferenceRequested, this, &MainWindow::chooseReference);
+    connect(panel, &ReferencePanel::openSampleRequested, this, &MainWindow::openSample);
+    connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->path); });
+    connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
+    connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
+    connect(panel, &ReferencePanel::takeOverRequested, m_session, &Session::takeOver);
+    return panel;
 }
 
 QWidget *MainWindow::makeNewtonPanel()
@@ -378,6 +406,17 @@ void MainWindow::chooseReference()
     if (!path.isEmpty()) {
         openReference(path);
     }
+}
+
+void MainWindow::chooseColumns(const QString &path)
+{
+    if (auto *open = findChild<ColumnMapping *>()) {
+        open->close();
+    }
+    auto *dialog = new ColumnMapping(path, beginningOf(path), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ColumnMapping::chosen, m_session, &Session::loadReference);
+    dialog->show();
 }
 
 void MainWindow::rememberReference(const QString &path)

@@ -64,11 +64,13 @@ private:
     void buildMenus();
     void buildStatusBar();
     void connectRooms();
+    QWidget *makeReferencePanel();
     QWidget *makeNewtonPanel();
     QWidget *makeStudyPanel();
     QWidget *makeLimitsPanel();
 
     void chooseReference();
+    void chooseColumns(const QString &path); ///< of that file
     void exportTo(const QString &path, const QSize &size, const std::function<void(QPainter &, const QSize &)> &draw);
     QString chooseExportFile(const QString &proposal);
     void chooseAnimation();

@@ -17,12 +17,30 @@ std::string_view viewOf(const QByteArray &bytes)
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
 }
 
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("slidercrank::ReferenceFile", text);
+}
+
 } // namespace
+
+QString sentenceOf(const ReadError &error, const QString &file)
+{
+    const QString reason = QString::fromStdString(error.reason);
+    if (error.line == 0) {
+        return QStringLiteral("%1: %2").arg(file, reason);
+    }
+    const QString line = QString::number(error.line);
+    if (error.column == 0) {
+        return tr("%1, line %2: %3").arg(file, line, reason);
+    }
+    return tr("%1, line %2, column %3 (\"%4\"): %5")
+        .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
+}
 
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop,
                                                                       const ReadOptions &options)
 {
-    const auto tr = [](const char *text) { return QCoreApplication::translate("slidercrank::ReferenceFile", text); };
     const QString shown = QDir::toNativeSeparators(path);
     QFile file(path);
     if (QFileInfo(path).isDir()) {
@@ -37,16 +55,7 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     }
     std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes), stop, options);
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
-        const QString reason = QString::fromStdString(error->reason);
-        if (error->line == 0) {
-            return QStringLiteral("%1: %2").arg(shown, reason);
-        }
-        const QString line = QString::number(error->line);
-        if (error->column == 0) {
-            return tr("%1, line %2: %3").arg(shown, line, reason);
-        }
-        return tr("%1, line %2, column %3 (\"%4\"): %5")
-            .arg(shown, line, QString::number(error->column), QString::fromStdString(error->text), reason);
+        return sentenceOf(*error, shown);
     }
     auto reference = std::make_shared<Reference>();
     reference->path = path;
@@ -57,9 +66,16 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
 
 QByteArray beginningOf(const QString &path)
 {
-    constexpr qint64 kMost = 1 << 20; // some 15 000 rows of seven columns, read again in milliseconds; even, for UTF-16
+    constexpr qint64 kMost = 1 << 20; // some 15 000 rows of seven columns, read again in milliseconds
     QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
+    QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
+    const qsizetype lines = bytes.lastIndexOf('\n') + 1;
+    if (!file.atEnd() && lines > 0) {
+        // In little-endian UTF-16 half of the line's end is still to come.
+        const bool half = lines % 2 == 1 && lines < bytes.size() && bytes[lines] == '\0';
+        bytes.truncate(half ? lines + 1 : lines);
+    }
+    return bytes;
 }
 
 FileLayout layoutOf(const QByteArray &bytes)

@@ -31,7 +31,10 @@ struct Reference {
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {},
                                                                       const ReadOptions &options = {});
 
-/// The first of the file's bytes: enough to see how it is written, and for a preview. Empty where it cannot be read.
+/// "results.csv, line 3, column 2 ("abc"): …". `file`: how it is to be called.
+QString sentenceOf(const ReadError &error, const QString &file);
+
+/// The first lines of the file: enough to see how it is written, and for a preview. Empty where it cannot be read.
 QByteArray beginningOf(const QString &path);
 
 /// How these bytes are written, whether or not the data are any good; no columns where they cannot be told apart.
