@@ -283,7 +283,7 @@ private slots:
         for (const int column : {LargestError, LargestErrorAt, Rms, LargestPercent, LargestPercentAt}) {
             QCOMPARE(table->item(0, column)->text(), QString("–"));
         }
-        QCOMPARE(table->item(1, LargestPercent)->text(), QString("– (7 × ∞)"));
+        QCOMPARE(table->item(1, LargestPercent)->text(), QString("– (7×∞)"));
         QVERIFY(table->item(0, Name)->toolTip().contains("201"));
         QSignalSpy spy(&panel, &ErrorPanel::timeRequested);
         table->setCurrentCell(0, Name);

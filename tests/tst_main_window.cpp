@@ -286,6 +286,20 @@ private slots:
         QVERIFY(std::abs(m_window->session().parameters().b - 60.0) < 1e-5);
     }
 
+    void noSentenceIsCutOffInASmallWindow()
+    {
+        m_window->resize(1024, 700);
+        m_window->findChild<FoldingTabs *>()->setFolded(false);
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel")));
+        QTest::qWait(50); // until everything has its place
+        for (const QString &name : {QStringLiteral("findingLabel"), QStringLiteral("verdictLabel")}) {
+            const auto *label = m_window->findChild<QLabel *>(name);
+            QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(name));
+        }
+        QCOMPARE(m_window->size(), QSize(1024, 700));
+    }
+
     void saysNothingOfAFileThatAgrees()
     {
         m_window->session().setParameters(withCoupler(60.0));

@@ -206,17 +206,15 @@ QWidget *ErrorPanel::createTablePage()
          tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
             "close: none beyond a hundred halves\n"
             "differs: anything else")},
-        {tr("largest error"), tr("max |model − reference|, in the channel's unit")},
+        {tr("max error"), tr("max |model − reference|, in the channel's unit")},
         {tr("at [s]"), tr("Instant of the largest error")},
         {tr("rms"), tr("√( mean of (model − reference)² ), in the channel's unit")},
-        {tr("largest %"),
-         tr("max |model − reference| / |reference| · 100, as in the report, over the instants where the "
-            "reference is not zero")},
+        {tr("max %"), tr("max |model − reference| / |reference| · 100, as in the report, over the instants where the "
+                         "reference is not zero")},
         {tr("at [s]"), tr("Instant of the largest percentage")},
         {tr("% of peak"), tr("max |model − reference| / max |reference| · 100")},
-        {tr("file's step"),
-         tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
-            "channel's unit. Rounding alone makes an error of half of it.")},
+        {tr("step"), tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
+                        "channel's unit. Rounding alone makes an error of half of it.")},
     }};
     m_table = new QTableWidget(0, kColumnCount);
     m_table->setObjectName(QStringLiteral("errorTable"));
@@ -426,7 +424,7 @@ void ErrorPanel::fillTable()
         if (channel.zeroReference > 0) {
             percentTip += tr("\nInfinite at %1 instants where the reference is zero; they are left out")
                               .arg(channel.zeroReference);
-            percent += tr(" (%1 × ∞)").arg(channel.zeroReference);
+            percent += tr(" (%1×∞)").arg(channel.zeroReference);
         }
         set(LargestPercent, percent, percentTip);
         set(LargestPercentAt, channel.maxPercent ? instantText(channel.timeOfMaxPercent) : dash(),

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/findings.h"
 
+#include "ui/axis_scale.h"
 #include "ui/finding_text.h"
 #include "ui/session.h"
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -65,18 +67,30 @@ QString changesText(const Parameters &before, const Identification &found)
         const QString measured =
             found.identifiable[i] ? measuredText(inShownUnit * value, inShownUnit * found.standardError[i], inShownUnit)
                                   : FindingList::tr("kept");
-        rows += QStringLiteral("<tr><td>%1&nbsp;</td><td align=right>%2</td><td>&nbsp;→&nbsp;</td><td>%3</td></tr>")
+        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
                     .arg(symbolOf(row.parameter), parameterText(row.parameter, before.*row.value), measured);
     }
     if (before.branch != found.parameters.branch) {
         const auto name = [](Branch branch) {
             return branch == Branch::Open ? FindingList::tr("open") : FindingList::tr("crossed");
         };
-        rows += QStringLiteral("<tr><td>%1&nbsp;</td><td align=right>%2</td><td>&nbsp;→&nbsp;</td><td>%3</td></tr>")
+        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
                     .arg(FindingList::tr("assembly"), name(before.branch), name(found.parameters.branch));
     }
-    return FindingList::tr("Now, and as the file has it (± one standard deviation):") +
-           QStringLiteral("<table>%1</table>").arg(rows);
+    return FindingList::tr("Now → as the file has it ± standard error") +
+           QStringLiteral("<table style='white-space:pre'>%1</table>").arg(rows);
+}
+
+/// What the file means otherwise, and how far it is off without and with that.
+QString conventionSentence(const ConventionFinding &found)
+{
+    constexpr int kDigits = 3;
+    const QString sentence = explanationOf(found.convention);
+    if (found.convention.kind == Convention::Kind::NotDerivative) {
+        return sentence; // left out, it has no error any more
+    }
+    return FindingList::tr("%1 Largest error: %2 → %3 % of peak.")
+        .arg(sentence, shortNumber(found.before, kDigits, QLocale()), shortNumber(found.after, kDigits, QLocale()));
 }
 
 /// Which mechanism the file is of, where it is another one than that on show.
@@ -109,11 +123,8 @@ std::vector<Finding> findingsOf(const Result &result, const Diagnosis *diagnosis
         result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
     if (diagnosis && !agrees) {
         for (const ConventionFinding &found : diagnosis->conventions) {
-            findings.push_back({Finding::Remedy::Apply,
-                                found.convention,
-                                QStringLiteral("%1 %2").arg(explanationOf(found.convention), effectOf(found)),
-                                FindingList::tr("Apply"),
-                                {}});
+            findings.push_back({Finding::Remedy::Apply, found.convention, conventionSentence(found),
+                                FindingList::tr("Apply"), effectOf(found)});
         }
         const Finding mechanism = mechanismFinding(result, *diagnosis);
         const bool explained = mechanism.remedy == Finding::Remedy::None && !findings.empty();
@@ -181,6 +192,18 @@ void FindingList::setFindings(const std::vector<Finding> &findings)
     }
     layout()->addWidget(m_lines);
     setVisible(!findings.empty());
+    takeRoom();
+}
+
+void FindingList::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    takeRoom();
+}
+
+void FindingList::takeRoom()
+{
+    setMinimumHeight(layout()->hasHeightForWidth() ? layout()->heightForWidth(width()) : 0);
 }
 
 void FindingList::setUpToDate(bool upToDate)

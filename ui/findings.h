@@ -55,7 +55,12 @@ public:
 signals:
     void remedyRequested(const slidercrank::Finding &finding);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void takeRoom(); ///< for every line of the sentences: a table can be scrolled, these cannot
+
     std::vector<Finding> m_findings;
     std::vector<QLabel *> m_sentences;
     QWidget *m_lines = nullptr; ///< replaced when there are others
