@@ -149,6 +149,15 @@ private slots:
         QCOMPARE(Shown(lengths(a, b, c)).reason(), sentence);
     }
 
+    void theReasonDoesNotDependOnTheSpeed()
+    {
+        Parameters parameters = lengths(20.0, 45.0, -25.0);
+        const QString turning = Shown(parameters).reason();
+        QVERIFY(turning.contains("At θ₂ = 90° the coupler"));
+        parameters.omega2 = 0.0;
+        QCOMPARE(Shown(parameters).reason(), turning);
+    }
+
     void theHelpOfferedHelps()
     {
         const double a = 17.1234567;
@@ -252,15 +261,27 @@ private slots:
                                                       "accelerations|unbounded|270.00|0.7500"});
         QTest::newRow("change point") << lengths(20.0, 20.0, 0.0)
                                       << QStringList(
-                                             {"slider speed|251.327 mm/s|270.00|0.7500", "|-251.327 mm/s|90.00|0.2500",
+                                             {"slider speed|-251.327 mm/s|90.00|0.2500", "|251.327 mm/s|270.00|0.7500",
                                               "coupler speed|360 °/s|throughout|–",
-                                              "accelerations|unbounded|270.00|0.7500", "|unbounded|90.00|0.2500"});
+                                              "accelerations|unbounded|90.00|0.2500", "|unbounded|270.00|0.7500"});
     }
     void whatGrowsWithoutBoundIsNoNumber()
     {
         QFETCH(Parameters, parameters);
         QFETCH(QStringList, peaks);
         QCOMPARE(Shown::rowsOf(Shown(parameters).peaks()), peaks);
+    }
+
+    void aPeakReachedTwiceIsReadFromZeroOn()
+    {
+        const Shown shown(lengths(20.0, 65.0, 0.0));
+        QCOMPARE(Shown::rowsOf(shown.peaks()),
+                 QStringList({"slider speed|-131.522 mm/s|74.21|0.2061", "|131.522 mm/s|285.79|0.7939",
+                              "slider acceleration|-1032.51 mm/s²|0.00|0.0000",
+                              "coupler speed|-110.769 °/s|0.00|0.0000", "|110.769 °/s|180.00|0.5000",
+                              "coupler acceleration|731.47 °/s²|90.00|0.2500", "|-731.47 °/s²|270.00|0.7500"}));
+        QCOMPARE(textOf(shown.positions(), rowStarting(shown.positions(), "least transmission angle"), Angle),
+                 QString("90.00"));
     }
 
     void aRockerHasLimitsInsteadOfStrokeTimes()

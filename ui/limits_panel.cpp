@@ -356,7 +356,7 @@ void LimitsPanel::fill()
     const MotionLimits &limits = m_result->limits;
     const Sampling &run = m_result->sampling;
     const std::vector<Peak> peaks = motionPeaks(mechanism);
-    m_sentence->setText(mobilitySentence(mechanism, limits, peaks));
+    m_sentence->setText(mobilitySentence(mechanism, limits));
     m_positions->setFacts(positionFacts(mechanism, limits, run), run.duration);
     m_peaks->setFacts(peakFacts(mechanism, limits, peaks, run), run.duration);
     for (const auto &[table, model] : {std::pair{m_positionTable, m_positions}, std::pair{m_peakTable, m_peaks}}) {

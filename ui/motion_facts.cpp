@@ -112,11 +112,14 @@ bool isUnbounded(const Peak &peak)
     return std::isinf(peak.magnitude);
 }
 
-/// Of a crank that turns round: the toggles that it passes exactly.
-std::vector<PeakPlace> togglesOf(const std::vector<Peak> &peaks)
+/// As they are read, from 0 to 360°.
+std::vector<PeakPlace> inOrder(std::vector<PeakPlace> places)
 {
-    const auto jump = std::find_if(peaks.begin(), peaks.end(), isUnbounded);
-    return jump == peaks.end() ? std::vector<PeakPlace>() : jump->places;
+    constexpr double kZero = 1e-9; // rad: 0 itself may have come out a little less
+    const auto read = [](double theta2) { return theta2 < -kZero ? theta2 + 2.0 * std::numbers::pi : theta2; };
+    std::sort(places.begin(), places.end(),
+              [read](const PeakPlace &one, const PeakPlace &other) { return read(one.theta2) < read(other.theta2); });
+    return places;
 }
 
 /// The end of a rocker's arc is known to a rounding, and beyond it there is no pose: the nearest instant that has one,
@@ -244,7 +247,7 @@ QString peakText(Channel channel, double value)
 void addPeak(FactList &list, const Peak &peak)
 {
     const QString explanation = MotionFacts::tr("The largest over a whole turn: where its own derivative vanishes");
-    for (const PeakPlace &place : peak.places) {
+    for (const PeakPlace &place : inOrder(peak.places)) {
         list.addAt(place.theta2, peakName(peak.channel), peakText(peak.channel, place.value), explanation);
     }
     if (peak.places.empty()) {
@@ -255,26 +258,23 @@ void addPeak(FactList &list, const Peak &peak)
 
 } // namespace
 
-QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits, const std::vector<Peak> &peaks)
+QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 {
     const LengthPair turning = toldApart(mechanism.b(), shortestCouplerForFullTurn(mechanism));
     switch (limits.mobility) {
-    case Mobility::FullTurn: {
-        const std::vector<PeakPlace> toggles = togglesOf(peaks);
-        if (toggles.size() > 1) {
+    case Mobility::FullTurn:
+        if (limits.largestPressureAngle < 0.5 * std::numbers::pi) {
+            return MotionFacts::tr("The crank turns round: b = %1 ≥ a + |c| = %2.").arg(turning.one, turning.other);
+        }
+        if (mechanism.c() == 0.0) {
             return MotionFacts::tr(
                        "The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° "
                        "the coupler stands square to the slider's line, and the speeds jump.")
                 .arg(turning.one);
         }
-        if (!toggles.empty()) {
-            return MotionFacts::tr(
-                       "The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler stands square "
-                       "to the slider's line, and the speeds jump.")
-                .arg(turning.one, numberText(toggles.front().theta2 < 0.0 ? 270.0 : 90.0));
-        }
-        return MotionFacts::tr("The crank turns round: b = %1 ≥ a + |c| = %2.").arg(turning.one, turning.other);
-    }
+        return MotionFacts::tr("The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler stands square to "
+                               "the slider's line, and the speeds jump.")
+            .arg(turning.one, numberText(mechanism.c() > 0.0 ? 270.0 : 90.0));
     case Mobility::Rocker: {
         const QString help = helpForFullTurn(mechanism);
         if (limits.ranges.size() > 1) {
@@ -321,9 +321,11 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
                    MotionFacts::tr("Between the coupler and the normal to the slider's line: 90° − |θ³| at its least. "
                                    "Mechanisms with less than 40° or so tend to jam."));
     };
-    addTransmission(limits.largestPressureAngleAt);
     if (mechanism.c() == 0.0) {
-        addTransmission(-limits.largestPressureAngleAt); // the same on the other side
+        addTransmission(0.5 * std::numbers::pi); // the same on both sides
+        addTransmission(-0.5 * std::numbers::pi);
+    } else {
+        addTransmission(limits.largestPressureAngleAt);
     }
     return list.facts();
 }
@@ -343,7 +345,7 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
     if (unbounded) {
         // All that grow without bound do so at the same places.
         const bool turns = limits.mobility == Mobility::FullTurn;
-        for (const PeakPlace &place : unbounded->places) {
+        for (const PeakPlace &place : inOrder(unbounded->places)) {
             list.addAt(place.theta2,
                        turns ? MotionFacts::tr("accelerations") : MotionFacts::tr("speeds, accelerations"),
                        MotionFacts::tr("unbounded"),

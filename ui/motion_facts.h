@@ -27,7 +27,7 @@ struct MotionFact {
 };
 
 /// Whether the crank turns round, with the numbers of the inequality that decides it, and what would help.
-QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits, const std::vector<Peak> &peaks);
+QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits);
 
 /// Dead centres, the ends of a rocker, the stroke and its times, the transmission angle.
 std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &run);
