@@ -121,6 +121,14 @@ QPen penOf(Ink ink, const SeriesColours &colours)
     return QPen(colourOf(ink, colours), lineWidth(ink), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
 }
 
+QColor bandColourOf(Ink ink, const SeriesColours &colours)
+{
+    constexpr int kOpacity = 50; // of 255: two bands over each other are still to be told apart
+    QColor colour = colourOf(ink, colours);
+    colour.setAlpha(kOpacity);
+    return colour;
+}
+
 void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour)
 {
     painter.setPen(Qt::NoPen);
@@ -135,15 +143,36 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
 {
     constexpr int kSample = 33; // three dashes and their gaps
     constexpr int kMark = 9;
+    constexpr int kBand = 14;
     constexpr int kGap = 5;
     constexpr int kBetween = 14;
     const QFontMetricsF metrics(typography.title);
     const auto sampleWidth = [](const LegendEntry &entry) {
-        return entry.sample == LegendEntry::Sample::Mark ? kMark : kSample;
+        switch (entry.sample) {
+        case LegendEntry::Sample::Mark: return kMark;
+        case LegendEntry::Sample::Band: return kBand;
+        case LegendEntry::Sample::Solid:
+        case LegendEntry::Sample::Dashed: return kSample;
+        }
+        return kSample;
     };
-    double excess = kBetween - rect.width();
-    for (const LegendEntry &entry : entries) {
-        excess += sampleWidth(entry) + kGap + metrics.horizontalAdvance(entry.text) + kBetween;
+    constexpr double kShortest = 60.0; // of an elided name
+    const auto excessOf = [&](const std::vector<LegendEntry> &shown) {
+        double excess = kBetween - rect.width();
+        for (const LegendEntry &entry : shown) {
+            excess += sampleWidth(entry) + kGap + metrics.horizontalAdvance(entry.text) + kBetween;
+        }
+        return excess;
+    };
+    std::vector<LegendEntry> shown = entries;
+    double excess = excessOf(shown);
+    double spare = 0.0; // what eliding can give
+    for (const LegendEntry &entry : shown) {
+        spare += entry.mayBeElided ? std::max(0.0, metrics.horizontalAdvance(entry.text) - kShortest) : 0.0;
+    }
+    if (excess > spare) {
+        std::erase_if(shown, [](const LegendEntry &entry) { return entry.mayBeLeftOut; });
+        excess = excessOf(shown);
     }
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -151,10 +180,13 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
     double x = rect.left() + kBetween;
     const double middle = rect.center().y() + 0.5;
     const double baseline = middle + 0.5 * (metrics.ascent() - metrics.descent());
-    for (const LegendEntry &entry : entries) {
+    for (const LegendEntry &entry : shown) {
         switch (entry.sample) {
         case LegendEntry::Sample::Mark:
             drawMark(painter, QPointF(x + 0.5 * kMark, middle - 0.5 * kMarkSize), colourOf(entry.ink, colours));
+            break;
+        case LegendEntry::Sample::Band:
+            painter.fillRect(QRectF(x, middle - 0.5 * kMarkSize, kBand, kMarkSize), bandColourOf(entry.ink, colours));
             break;
         case LegendEntry::Sample::Solid:
             painter.setPen(penOf(entry.ink, colours));
@@ -169,7 +201,6 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
         }
         QString text = entry.text;
         if (entry.mayBeElided && excess > 0.0) {
-            constexpr double kShortest = 60.0;
             text = metrics.elidedText(text, Qt::ElideMiddle,
                                       std::max(kShortest, metrics.horizontalAdvance(text) - excess));
         }

@@ -60,6 +60,9 @@ struct PlotArrangement {
 QColor colourOf(Ink ink, const SeriesColours &colours);
 QPen penOf(Ink ink, const SeriesColours &colours);
 
+/// The same, faint, for what lies under curves.
+QColor bandColourOf(Ink ink, const SeriesColours &colours);
+
 /// The sign for a percentage that does not exist: a triangle pointing up to its tip.
 void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour);
 

@@ -118,10 +118,7 @@ void PlotCanvas::Bands::draw(QCPPainter *painter)
     painter->setPen(Qt::NoPen);
     for (std::size_t i = 0; i < picture.curves.size(); ++i) {
         const PlotPicture::Curve &curve = picture.curves[i];
-        constexpr int kOpacity = 50; // of 255: two bands over each other are still to be told apart
-        QColor colour = colourOf(curve.ink, m_plot->m_colours);
-        colour.setAlpha(kOpacity);
-        painter->setBrush(colour);
+        painter->setBrush(bandColourOf(curve.ink, m_plot->m_colours));
         QPolygonF band;
         const auto finish = [&] {
             if (band.size() > 1) {

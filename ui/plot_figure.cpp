@@ -497,6 +497,9 @@ std::vector<LegendEntry> PlotFigure::legend(bool hasModel, bool hasErrors) const
     if (hasErrors) {
         entries.push_back({Sample::Solid, Ink::Error, tr("error of %1").arg(quantity(0))});
         entries.push_back({Sample::Solid, Ink::ErrorOther, tr("error of %1").arg(quantity(1))});
+        if (m_settings.roundingBand) {
+            entries.push_back({Sample::Band, Ink::Error, tr("file's rounding"), false, true});
+        }
         if (m_settings.error == ErrorMeasure::Percent) {
             entries.push_back({Sample::Mark, Ink::Text, tr("reference is 0")});
         }

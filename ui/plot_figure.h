@@ -101,11 +101,12 @@ struct PlotPicture {
 };
 
 struct LegendEntry {
-    enum class Sample { Solid, Dashed, Mark };
+    enum class Sample { Solid, Dashed, Mark, Band };
     Sample sample = Sample::Solid;
     Ink ink = Ink::Model;
     QString text;
     bool mayBeElided = false;
+    bool mayBeLeftOut = false; ///< where there is no room for all
 };
 
 /// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks.
