@@ -28,7 +28,7 @@ double branchCentre(Branch branch)
 /// cos θ3 has the branch's sign, but for what rounding cannot tell from 0.
 bool isOnBranch(const Mechanism &mechanism, double theta3)
 {
-    constexpr double kRoundedCosine = 1.2e-7; // √(kResolvedCosine ε): less has no meaning at a double-precision θ3
+    constexpr double kRoundedCosine = 1.2e-7; // what rounding leaves of a θ3 at a right angle: √(2 r/b), r/b = 7e-15
     const double fromCentre = std::abs(theta3 - branchCentre(mechanism.branch()));
     return fromCentre <= 0.5 * std::numbers::pi + kRoundedCosine; // false for NaN
 }
@@ -110,28 +110,38 @@ void record(NewtonResult &result, double residual)
 
 /// Iterates from q, counting into result, until an ending. Leaves `system` at the last q.
 template <class System>
-Ending iterateOn(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
-                 typename System::Coordinates &q, NewtonResult &result)
+Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
+               typename System::Coordinates &q, NewtonResult &result)
 {
     const double lengths = reach(mechanism);
     const double perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / lengths : 1.0;
     constexpr double kRoundings =
         32.0; // rounding alone: each row sums a few terms of a length's size, or of an angle's
     const double rounding = kRoundings * std::numeric_limits<double>::epsilon() * (perLength * lengths + 1.0);
-    const double tolerance = options.tolerance;
+
+    // A residual that satisfies the tolerance may leave no digit of the motion; then it goes on. The terms of θ̈3 cancel
+    // beside an exact toggle until a third of cos θ3 is left of them.
+    const double resolvedLengths = kResolvedPart * perLength;
+    const double tolerance = std::min(options.tolerance, std::max(resolvedLengths * mechanism.a(), rounding));
+    const double perCosineCubed = resolvedLengths * mechanism.b() / 3.0;
+    const auto isResolved = [&](double residual) {
+        const double cosine = std::abs(system.cosTheta3());
+        return residual <= perCosineCubed * (cosine * cosine * cosine) || residual <= rounding;
+    };
+
     const bool testsFirst = options.warmStart == WarmStart::Taylor && tolerance > 0.0;
     result.residualCount = 0;
     system.moveTo(q);
     double residual = system.residual(perLength);
     record(result, residual);
     for (int iteration = 0; iteration < maxIterations; ++iteration) {
-        if (testsFirst && residual <= tolerance) {
+        if (testsFirst && residual <= tolerance && isResolved(residual)) {
             return Ending::Converged;
         }
         const typename System::Coordinates next = system.next(q);
         if (!isOnBranch(mechanism, theta3Of(next))) {
             // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
-            return residual <= std::max(tolerance, rounding) ? Ending::Converged : Ending::LeftBranch;
+            return residual <= rounding ? Ending::Converged : Ending::LeftBranch;
         }
         ++result.iterations;
         const bool wasBelow = residual <= tolerance; // before the update, as in the report
@@ -148,22 +158,11 @@ Ending iterateOn(System &system, const Mechanism &mechanism, const NewtonOptions
         q = next;
         residual = nextResidual;
         record(result, residual);
-        if (tolerance == 0.0 ? residual == 0.0 : wasBelow) {
+        if (tolerance == 0.0 ? residual == 0.0 : wasBelow && isResolved(residual)) {
             return Ending::Converged;
         }
     }
     return residual <= tolerance ? Ending::Converged : Ending::IterationLimit;
-}
-
-/// From result.q, and back to it.
-template <class System>
-Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
-               NewtonResult &result)
-{
-    typename System::Coordinates q = System::coordinatesOf(result.q);
-    const Ending ending = iterateOn(system, mechanism, options, maxIterations, q, result);
-    System::write(q, result.q);
-    return ending;
 }
 
 void conclude(NewtonResult &result, Ending ending)
@@ -191,36 +190,38 @@ bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
     } else {
         return true;
     }
-    result.q.setConstant(kNone);
     return false;
 }
 
 /// The start from which Newton's way is monotone: sin θ3 - h/b rises and bends one way between here and the root.
 template <class System>
 void assembleFromAfar(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
-                      NewtonResult &result)
+                      typename System::Coordinates &q, NewtonResult &result)
 {
     const double theta2 = mechanism.omega2() * t + mechanism.theta20();
     const double theta3 = branchCentre(mechanism.branch());
     const double pinX = mechanism.a() * std::cos(theta2);
     const double pinY = mechanism.a() * std::sin(theta2);
     const double couplerX = mechanism.branch() == Branch::Open ? mechanism.b() : -mechanism.b();
-    result.q << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY, theta3, pinX + couplerX,
+    Vector12 start;
+    start << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY, theta3, pinX + couplerX,
         mechanism.c(), 0.0;
+    q = system.coordinatesOf(start);
     result.startedAfar = true;
-    conclude(result, iterate(system, mechanism, options, std::max(kAssemblyIterations, options.maxIterations), result));
+    const int maxIterations = std::max(kAssemblyIterations, options.maxIterations);
+    conclude(result, iterate(system, mechanism, options, maxIterations, q, result));
 }
 
-/// From result.q.
+/// From q, and into it.
 template <class System>
-void trackFromHere(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
-                   NewtonResult &result)
+void trackFrom(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
+               typename System::Coordinates &q, NewtonResult &result)
 {
-    const Ending ending = isOnBranch(mechanism, result.q[Theta3])
-                              ? iterate(system, mechanism, options, options.maxIterations, result)
+    const Ending ending = isOnBranch(mechanism, theta3Of(q))
+                              ? iterate(system, mechanism, options, options.maxIterations, q, result)
                               : Ending::LeftBranch;
     if (ending == Ending::LeftBranch) {
-        assembleFromAfar(system, mechanism, t, options, result);
+        assembleFromAfar(system, mechanism, t, options, q, result);
     } else {
         conclude(result, ending);
     }
@@ -232,77 +233,68 @@ void setNothing(State &state)
     state.qDDot.setConstant(kNone);
 }
 
-/// Velocity and acceleration at the q of `system`, whose residual is given in mm.
+/// Velocity and acceleration at the q of `system`, whose residual is given in mm. For kResolvedPart, what θ̈3 is made of
+///     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
+/// is set beside what is left of it (beside an exact toggle the two all but cancel), or would be where nothing is
+/// steep.
 template <class System>
 void differentiateHere(const System &system, const Mechanism &mechanism, double residual, State &state)
 {
     const bool finite = system.differentiate(state);
-    const double cosine = system.cosTheta3();
+    const double cosine = std::abs(system.cosTheta3());
     const double uncertainty = std::max(residual / mechanism.b(), std::numeric_limits<double>::epsilon());
-    const bool exists = finite && cosine * cosine >= kResolvedCosine * uncertainty;
+    const double crankTerm = mechanism.a() * mechanism.omega2() * mechanism.omega2();
+    const double couplerTerm = mechanism.b() * state.qDot[Theta3] * state.qDot[Theta3];
+    const double left = cosine * std::max(crankTerm, mechanism.b() * std::abs(state.qDDot[Theta3]));
+    const bool exists = finite && uncertainty * (crankTerm + couplerTerm) <= kResolvedPart * (cosine * cosine) * left;
     state.status = exists ? Status::Solved : Status::Singular;
     if (!exists) {
         setNothing(state);
     }
 }
 
-bool isWarm(Status status)
+/// Whether the next instant can start from this one. From a square coupler it cannot: there the matrix is singular.
+bool isWarm(const NewtonInstant &instant)
 {
-    return status == Status::Solved || status == Status::IterationLimit;
+    const bool hasPosition =
+        instant.positionStatus == Status::Solved || instant.positionStatus == Status::IterationLimit;
+    return hasPosition && instant.state.status != Status::Singular;
 }
 
-/// One by one, as they were made: two read at a time would wait until both have left the store buffer.
-void copyNumbers(const Vector12 &from, Vector12 &to)
-{
-    StructuredSystem::write(StructuredSystem::coordinatesOf(from), to);
-}
-
-/// What `before` lets expect of t, into q.
-void expect(const Mechanism &mechanism, const NewtonInstant &before, double t, WarmStart warmStart, Vector12 &q)
+/// What `before` lets expect of t.
+template <class System>
+typename System::Coordinates expected(const System &system, const Mechanism &mechanism, const NewtonInstant &before,
+                                      double t, WarmStart warmStart)
 {
     if (warmStart == WarmStart::Previous || before.state.status != Status::Solved) {
-        q = before.q;
-        return;
+        return system.coordinatesOf(before.q);
     }
     const double step = t - before.t;
     const double half = 0.5 * step;
+    Vector12 q;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         q[i] = before.q[i] + step * (before.state.qDot[i] + half * before.state.qDDot[i]);
     }
     q[Theta2] = mechanism.omega2() * t + mechanism.theta20(); // linear in t: the same, without the rounding
+    return system.coordinatesOf(q);
 }
 
-template <class System>
-void advanceWith(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options)
+/// Calls work(system) with the system that solves at t.
+template <class Work>
+void withSystem(const Mechanism &mechanism, double t, Elimination elimination, const Work &work)
 {
-    NewtonResult position;
-    State &state = instant.state;
-    if (canStart(mechanism, t, position)) {
-        System system(mechanism, t);
-        if (isWarm(instant.positionStatus)) {
-            expect(mechanism, instant, t, options.warmStart, position.q);
-            trackFromHere(system, mechanism, t, options, position);
-        } else {
-            assembleFromAfar(system, mechanism, t, options, position);
-        }
-        if (position.status == Status::Solved) {
-            const bool relative = options.toleranceKind == ToleranceKind::Relative;
-            const double residual = relative ? position.residual() * reach(mechanism) : position.residual();
-            copyNumbers(position.q, state.q);
-            differentiateHere(system, mechanism, residual, state);
-        }
+    switch (elimination) {
+    case Elimination::Dense: {
+        DenseSystem system(mechanism, t);
+        work(system);
+        break;
     }
-    if (position.status != Status::Solved) {
-        state.q.setConstant(kNone);
-        setNothing(state);
-        state.status = position.status;
+    case Elimination::Structured: {
+        StructuredSystem system(mechanism, t);
+        work(system);
+        break;
     }
-    instant.t = t;
-    copyNumbers(position.q, instant.q);
-    instant.iterations = position.iterations;
-    instant.residual = position.residual();
-    instant.positionStatus = position.status;
-    instant.startedAfar = position.startedAfar;
+    }
 }
 
 } // namespace
@@ -310,20 +302,13 @@ void advanceWith(const Mechanism &mechanism, double t, NewtonInstant &instant, c
 NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions &options)
 {
     NewtonResult result;
-    if (!canStart(mechanism, t, result)) {
-        return result;
-    }
-    switch (options.elimination) {
-    case Elimination::Dense: {
-        DenseSystem system(mechanism, t);
-        assembleFromAfar(system, mechanism, t, options, result);
-        break;
-    }
-    case Elimination::Structured: {
-        StructuredSystem system(mechanism, t);
-        assembleFromAfar(system, mechanism, t, options, result);
-        break;
-    }
+    result.q.setConstant(kNone);
+    if (canStart(mechanism, t, result)) {
+        withSystem(mechanism, t, options.elimination, [&]<class System>(System &system) {
+            typename System::Coordinates q;
+            assembleFromAfar(system, mechanism, t, options, q, result);
+            system.write(q, result.q);
+        });
     }
     return result;
 }
@@ -331,21 +316,13 @@ NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions 
 NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, const NewtonOptions &options)
 {
     NewtonResult result;
-    if (!canStart(mechanism, t, result)) {
-        return result;
-    }
-    result.q = start;
-    switch (options.elimination) {
-    case Elimination::Dense: {
-        DenseSystem system(mechanism, t);
-        trackFromHere(system, mechanism, t, options, result);
-        break;
-    }
-    case Elimination::Structured: {
-        StructuredSystem system(mechanism, t);
-        trackFromHere(system, mechanism, t, options, result);
-        break;
-    }
+    result.q.setConstant(kNone);
+    if (canStart(mechanism, t, result)) {
+        withSystem(mechanism, t, options.elimination, [&]<class System>(System &system) {
+            typename System::Coordinates q = system.coordinatesOf(start);
+            trackFrom(system, mechanism, t, options, q, result);
+            system.write(q, result.q);
+        });
     }
     return result;
 }
@@ -362,10 +339,38 @@ State differentiate(const Mechanism &mechanism, const Vector12 &q, double residu
 
 void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options)
 {
-    switch (options.elimination) {
-    case Elimination::Dense: advanceWith<DenseSystem>(mechanism, t, instant, options); break;
-    case Elimination::Structured: advanceWith<StructuredSystem>(mechanism, t, instant, options); break;
+    NewtonResult position;
+    State &state = instant.state;
+    if (canStart(mechanism, t, position)) {
+        withSystem(mechanism, t, options.elimination, [&]<class System>(System &system) {
+            typename System::Coordinates q;
+            if (isWarm(instant)) {
+                q = expected(system, mechanism, instant, t, options.warmStart);
+                trackFrom(system, mechanism, t, options, q, position);
+            } else {
+                assembleFromAfar(system, mechanism, t, options, q, position);
+            }
+            system.write(q, instant.q);
+            if (position.status == Status::Solved) {
+                const bool relative = options.toleranceKind == ToleranceKind::Relative;
+                const double residual = relative ? position.residual() * reach(mechanism) : position.residual();
+                system.write(q, state.q);
+                differentiateHere(system, mechanism, residual, state);
+            }
+        });
+    } else {
+        instant.q.setConstant(kNone);
     }
+    if (position.status != Status::Solved) {
+        state.q.setConstant(kNone);
+        setNothing(state);
+        state.status = position.status;
+    }
+    instant.t = t;
+    instant.iterations = position.iterations;
+    instant.residual = position.residual();
+    instant.positionStatus = position.status;
+    instant.startedAfar = position.startedAfar;
 }
 
 NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonInstant &before,

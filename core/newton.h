@@ -41,8 +41,8 @@ enum class Elimination {
 struct NewtonOptions {
     int maxIterations = 10;
 
-    /// Iterate until the residual is at most this. It bounds the residual, not the error. 0: until the residual no
-    /// longer falls.
+    /// Iterate until the residual is at most this, and on while it leaves no two digits of the motion (kResolvedPart).
+    /// It bounds the residual, not the error. 0: until the residual no longer falls.
     double tolerance = 1e-8;
 
     ToleranceKind toleranceKind = ToleranceKind::Absolute;
@@ -75,7 +75,7 @@ NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions 
 NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, const NewtonOptions &options = {});
 
 /// Velocity and acceleration with C_q at a solved position, whose residual ‖C‖ (mm and rad mixed) is given. Status
-/// Singular (and NaN) where they do not exist, or are lost in what is left of the residual: see kResolvedCosine.
+/// Singular (and NaN) where they do not exist, or are lost in what is left of the residual: see kResolvedPart.
 State differentiate(const Mechanism &mechanism, const Vector12 &q, double residual = 0.0);
 
 /// One instant of a run.
@@ -98,10 +98,13 @@ NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonIns
 /// The same in place, from the instant that `instant` holds to the one at t: a run then copies nothing.
 void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options = {});
 
-/// A residual r leaves θ3 uncertain by δ with cos θ3 δ + δ²/2 = r/b, and the derivatives, which go with 1/cos θ3 to
-/// 1/cos³ θ3, by δ/cos θ3 to three times that. They are given where cos² θ3 is at least this many times r/b: δ/cos θ3
-/// is 1.6 % there at most (3 % where all four rows that make up sin θ3 pull one way). Where r is 0, rounding leaves θ3
-/// uncertain all the same, as if r/b were about 2.2e-16.
-inline constexpr double kResolvedCosine = 64.0;
+/// A residual of r mm leaves sin θ3 uncertain by 2r/b where all four rows that make it up pull one way, so θ3 by δ with
+/// cos θ3 δ + δ²/2 = 2r/b, and velocity and acceleration, which go with 1/cos θ3 to 1/cos³ θ3, by δ/cos θ3 to three
+/// times that. They are given where r/b is at most this part of cos² θ3, and of cos² θ3 times as much less as their
+/// terms cancel: δ/cos θ3 is then 0.2 % and the acceleration is off by 0.6 % at most. Where r is 0, rounding leaves θ3
+/// uncertain all the same, by up to what r/b = 5e-16 would (as measured beside random toggles), and 2.2e-16 stands for
+/// it. Iteration goes on past the tolerance until r is small enough for that, and at most this part of a, or is no more
+/// than rounding.
+inline constexpr double kResolvedPart = 1.0 / 1024.0;
 
 } // namespace slidercrank

@@ -8,7 +8,7 @@
 // All of it is defined here, so that the iteration is compiled as one piece: a step takes less time than passing its
 // vectors through memory from one function to the next.
 //
-// Source: rows as in constraints.h; the derivation stands above solve().
+// Source: rows as in constraints.h; the derivations stand above next() and differentiate().
 // Lengths in mm, angles in rad, time in s.
 
 #include "core/mechanism.h"
@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -25,7 +26,7 @@ namespace slidercrank
 class StructuredSystem
 {
 public:
-    /// q, or what is added to it, one number a name: the compiler keeps them in registers.
+    /// q, one number a name: the compiler keeps them in registers.
     struct Coordinates {
         double R1x, R1y, theta1, R2x, R2y, theta2, R3x, R3y, theta3, R4x, R4y, theta4;
     };
@@ -52,39 +53,51 @@ public:
 
     double cosTheta3() const { return m_coupler.cos; }
 
-    /// q̇ of C_q q̇ = -C_t and q̈ of C_q q̈ = Q_d, into `state`, whose q is the one moved to. Whether they are finite.
+    /// q̇ of C_q q̇ = -C_t and q̈ of C_q q̈ = Q_d at the q moved to, into `state`. Whether they are finite.
     bool differentiate(State &state) const;
 
 private:
-    /// C, or a right-hand side.
     struct Rows {
         double groundX, groundY, groundAngle, crankPivotX, crankPivotY, crankPinX, crankPinY, sliderPinX, sliderPinY,
             sliderAngle, sliderLine, crankDrive;
     };
-    Coordinates solve(const Rows &r) const;
     void fillRows(const Coordinates &q);
+    double excessOfTheta3() const;
 
+    bool m_isCrossed;
     double m_halfA;
     double m_halfB;
     double m_c;
     double m_omega2;
     double m_drive;                                                  ///< ω2 t + θ20
     SinCos m_drivenCrank;                                            ///< of m_drive
-    SinCos m_crank;                                                  ///< of θ2
     SinCos m_coupler;                                                ///< of θ3
     double m_movedTheta3 = std::numeric_limits<double>::quiet_NaN(); ///< of the last moveTo()
     bool m_isTurned = false;
+    double m_crankX, m_crankY;     ///< (a/2) u(θ2)
+    double m_couplerX, m_couplerY; ///< (b/2) u(θ3)
     Rows m_C;
 };
 
 inline StructuredSystem::StructuredSystem(const Mechanism &mechanism, double t)
-    : m_halfA(0.5 * mechanism.a())
+    : m_isCrossed(mechanism.branch() == Branch::Crossed)
+    , m_halfA(0.5 * mechanism.a())
     , m_halfB(0.5 * mechanism.b())
     , m_c(mechanism.c())
     , m_omega2(mechanism.omega2())
     , m_drive(mechanism.omega2() * t + mechanism.theta20())
     , m_drivenCrank{std::sin(m_drive), std::cos(m_drive)}
 {
+}
+
+inline StructuredSystem::Coordinates StructuredSystem::coordinatesOf(const Vector12 &q)
+{
+    return {q[R1x], q[R1y], q[Theta1], q[R2x], q[R2y], q[Theta2], q[R3x], q[R3y], q[Theta3], q[R4x], q[R4y], q[Theta4]};
+}
+
+inline void StructuredSystem::write(const Coordinates &q, Vector12 &to)
+{
+    to << q.R1x, q.R1y, q.theta1, q.R2x, q.R2y, q.theta2, q.R3x, q.R3y, q.theta3, q.R4x, q.R4y, q.theta4;
 }
 
 inline void StructuredSystem::moveTo(const Coordinates &q)
@@ -125,26 +138,20 @@ inline void StructuredSystem::turnTo(const Coordinates &q)
 // θ2 is where the drive wants it from the second iterate on (its row is linear), or from the first.
 inline void StructuredSystem::fillRows(const Coordinates &q)
 {
-    if (q.theta2 == m_drive) {
-        m_crank.sin = m_drivenCrank.sin;
-        m_crank.cos = m_drivenCrank.cos;
-    } else {
-        m_crank.sin = std::sin(q.theta2);
-        m_crank.cos = std::cos(q.theta2);
-    }
-    const double crankX = m_halfA * m_crank.cos;
-    const double crankY = m_halfA * m_crank.sin;
-    const double couplerX = m_halfB * m_coupler.cos;
-    const double couplerY = m_halfB * m_coupler.sin;
+    const bool isDriven = q.theta2 == m_drive;
+    m_crankX = m_halfA * (isDriven ? m_drivenCrank.cos : std::cos(q.theta2));
+    m_crankY = m_halfA * (isDriven ? m_drivenCrank.sin : std::sin(q.theta2));
+    m_couplerX = m_halfB * m_coupler.cos;
+    m_couplerY = m_halfB * m_coupler.sin;
     m_C.groundX = q.R1x;
     m_C.groundY = q.R1y;
     m_C.groundAngle = q.theta1;
-    m_C.crankPivotX = q.R2x - crankX;
-    m_C.crankPivotY = q.R2y - crankY;
-    m_C.crankPinX = -q.R3x + q.R2x + crankX + couplerX;
-    m_C.crankPinY = -q.R3y + q.R2y + crankY + couplerY;
-    m_C.sliderPinX = q.R4x - q.R3x - couplerX;
-    m_C.sliderPinY = q.R4y - q.R3y - couplerY;
+    m_C.crankPivotX = q.R2x - m_crankX;
+    m_C.crankPivotY = q.R2y - m_crankY;
+    m_C.crankPinX = -q.R3x + q.R2x + m_crankX + m_couplerX;
+    m_C.crankPinY = -q.R3y + q.R2y + m_crankY + m_couplerY;
+    m_C.sliderPinX = q.R4x - q.R3x - m_couplerX;
+    m_C.sliderPinY = q.R4y - q.R3y - m_couplerY;
     m_C.sliderAngle = q.theta4 - q.theta1;
     m_C.sliderLine = q.R4y - m_c;
     m_C.crankDrive = q.theta2 - m_drive;
@@ -163,50 +170,6 @@ inline double StructuredSystem::residual(double perLength) const
     return std::sqrt(perLength * perLength * lengthsSquared + anglesSquared);
 }
 
-// C_q x = r, with s_i, c_i for sin θi, cos θi. Nine rows give one unknown each as soon as those before it are known:
-//
-//     θ1 = r3      R1 = (r1, r2)      θ4 = r10 + θ1      θ2 = r12      R4y = r11
-//     R2x + (a/2) s2 θ2 = r4          R2y - (a/2) c2 θ2 = r5
-//
-// θ3 and R3y are left in rows 7 and 9:
-//
-//     7:   R2y + (a/2) c2 θ2 - R3y + (b/2) c3 θ3 = r7
-//     9:   R4y - R3y - (b/2) c3 θ3 = r9
-//
-// Their difference is free of R3y, with the only pivot that is not 1 (det C_q is its negative):
-//
-//     b c3 θ3 = (r7 - R2y - (a/2) c2 θ2) - (r9 - R4y)
-//
-// and then, each row in its turn,
-//
-//     9:   R3y = R4y - (b/2) c3 θ3 - r9
-//     6:   R3x = R2x - (a/2) s2 θ2 - (b/2) s3 θ3 - r6
-//     8:   R4x = R3x - (b/2) s3 θ3 + r8
-inline StructuredSystem::Coordinates StructuredSystem::solve(const Rows &r) const
-{
-    Coordinates x;
-    x.R1x = r.groundX;
-    x.R1y = r.groundY;
-    x.theta1 = r.groundAngle;
-    x.theta4 = r.sliderAngle + x.theta1;
-    x.theta2 = r.crankDrive;
-    x.R4y = r.sliderLine;
-
-    const double crankX = m_halfA * m_crank.sin * x.theta2;
-    const double crankY = m_halfA * m_crank.cos * x.theta2;
-    x.R2x = r.crankPivotX - crankX;
-    x.R2y = r.crankPivotY + crankY;
-
-    const double couplerCos = m_halfB * m_coupler.cos;
-    x.theta3 = ((r.crankPinY - x.R2y - crankY) - (r.sliderPinY - x.R4y)) / (2.0 * couplerCos);
-
-    const double couplerX = m_halfB * m_coupler.sin * x.theta3;
-    x.R3y = x.R4y - couplerCos * x.theta3 - r.sliderPinY;
-    x.R3x = x.R2x - crankX - couplerX - r.crankPinX;
-    x.R4x = x.R3x - couplerX + r.sliderPinX;
-    return x;
-}
-
 inline Vector12 StructuredSystem::constraints() const
 {
     const Rows &r = m_C;
@@ -216,14 +179,32 @@ inline Vector12 StructuredSystem::constraints() const
     return C;
 }
 
-inline StructuredSystem::Coordinates StructuredSystem::coordinatesOf(const Vector12 &q)
+// C_q x = r, with (a/2) u(θ2) = (Ax, Ay) and (b/2) u(θ3) = (Bx, By). Nine rows give one unknown each as soon as those
+// before it are known:
+//
+//     θ1 = r3      R1 = (r1, r2)      θ4 = r10 + θ1      θ2 = r12      R4y = r11
+//     R2x = r4 - Ay θ2                R2y = r5 + Ax θ2
+//
+// θ3 and R3y are left in rows 7 and 9:
+//
+//     7:   R2y + Ax θ2 - R3y + Bx θ3 = r7
+//     9:   R4y - R3y - Bx θ3 = r9
+//
+// Their difference is free of R3y, with the only pivot that is not 1 (det C_q is its negative); their sum is free of
+// θ3, and with it of what θ3 loses where Bx is small:
+//
+//     2 Bx θ3 = (r7 - R2y - Ax θ2) - (r9 - R4y)
+//     2 R3y   = (R2y + Ax θ2) + R4y - (r7 + r9)
+//
+// and then, each row in its turn,
+//
+//     6:   R3x = R2x - Ay θ2 - By θ3 - r6
+//     8:   R4x = R3x - By θ3 + r8
+inline double StructuredSystem::excessOfTheta3() const
 {
-    return {q[R1x], q[R1y], q[Theta1], q[R2x], q[R2y], q[Theta2], q[R3x], q[R3y], q[Theta3], q[R4x], q[R4y], q[Theta4]};
-}
-
-inline void StructuredSystem::write(const Coordinates &q, Vector12 &to)
-{
-    to << q.R1x, q.R1y, q.theta1, q.R2x, q.R2y, q.theta2, q.R3x, q.R3y, q.theta3, q.R4x, q.R4y, q.theta4;
+    const double pinY = m_crankX * m_C.crankDrive;
+    const double R2y = m_C.crankPivotY + pinY;
+    return ((m_C.crankPinY - R2y - pinY) - (m_C.sliderPinY - m_C.sliderLine)) * (0.5 / m_couplerX);
 }
 
 inline StructuredSystem::Coordinates StructuredSystem::next(const Coordinates &q)
@@ -231,35 +212,70 @@ inline StructuredSystem::Coordinates StructuredSystem::next(const Coordinates &q
     if (m_isTurned) {
         moveTo(q); // the step is the dense one to rounding
     }
-    const Coordinates x =
-        solve({-m_C.groundX, -m_C.groundY, -m_C.groundAngle, -m_C.crankPivotX, -m_C.crankPivotY, -m_C.crankPinX,
-               -m_C.crankPinY, -m_C.sliderPinX, -m_C.sliderPinY, -m_C.sliderAngle, -m_C.sliderLine, -m_C.crankDrive});
-    return {q.R1x + x.R1x, q.R1y + x.R1y, q.theta1 + x.theta1, q.R2x + x.R2x, q.R2y + x.R2y, q.theta2 + x.theta2,
-            q.R3x + x.R3x, q.R3y + x.R3y, q.theta3 + x.theta3, q.R4x + x.R4x, q.R4y + x.R4y, q.theta4 + x.theta4};
+    const Rows &r = m_C;
+    const double pinX = m_crankY * r.crankDrive;
+    const double pinY = m_crankX * r.crankDrive;
+    const double R2x = r.crankPivotX - pinX;
+    const double R2y = r.crankPivotY + pinY;
+    const double theta3 = excessOfTheta3();
+    const double R3y = 0.5 * ((R2y + pinY) + r.sliderLine - (r.crankPinY + r.sliderPinY));
+    const double couplerX = m_couplerY * theta3;
+    const double R3x = R2x - pinX - couplerX - r.crankPinX;
+    const double R4x = R3x - couplerX + r.sliderPinX;
+    return {q.R1x - r.groundX, q.R1y - r.groundY,    q.theta1 - r.groundAngle,
+            q.R2x - R2x,       q.R2y - R2y,          q.theta2 - r.crankDrive,
+            q.R3x - R3x,       q.R3y - R3y,          q.theta3 - theta3,
+            q.R4x - R4x,       q.R4y - r.sliderLine, q.theta4 - (r.sliderAngle + r.groundAngle)};
 }
 
-// -C_t and Q_d as in constraints.h: the drive is the only row with time in it, and each ±(r) u(θ) of C leaves
-// ±(r) θ̇² u(θ) in Q_d.
+// Of -C_t only the drive's row is not 0: r12 = ω. So q̇ = ω q', where the elimination above leaves, for a drive of 1,
+//
+//     R2' = (-Ay, Ax)     Bx θ3' = -Ax     R3y' = Ax     R3x' = -2 Ay - By θ3'     R4x' = -2 Ay - 2 By θ3'
+//
+// Of Q_d rows 4 to 9 are not 0, where each ±(r) u(θ) of C leaves ±(r) θ̇² u(θ). So q̈ = ω² q'', where, with w = By θ3',
+// and Bx θ3'² = -Ax θ3' by the line above,
+//
+//     r4, r5 = -Ax, -Ay     r6 = Ax - Ax θ3'     r7 = Ay + w θ3'     r8 = Ax θ3'     r9 = -w θ3'
+//
+// leave, with θ2'' = 0,
+//
+//     R2'' = (-Ax, -Ay)     Bx θ3'' = Ay + w θ3'     R3y'' = -Ay
+//     R3x'' = Ax (θ3' - 2) - By θ3''     R4x'' = 2 (Ax (θ3' - 1) - By θ3'')
+//
+// A double near π is coarse, and π is none: on the crossed branch (Bx, By) is turned by what rounding took from θ3, as
+// far as C tells.
 inline bool StructuredSystem::differentiate(State &state) const
 {
-    Rows r{};
-    r.crankDrive = m_omega2;
-    const Coordinates v = solve(r);
+    const double Ax = m_crankX;
+    const double Ay = m_crankY;
+    double Bx = m_couplerX;
+    double By = m_couplerY;
+    if (m_isCrossed) {
+        constexpr double kRounded = 1e-15; // rad: more is no rounding, but what the tolerance leaves
+        const double told = excessOfTheta3();
+        const double excess = std::abs(told) <= kRounded ? told : 0.0;
+        Bx = m_couplerX + m_couplerY * excess;
+        By = m_couplerY - m_couplerX * excess;
+    }
+    const double perBx = 1.0 / Bx;
+    const double v = m_omega2;
+    const double vSquared = v * v;
 
-    const double crankTerm = m_halfA * v.theta2 * v.theta2;
-    const double couplerTerm = m_halfB * v.theta3 * v.theta3;
-    r.crankDrive = 0.0;
-    r.crankPivotX = -crankTerm * m_crank.cos;
-    r.crankPivotY = -crankTerm * m_crank.sin;
-    r.crankPinX = crankTerm * m_crank.cos + couplerTerm * m_coupler.cos;
-    r.crankPinY = crankTerm * m_crank.sin + couplerTerm * m_coupler.sin;
-    r.sliderPinX = -couplerTerm * m_coupler.cos;
-    r.sliderPinY = -couplerTerm * m_coupler.sin;
-    const Coordinates w = solve(r);
-    write(v, state.qDot);
-    write(w, state.qDDot);
+    const double theta3 = -Ax / Bx;
+    const double w = By * theta3;
+    state.qDot << 0.0, 0.0, 0.0, -Ay * v, Ax * v, v, (-2.0 * Ay - w) * v, Ax * v, theta3 * v, -2.0 * (Ay + w) * v, 0.0,
+        0.0;
+
+    const double theta3Next = (Ay + w * theta3) * perBx;
+    const double turned = By * theta3Next;
+    const double theta3DDot = theta3Next * vSquared;
+    const double R3xDDot = (Ax * (theta3 - 2.0) - turned) * vSquared;
+    const double R4xDDot = 2.0 * (Ax * (theta3 - 1.0) - turned) * vSquared;
+    state.qDDot << 0.0, 0.0, 0.0, -Ax * vSquared, -Ay * vSquared, 0.0, R3xDDot, -Ay * vSquared, theta3DDot, R4xDDot,
+        0.0, 0.0;
+
     // Each of the others is as large as one of these at most.
-    return std::isfinite(w.theta3) && std::isfinite(w.R3x) && std::isfinite(w.R3y) && std::isfinite(w.R4x);
+    return std::isfinite(theta3DDot) && std::isfinite(R3xDDot) && std::isfinite(R4xDDot);
 }
 
 } // namespace slidercrank

@@ -8,6 +8,9 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <iterator>
+
 Q_DECLARE_METATYPE(slidercrank::Case)
 
 using namespace slidercrank;
@@ -181,6 +184,8 @@ private slots:
     void solvesLengthsOfAnySizeWithToleranceZero();
     void isNeverWrongSilently_data();
     void isNeverWrongSilently();
+    void goesOnWhereItsToleranceLeavesNoDigit();
+    void givesDerivativesBesideAToggleOnlyWithTheirDigits();
 };
 
 void tst_newton::agreesWithTheClosedFormOnRandomMechanisms()
@@ -478,7 +483,7 @@ void tst_newton::isNeverWrongSilently_data()
 }
 
 /// Whatever the way of solving: what is called solved has a position that is right as far as the residual can tell, and
-/// derivatives that are right to a digit of the channel's peak at the very least. With r the tolerance, or what
+/// derivatives that are right to a hundredth of the channel's peak at the very least. With r the tolerance, or what
 /// rounding makes of it, b sin θ3 is known to 2r (four rows make it up), so θ3 to 2r/(b |cos θ3|) and, since sin θ3 is
 /// flat there, to √(4r/b) at worst. Its relative error in cos θ3 is that of each derivative, once more for each
 /// division by it.
@@ -492,8 +497,8 @@ void tst_newton::isNeverWrongSilently()
     Deviation worst;
     const std::vector<double> instants = instantsOf(which);
     const std::vector<ExactState<Digits100>> exactStates = exactRun<Digits100>(p, instants);
-    constexpr double kOneDigit = 0.3;
-    const std::array<double, kChannelCount> oneDigit = scaled(channelSizes<Digits100>(p, exactStates), kOneDigit);
+    constexpr double kPart = 0.01;
+    const std::array<double, kChannelCount> part = scaled(channelSizes<Digits100>(p, exactStates), kPart);
     const NewtonOptions report = tolerance == 0.0 ? kToTheEnd : kReport;
     const double reach = p.a + p.b + std::abs(p.c);
     const auto judge = [&](const NewtonOptions &options, const std::vector<Instant> &done) {
@@ -527,7 +532,7 @@ void tst_newton::isNeverWrongSilently()
                 const double natural = naturalSize(p, channel);
                 tolerances[index] = channel.order == Order::Position
                                         ? natural * theta3Error
-                                        : std::min(oneDigit[index], 4.0 * natural * steepness * relativeCosine);
+                                        : std::min(part[index], 4.0 * natural * steepness * relativeCosine);
             }
             tolerances[indexOf({Theta2, Order::Position})] = rounding;
             const Order last = status == Status::Singular ? Order::Position : Order::Acceleration;
@@ -548,6 +553,84 @@ void tst_newton::isNeverWrongSilently()
     }
     qInfo("%d of %d solved, worst: %.3g of the tolerance, %s", solved, 8 * int(instants.size()), worst.ratio(),
           qPrintable(said(p, worst)));
+}
+
+/// A tolerance larger than the motion itself, or than what the nearness of a toggle lets pass.
+void tst_newton::goesOnWhereItsToleranceLeavesNoDigit()
+{
+    struct Loose {
+        Parameters parameters;
+        double tolerance;
+        ToleranceKind kind;
+    };
+    const double turn = 2.0 * std::numbers::pi;
+    const std::array loose{
+        Loose{{20.0, 2e10, 25.0, turn, 0.0, Branch::Open}, 1e-8, ToleranceKind::Relative},
+        Loose{{2e-8, 6e-8, 2.5e-8, turn, 0.0, Branch::Open}, 1e-8, ToleranceKind::Absolute},
+        Loose{{20.0, 45.0, 25.0, turn, 0.0, Branch::Open}, 1e-4, ToleranceKind::Relative},
+        Loose{{20.0, 20.02, 0.0, turn, 0.0, Branch::Open}, 1e-2, ToleranceKind::Relative},
+        Loose{{20.0, 65.0, 25.0, turn, 0.0, Branch::Open}, 1e3, ToleranceKind::Absolute},
+    };
+    for (const Loose &one : loose) {
+        const std::vector<double> instants = Sampling{}.instants();
+        const std::array<double, kChannelCount> tolerances = scaled(sizesOf(one.parameters, instants), 0.01);
+        for (const Elimination elimination : {Elimination::Dense, Elimination::Structured}) {
+            for (const WarmStart warmStart : {WarmStart::Previous, WarmStart::Taylor}) {
+                const NewtonOptions options{60, one.tolerance, one.kind, warmStart, elimination};
+                const std::vector<Instant> done = runOnRung(one.parameters, instants, options);
+                std::vector<Instant> solved;
+                std::copy_if(done.begin(), done.end(), std::back_inserter(solved),
+                             [](const Instant &instant) { return instant.state.status == Status::Solved; });
+                QVERIFY2(solved.size() + 2 >= done.size(), qPrintable(said(options))); // but at the very toggle
+                const Deviation worst = worstOf(one.parameters, solved, tolerances);
+                QVERIFY2(worst.accepted(), qPrintable(said(options) + ' ' + said(one.parameters, worst)));
+            }
+        }
+    }
+}
+
+/// Instants within 0.03 rad of a toggle, of a limit, of an exact toggle and of a change point: what is called solved is
+/// right to the part that kResolvedPart leaves, three times twice that, of the value or of what it would be where
+/// nothing is steep.
+void tst_newton::givesDerivativesBesideAToggleOnlyWithTheirDigits()
+{
+    constexpr double kPart = 6.0 * kResolvedPart;
+    constexpr int kMechanisms = 1200;
+    RandomMechanisms random(22);
+    double worst = 0.0;
+    int solved = 0;
+    for (int i = 0; i < kMechanisms; ++i) {
+        Parameters p = random.next();
+        const double gap = std::pow(10.0, random.uniform(-15.0, -4.0));
+        p.c = i % 4 == 0 ? 0.0 : p.c;
+        p.b = (p.a + std::abs(p.c)) * (1.0 + (i % 4 < 2 ? 0.0 : i % 4 == 2 ? gap : -gap));
+        const double square = (p.c >= 0.0 ? -0.5 : 0.5) * std::numbers::pi;
+        const double offset = std::pow(10.0, random.uniform(-8.0, -1.5)) * (random.uniform(-1.0, 1.0) < 0.0 ? -1 : 1);
+        const double t = (square + offset - p.theta20) / p.omega2;
+        const double before = t + 0.01 / p.omega2 * (offset < 0.0 ? -1.0 : 1.0);
+        const ExactState<Digits100> exact = exactState<Digits100>(p, t);
+        for (const double tolerance : {0.0, 1e-12, 1e-8, 1e-4}) {
+            for (const NewtonOptions &options : rungsOf({60, tolerance})) {
+                const Instant instant = runOnRung(p, {before, t}, options).back();
+                if (instant.state.status != Status::Solved || exact.status != Status::Solved) {
+                    continue;
+                }
+                ++solved;
+                std::array<double, kChannelCount> tolerances;
+                for (std::size_t index = 0; index < kChannelCount; ++index) {
+                    const Channel channel = channelAt(index);
+                    const double size = std::max(std::abs(static_cast<double>(exact.values[index])),
+                                                 naturalSize(p, channel) * p.a / (p.a + p.b + std::abs(p.c)));
+                    tolerances[index] = kPart * size;
+                }
+                const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances);
+                worst = std::max(worst, deviation.ratio());
+                QVERIFY2(deviation.accepted(), qPrintable(said(options) + ' ' + said(p, deviation)));
+            }
+        }
+    }
+    qInfo("%d solved, worst %.3g of a part of %.3g", solved, worst, kPart);
+    QVERIFY(solved > kMechanisms);
 }
 
 QTEST_APPLESS_MAIN(tst_newton)

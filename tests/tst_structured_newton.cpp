@@ -98,6 +98,7 @@ private slots:
     void relativeIterationsAreTheSameAtEveryTime();
     void errorIsWithinTwiceConditioning_data() { addCases(allCases()); }
     void errorIsWithinTwiceConditioning();
+    void velocityAndAccelerationSolveTheirSystems();
     void everyWayToSolveStopsWithinItsTolerance_data() { addCases(allCases()); }
     void everyWayToSolveStopsWithinItsTolerance();
 };
@@ -202,13 +203,13 @@ void tst_structured_newton::makesTheDenseStepToRounding()
     qInfo("at most %.3g of the bound", worst);
 }
 
-/// But where rounding decides: at a change point the matrix is singular at the answer itself, and lengths of 1e10 mm
-/// never satisfy an absolute tolerance of 1e-8 but by chance.
+/// But where rounding decides: at a change point's one singular instant the matrix is singular at the answer itself,
+/// and lengths of 1e10 mm never satisfy an absolute tolerance of 1e-8 but by chance.
 void tst_structured_newton::needsAsManyIterationsAsDense()
 {
     QFETCH(Case, which);
     const std::vector<double> instants = instantsOf(which);
-    const int mayDiffer = which.name.starts_with("change point") ? 4 : 0;
+    const int mayDiffer = which.name.starts_with("change point") ? 1 : 0;
     for (const ToleranceKind kind : {ToleranceKind::Absolute, ToleranceKind::Relative}) {
         if (kind == ToleranceKind::Absolute && which.name == "lengths x 1e9") {
             continue;
@@ -305,68 +306,77 @@ void tst_structured_newton::relativeIterationsAreTheSameAtEveryTime()
     }
 }
 
-/// Solved with tolerance 0, the aim for each channel at each instant is an error of 2 u (|f| + κ), κ = Σ |p ∂f/∂p|.
-/// Here three things are granted on top, each in its place:
-///   - half as much again and more, 4 u (|f| + κ), for a sum of eight terms that each round once;
-///   - θ3 is a double, and π is none: what vanishes at θ3 = π in the mind does so here to u θ3;
-///   - row 7 of Q_d holds (b/2) θ̇3² sin θ3 beside the crank's term, so R3_y_diff2 inherits its rounding.
+/// Solved with tolerance 0, each channel at each instant is off by 2 u (|f| + κ) at most, κ = Σ |p ∂f/∂p|.
 void tst_structured_newton::errorIsWithinTwiceConditioning()
 {
     QFETCH(Case, which);
-    constexpr std::size_t kStride = 4; // what is judged of a run, beside the instants where it is hard
     const Parameters &p = which.parameters;
     const std::vector<double> instants = instantsOf(which);
-    const std::vector<double> square = squareInstants(which);
-    const std::vector<NewtonInstant> fromPrevious =
-        run(p, instants, options(Elimination::Structured, WarmStart::Previous, 0.0));
-    const std::vector<NewtonInstant> fromTaylor =
-        run(p, instants, options(Elimination::Structured, WarmStart::Taylor, 0.0));
-    double worstRatio = 0.0;
-    QString worstSaid;
-    int beyond = 0;
+    const std::array runs{run(p, instants, options(Elimination::Structured, WarmStart::Previous, 0.0)),
+                          run(p, instants, options(Elimination::Structured, WarmStart::Taylor, 0.0))};
+    Deviation worst;
     int values = 0;
-    for (std::size_t i = 0; i < instants.size(); ++i) {
-        const bool hard = std::find(square.begin(), square.end(), instants[i]) != square.end();
-        const ExactState<Digits100> exact = exactState<Digits100>(p, instants[i]);
-        if ((i % kStride != 0 && !hard) || exact.status != Status::Solved) {
-            continue;
+    const auto judge = [&]<class Real>(std::size_t i, const ExactState<Real> &exact) {
+        if (exact.status != Status::Solved) {
+            return;
         }
-        const std::array<double, kChannelCount> kappa = conditioning<Digits100>(p, instants[i]);
-        const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
-        const double couplerSpeed = static_cast<double>(exact.values[indexOf({Theta3, Order::Velocity})]);
-        std::array<double, kChannelCount> aim;
-        std::array<double, kChannelCount> granted;
+        std::array<double, kChannelCount> tolerances = conditioning<Real>(p, instants[i]);
         for (std::size_t k = 0; k < kChannelCount; ++k) {
-            const Channel channel = channelAt(k);
-            aim[k] = 2.0 * kUnitRoundoff * (std::abs(static_cast<double>(exact.values[k])) + kappa[k]);
-            granted[k] = 2.0 * aim[k] + kExactZero * naturalSize(p, channel);
-            if (p.branch == Branch::Crossed) {
-                const double steepness = std::pow(cosine, 1.0 - 2.0 * static_cast<int>(channel.order));
-                granted[k] += 4.0 * kUnitRoundoff * naturalSize(p, channel) * std::max(1.0, steepness);
-            }
-            if (channel == Channel{R3y, Order::Acceleration}) {
-                granted[k] += 2.0 * kUnitRoundoff * p.b * couplerSpeed * couplerSpeed;
-            }
+            tolerances[k] += std::abs(static_cast<double>(exact.values[k]));
+            tolerances[k] *= 2.0 * kUnitRoundoff;
+            tolerances[k] += kExactZero * naturalSize(p, channelAt(k));
         }
-        for (const NewtonInstant &instant : {fromPrevious[i], fromTaylor[i]}) {
-            if (instant.state.status != Status::Solved) {
+        for (const std::vector<NewtonInstant> &done : runs) {
+            if (done[i].state.status != Status::Solved) {
                 continue;
             }
-            for (std::size_t k = 0; k < kChannelCount; ++k) {
-                const Digits100 got(valueOf(instant.state, channelAt(k)));
-                beyond += abs(got - exact.values[k]) > aim[k] + kExactZero * naturalSize(p, channelAt(k)) ? 1 : 0;
-                ++values;
-            }
-            const Deviation deviation = worstDeviation(instant.state, exact, instant.t, granted);
-            if (deviation.ratio() > worstRatio) {
-                worstRatio = deviation.ratio();
-                worstSaid = QString::fromStdString(describe(deviation));
-            }
-            QVERIFY2(deviation.accepted(), describe(deviation).c_str());
+            const Deviation deviation = worstDeviation(done[i].state, exact, instants[i], tolerances);
+            worst = deviation.ratio() > worst.ratio() ? deviation : worst;
+            values += static_cast<int>(kChannelCount);
+        }
+    };
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+        constexpr double kEnoughClearance = 1e-4; // for 50 digits
+        const ExactState<Digits50> exact = exactState<Digits50>(p, instants[i]);
+        if (exact.clearance > kEnoughClearance) {
+            judge(i, exact);
+        } else {
+            judge(i, exactState<Digits100>(p, instants[i]));
         }
     }
-    qInfo("%d of %d values beyond 2 u (|f| + kappa); worst %.3g of what is granted, %s", beyond, values, worstRatio,
-          qPrintable(worstSaid));
+    const QString said = QString::fromStdString(describe(worst));
+    QVERIFY2(worst.accepted(), qPrintable(said));
+    qInfo("worst of %d values: %.3g of the bound, %s", values, worst.ratio(), qPrintable(said));
+}
+
+/// C_q q̇ = -C_t and C_q q̈ = Q_d, row by row to the rounding of the row's terms.
+void tst_structured_newton::velocityAndAccelerationSolveTheirSystems()
+{
+    RandomMechanisms random(33);
+    double worst = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const Mechanism mechanism(random.next());
+        const double t = random.uniform(-1.0, 1.0);
+        const NewtonInstant solved =
+            solveInstant(mechanism, t, {}, options(Elimination::Structured, WarmStart::Previous, 0.0));
+        QCOMPARE(solved.state.status, Status::Solved);
+        const Matrix12 Cq = constraintJacobian(mechanism, solved.q);
+        const Vector12 Qd = quadraticVelocityTerm(mechanism, solved.q, solved.state.qDot);
+        const Vector12 minusCt = -constraintTimeDerivative(mechanism);
+        const auto compare = [&](const Vector12 &x, const Vector12 &rightSide) {
+            const Vector12 sizes = Cq.cwiseAbs() * x.cwiseAbs() + rightSide.cwiseAbs();
+            const Vector12 left = (Cq * x - rightSide).cwiseAbs();
+            for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+                constexpr double kRoundings = 32.0; // of them, up to 20 are those of a θ3 near π
+                const double bound = kRoundings * kUnitRoundoff * sizes[row];
+                worst = std::max(worst, bound > 0.0 ? left[row] / bound : 0.0);
+                QVERIFY2(left[row] <= bound, describe(mechanism.parameters()).c_str());
+            }
+        };
+        compare(solved.state.qDot, minusCt);
+        compare(solved.state.qDDot, Qd);
+    }
+    qInfo("at most %.3g of the bound", worst);
 }
 
 void tst_structured_newton::everyWayToSolveStopsWithinItsTolerance()
