@@ -35,10 +35,6 @@ struct Judged {
     std::array<TwoPart, kChannels> values;
     std::array<TwoPart, kChannels> valuesInDegrees;
     std::array<double, kChannels> kappa{}; ///< rad, mm
-
-    // What a residual in the constraints does to them, per mm in the length rows and per rad in the angle rows.
-    std::array<double, kChannels> perLength{};
-    std::array<double, kChannels> perAngle{};
 };
 
 struct Judgement {
@@ -51,37 +47,6 @@ TwoPart inTwoParts(const Real &value)
 {
     const auto hi = static_cast<double>(value);
     return {hi, static_cast<double>(Real(value - hi))};
-}
-
-/// A residual in the closure of the linkage shifts the coupler as an error in c would, and the slider by itself; one in
-/// the drive shifts the crank.
-template <class Real>
-void addEffectOfResiduals(const Parameters &parameters, double t, Judged &judged)
-{
-    using std::abs;
-    const Real step = 1e-25;
-    const ExactInput<Real> in(parameters, t);
-    const auto slopes = [&](Real ExactInput<Real>::*member, const Real &by) {
-        ExactInput<Real> more = in;
-        ExactInput<Real> less = in;
-        more.*member += by;
-        less.*member -= by;
-        const ExactState<Real> above = exactState(more);
-        const ExactState<Real> below = exactState(less);
-        const bool exists = above.status == Status::Solved && below.status == Status::Solved;
-        std::array<double, kChannels> result{};
-        for (std::size_t k = 0; k < kChannels; ++k) {
-            const std::size_t index = indexOf(kPlottedChannels[k]);
-            result[k] =
-                exists ? static_cast<double>(abs(above.values[index] - below.values[index]) / (2 * by)) : kInfinity;
-        }
-        return result;
-    };
-    judged.perLength = slopes(&ExactInput<Real>::c, Real(step * parameters.b));
-    judged.perAngle = slopes(&ExactInput<Real>::theta20, step);
-    for (std::size_t k = 0; k < kChannels; ++k) {
-        judged.perLength[k] += kPlottedChannels[k] == Channel{R4x, Order::Position} ? 1.0 : 0.0;
-    }
 }
 
 template <class Real>
@@ -103,7 +68,6 @@ Judged judgedFrom(const Parameters &parameters, double t, const ExactState<Real>
         for (std::size_t k = 0; k < kChannels; ++k) {
             judged.kappa[k] = kappa[indexOf(kPlottedChannels[k])];
         }
-        addEffectOfResiduals<Real>(parameters, t, judged);
     }
     return judged;
 }
@@ -168,26 +132,10 @@ int severity(Status status)
     return 0;
 }
 
-struct Residual {
-    double length = 0.0; ///< mm
-    double angle = 0.0;  ///< rad
-};
-
-/// By the method's tolerance.
-Residual residualPermittedTo(const StudyMethod &method, const Parameters &parameters)
-{
-    const double tolerance = method.tolerance.value_or(0.0);
-    const double unit =
-        method.toleranceKind == ToleranceKind::Relative ? parameters.a + parameters.b + std::abs(parameters.c) : 1.0;
-    return {tolerance * unit, tolerance};
-}
-
 /// Errors and statuses of the answers.
-void compareAnswers(const Contender &contender, const Judgement &judgement, const Parameters &parameters,
-                    MethodResult &result)
+void compareAnswers(const Contender &contender, const Judgement &judgement, MethodResult &result)
 {
     const StudyMethod &method = *contender.method;
-    const Residual permittedResidual = residualPermittedTo(method, parameters);
     double worst = 0.0;
     double bound = 0.0;
     std::size_t silent = 0;
@@ -202,11 +150,10 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, cons
         }
         const Judged &judged = judgement.instants[contender.instants[i]];
         if (judged.status != Status::Solved) {
-            // A limit met to the last digits is a matter of digits.
-            silent += judged.clearance < -kSilentBound * kUnitRoundoff ? 1 : 0;
+            silent += judged.clearance < -kLimitRounding ? 1 : 0;
             continue;
         }
-        bool isBeyond = false;
+        bool isWrong = false;
         for (std::size_t k = 0; k < kChannels; ++k) {
             const bool degrees = method.givesDegrees && isAngle(kPlottedChannels[k].coordinate);
             const double unit = degrees ? kDegreesPerRadian : 1.0;
@@ -214,14 +161,11 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, cons
             const double error =
                 relative(lag(got, degrees ? judged.valuesInDegrees[k] : judged.values[k]), unit * judgement.sizes[k]);
             const double limit = relative(judged.kappa[k] * kUnitRoundoff, judgement.sizes[k]);
-            const double permitted =
-                relative(permittedResidual.length * judged.perLength[k] + permittedResidual.angle * judged.perAngle[k],
-                         judgement.sizes[k]);
             worst = std::max(worst, error);
             bound = std::max(bound, limit);
-            isBeyond = isBeyond || (error > kSilentPart && error > kSilentBound * limit + kSilentSlack * permitted);
+            isWrong = isWrong || error > kSilentPart;
         }
-        silent += isBeyond ? 1 : 0;
+        silent += isWrong ? 1 : 0;
     }
     if (result.counts[static_cast<std::size_t>(Status::Solved)] > 0) {
         result.maxError = worst;
@@ -347,7 +291,7 @@ bool timeAll(std::vector<Contender> &contenders, const StudyRequest &request, co
     return true;
 }
 
-MethodResult resultOf(Contender &contender, const Judgement &judgement, const Parameters &parameters)
+MethodResult resultOf(Contender &contender, const Judgement &judgement)
 {
     const StudyMethod &method = *contender.method;
     MethodResult result;
@@ -363,7 +307,7 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement, const Pa
         result.iterationsPerState =
             static_cast<double>(contender.answers.iterations) / static_cast<double>(contender.instants.size());
     }
-    compareAnswers(contender, judgement, parameters, result);
+    compareAnswers(contender, judgement, result);
     return result;
 }
 
@@ -417,7 +361,7 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
         of.parameters = which.parameters;
         of.instants = all.size();
         for (Contender &contender : contenders) {
-            of.methods.push_back(resultOf(contender, *judgement, which.parameters));
+            of.methods.push_back(resultOf(contender, *judgement));
         }
         result.cases.push_back(std::move(of));
     }

@@ -56,18 +56,15 @@ struct MethodResult {
     std::array<std::size_t, kStatusCount> counts{}; ///< of instants, by Status
     Status status = Status::Solved;                 ///< the worst of them
 
-    /// Instants called solved whose error is beyond all excuse: more than kSilentPart of the peak, and more than
-    /// kSilentBound times κ·u and kSilentSlack times what the tolerance permits together; or where no position exists.
-    /// None for methods that are approximations to begin with.
+    /// Instants called solved that are not: a channel is off by more than kSilentPart of its peak, as it is on the
+    /// wrong branch, or no position exists. None for methods that are approximations to begin with.
     std::optional<std::size_t> silentFailures;
 };
 
-inline constexpr double kSilentBound = 1e6; ///< what is more is no matter of digits
-inline constexpr double kSilentPart = 1e-3; ///< what is less nobody would see
+inline constexpr double kSilentPart = 0.01;
 
-/// A residual r that the tolerance permits shifts a channel by |∂f/∂r|·r, to first order and with one row of C; where
-/// the derivatives are given at all (kResolvedCosine) the rest is far less than this.
-inline constexpr double kSilentSlack = 4.0;
+/// (|h| - b)/b up to which a position at a limit is a matter of the last digits.
+inline constexpr double kLimitRounding = 1e-14;
 
 struct CaseResult {
     std::string name;
