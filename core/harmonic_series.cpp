@@ -3,6 +3,7 @@
 
 #include "core/closed_form.h"
 #include "core/mobility.h"
+#include "core/two_part_angle.h"
 
 #include <cassert>
 #include <cmath>
@@ -30,6 +31,16 @@ double meanOver(std::size_t count, const Values &value)
     return (sum.hi + sum.lo) / static_cast<double>(count);
 }
 
+/// The i-th of kAngles equal angles, in two parts: what a double 2π is short of, 2.4e-16, would tilt the waves all one
+/// way, and the n² of the second derivative would make 1e-12 of it after 32 harmonics.
+TwoPart equalAngle(std::size_t i)
+{
+    constexpr double kTurnLo = 2.4492935982947064e-16; // 2π is the double and this
+    const double part = static_cast<double>(i) / kAngles;
+    const TwoPart angle = twoProduct(2.0 * std::numbers::pi, part);
+    return twoSum(angle.hi, angle.lo + kTurnLo * part);
+}
+
 } // namespace
 
 bool HarmonicSeries::existsFor(const Mechanism &mechanism)
@@ -48,20 +59,16 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     inAngle.omega2 = 1.0;
     inAngle.theta20 = 0.0;
     const ClosedForm closedForm{Mechanism(inAngle)};
-    std::vector<SinCos> angles(kAngles);
-    for (std::size_t i = 0; i < kAngles; ++i) {
-        const double theta2 = 2.0 * std::numbers::pi * static_cast<double>(i) / kAngles;
-        angles[i] = {std::sin(theta2), std::cos(theta2)};
-    }
+    std::vector<SinCos> waves;
     std::vector<Motion> motions;
-    motions.reserve(kAngles);
     for (std::size_t i = 0; i < kAngles; ++i) {
-        motions.push_back(closedForm.motionAt(2.0 * std::numbers::pi * static_cast<double>(i) / kAngles));
+        const TwoPart theta2 = equalAngle(i);
+        waves.push_back(sinCos(theta2));
+        motions.push_back(closedForm.motionAt(theta2.hi));
     }
     for (std::size_t n = 0; n < m_terms.size(); ++n) {
         const auto mean = [&](double Motion::*channel, double SinCos::*wave) {
-            return meanOver(kAngles,
-                            [&](std::size_t i) { return motions[i].*channel * angles[n * i % kAngles].*wave; });
+            return meanOver(kAngles, [&](std::size_t i) { return motions[i].*channel * waves[n * i % kAngles].*wave; });
         };
         const double factor = n == 0 ? 1.0 : 2.0;
         m_terms[n].theta3 = {factor * mean(&Motion::theta3, &SinCos::cos),
