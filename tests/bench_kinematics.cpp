@@ -13,7 +13,9 @@
 #include <benchmark/benchmark.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,13 @@ const Case &nominal()
     return nominalCases()[1];
 }
 
+/// A crank that cannot turn round: the instants beyond its limits count as the others.
+const Case &rocker()
+{
+    const std::span<const Case> cases = hardCases();
+    return *std::find_if(cases.begin(), cases.end(), [](const Case &which) { return which.name == "rocker, one arc"; });
+}
+
 /// Counts `states` of them a turn of the benchmark's loop.
 void countStates(benchmark::State &state, std::size_t states)
 {
@@ -36,8 +45,8 @@ void countStates(benchmark::State &state, std::size_t states)
 }
 
 /// All 36 channels straight from the textbook's formulas and the standard library, as anybody would write them first:
-/// the angle in one double, h rounded. Called as a function of a library is, like ClosedForm::stateAt.
-HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
+/// the angle in one double, h rounded.
+HWY_INLINE State plainStateInlined(const Parameters &p, double t)
 {
     const double w = p.omega2;
     const double theta2 = w * t + p.theta20;
@@ -61,37 +70,55 @@ HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
     return state;
 }
 
-void plainClosedForm36(benchmark::State &state)
+/// Called as a function of a library is, like ClosedForm::stateAt.
+HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
 {
-    const Parameters parameters = nominal().parameters;
-    const std::vector<double> instants = nominal().sampling.instants();
+    return plainStateInlined(p, t);
+}
+
+/// All 36 channels of a turn by stateAt(t).
+template <class StateAt>
+void states36(benchmark::State &state, const Case &which, const StateAt &stateAt)
+{
+    const std::vector<double> instants = which.sampling.instants();
     std::vector<State> states(instants.size());
     for (auto _ : state) {
         for (std::size_t i = 0; i < instants.size(); ++i) {
-            states[i] = plainStateAt(parameters, instants[i]);
+            states[i] = stateAt(instants[i]);
         }
         benchmark::DoNotOptimize(states.data());
         benchmark::ClobberMemory();
     }
     countStates(state, instants.size());
 }
+
+void plainClosedForm36(benchmark::State &state)
+{
+    const Parameters parameters = nominal().parameters;
+    states36(state, nominal(), [&](double t) { return plainStateAt(parameters, t); });
+}
 BENCHMARK(plainClosedForm36);
+
+void plainClosedFormInlined36(benchmark::State &state)
+{
+    const Parameters parameters = nominal().parameters;
+    states36(state, nominal(), [&](double t) { return plainStateInlined(parameters, t); });
+}
+BENCHMARK(plainClosedFormInlined36);
 
 void closedForm36(benchmark::State &state)
 {
     const ClosedForm closedForm{Mechanism(nominal().parameters)};
-    const std::vector<double> instants = nominal().sampling.instants();
-    std::vector<State> states(instants.size());
-    for (auto _ : state) {
-        for (std::size_t i = 0; i < instants.size(); ++i) {
-            states[i] = closedForm.stateAt(instants[i]);
-        }
-        benchmark::DoNotOptimize(states.data());
-        benchmark::ClobberMemory();
-    }
-    countStates(state, instants.size());
+    states36(state, nominal(), [&](double t) { return closedForm.stateAt(t); });
 }
 BENCHMARK(closedForm36);
+
+void closedForm36Rocker(benchmark::State &state)
+{
+    const ClosedForm closedForm{Mechanism(rocker().parameters)};
+    states36(state, rocker(), [&](double t) { return closedForm.stateAt(t); });
+}
+BENCHMARK(closedForm36Rocker);
 
 void closedForm6(benchmark::State &state)
 {
@@ -148,13 +175,13 @@ void sampleClosedForm6(benchmark::State &state)
 BENCHMARK(sampleClosedForm6)->Arg(201)->Arg(20001)->Arg(1000001);
 
 /// All 36 channels by a rung of Newton-Raphson, each instant from the one before, to the report's tolerance.
-void newton36(benchmark::State &state, WarmStart warmStart, Elimination elimination)
+void newton36(benchmark::State &state, const Case &which, WarmStart warmStart, Elimination elimination)
 {
     NewtonOptions options;
     options.warmStart = warmStart;
     options.elimination = elimination;
-    const Mechanism mechanism(nominal().parameters);
-    const std::vector<double> instants = nominal().sampling.instants();
+    const Mechanism mechanism(which.parameters);
+    const std::vector<double> instants = which.sampling.instants();
     int iterations = 0;
     for (auto _ : state) {
         NewtonInstant last;
@@ -168,10 +195,11 @@ void newton36(benchmark::State &state, WarmStart warmStart, Elimination eliminat
     state.counters["iterations"] = static_cast<double>(iterations) / static_cast<double>(instants.size());
     countStates(state, instants.size());
 }
-BENCHMARK_CAPTURE(newton36, dense, WarmStart::Previous, Elimination::Dense);
-BENCHMARK_CAPTURE(newton36, denseTaylor, WarmStart::Taylor, Elimination::Dense);
-BENCHMARK_CAPTURE(newton36, structured, WarmStart::Previous, Elimination::Structured);
-BENCHMARK_CAPTURE(newton36, structuredTaylor, WarmStart::Taylor, Elimination::Structured);
+BENCHMARK_CAPTURE(newton36, dense, nominal(), WarmStart::Previous, Elimination::Dense);
+BENCHMARK_CAPTURE(newton36, denseTaylor, nominal(), WarmStart::Taylor, Elimination::Dense);
+BENCHMARK_CAPTURE(newton36, structured, nominal(), WarmStart::Previous, Elimination::Structured);
+BENCHMARK_CAPTURE(newton36, structuredTaylor, nominal(), WarmStart::Taylor, Elimination::Structured);
+BENCHMARK_CAPTURE(newton36, structuredTaylorRocker, rocker(), WarmStart::Taylor, Elimination::Structured);
 
 } // namespace
 
