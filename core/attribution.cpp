@@ -44,7 +44,7 @@ std::vector<double> valuesToTry(Parameter parameter, const Parameters &given, co
         break;
     }
     case Parameter::Omega2:
-        values = speedsToTry(courses);
+        values = likelySpeeds(courses);
         for (std::size_t i = 0, count = values.size(); i < count; ++i) {
             values.push_back(-values[i]);
         }
@@ -60,19 +60,27 @@ std::vector<double> valuesToTry(Parameter parameter, const Parameters &given, co
     return values;
 }
 
+/// Whether the mechanism has a motion wherever the data have one: no cause of them otherwise.
+bool canMove(const Observations &observations, const Parameters &parameters)
+{
+    PlottedValues motion;
+    return std::all_of(observations.time.begin(), observations.time.end(),
+                       [&](double t) { return plottedMotion(parameters, t, motion); });
+}
+
 } // namespace
 
 std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
 {
     const Supply supply = supplyOf(data);
-    if (supply.endRow < supply.firstRow + 2) {
+    if (supply.rows.size() < 2) {
         return {};
     }
     const FitUnits units = unitsFor(data, supply, mechanism.a());
     const Parameters given = units.toFit(mechanism.parameters());
     const Courses courses = coursesOf(data, supply, units);
-    const Observations few = observe(data, units, spreadRows(supply.firstRow, courses.endRow, kSearchRows));
-    const Observations all = observe(data, units, spreadRows(supply.firstRow, supply.endRow, kFitRows));
+    const Observations few = observe(data, units, spread(rowsBefore(supply.rows, courses.endRow), kSearchRows));
+    const Observations all = observe(data, units, spread(supply.rows, kFitRows));
     const double before = misfit(all, given);
 
     std::vector<Attribution> attributions;
@@ -84,7 +92,7 @@ std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &m
             Parameters trial = given;
             valueOf(trial, parameter) = value;
             const double distance = misfit(few, trial);
-            if (distance < least) {
+            if (distance < least && canMove(few, trial)) {
                 least = distance;
                 best = trial;
             }
@@ -92,12 +100,15 @@ std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &m
         FreeParameters isFree{};
         isFree[i] = true;
         best = fit(few, best, isFree, kMostIterations, stop).parameters;
-        if (courses.endRow < supply.endRow) {
+        if (courses.endRow <= supply.rows.back()) {
             best = fitGrowing(data, units, supply, courses.endRow, best, isFree, stop).parameters;
         }
         best = fit(all, best, isFree, kMostIterations, stop).parameters;
         if (stop.stop_requested()) {
             return {};
+        }
+        if (!canMove(all, best)) {
+            best = given;
         }
         const double after = std::min(misfit(all, best), before);
         const double explained = before > 0.0 ? 1.0 - (after / before) * (after / before) : 0.0;

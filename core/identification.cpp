@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace slidercrank
 {
@@ -27,34 +28,17 @@ constexpr std::size_t kScreeningRows = 64;
 /// A fit whose residuals are larger than that, relative to how much the channels vary, resembles nothing.
 constexpr double kResemblance = 0.1;
 
-constexpr int kScreeningIterations = 30;
-constexpr int kFinalIterations = 50;
+/// Residuals up to so many times what rounding leaves may be rounding.
+constexpr double kAsGoodAsRounding = 4.0;
 
-/// Scales the lengths so that the channels that are lengths fit best.
-void fitSize(const Observations &observations, Parameters &parameters)
-{
-    double modelled = 0.0;
-    double observed = 0.0;
-    PlottedValues model;
-    for (std::size_t row = 0; row < observations.time.size(); ++row) {
-        if (!plottedMotion(parameters, observations.time[row], model)) {
-            continue;
-        }
-        for (const ObservedChannel &channel : observations.channels) {
-            if (kPlottedChannels[static_cast<std::size_t>(channel.plotted)].coordinate == R4x) {
-                const double weighted = channel.weights[row] * model[channel.plotted];
-                modelled += weighted * weighted;
-                observed += weighted * channel.weights[row] * channel.values[row];
-            }
-        }
-    }
-    const double scale = observed / modelled;
-    if (scale > 0.0 && std::isfinite(scale)) {
-        parameters.a *= scale;
-        parameters.b *= scale;
-        parameters.c *= scale;
-    }
-}
+/// A start from the data is good when its residuals are below that; otherwise others are tried.
+constexpr double kGoodStart = 0.01;
+
+/// Rows that the grid of starts is held against.
+constexpr std::size_t kGridRows = 16;
+
+constexpr int kScreeningIterations = 400;
+constexpr int kFinalIterations = 50;
 
 /// What rounding alone would leave as weighted residuals.
 double roundingMisfit(const Observations &observations)
@@ -73,11 +57,10 @@ double roundingMisfit(const Observations &observations)
 
 /// The best of the starts after a fit to a few rows each; those that look best first, until one fits as well as
 /// rounding lets it.
-Fit screened(const Observations &observations, std::vector<Parameters> starts, bool sizeIsFree,
-             const FreeParameters &isFree, const std::stop_token &stop)
+Fit screened(const Observations &observations, std::vector<Parameters> starts, const FreeParameters &isFree,
+             const std::stop_token &stop)
 {
     constexpr std::size_t kMostFits = 8;
-    constexpr double kAsGoodAsRounding = 4.0;
     struct Ranked {
         double misfit;
         Parameters parameters;
@@ -85,10 +68,7 @@ Fit screened(const Observations &observations, std::vector<Parameters> starts, b
     std::vector<Ranked> ranked;
     for (Parameters &start : starts) {
         lengthenCoupler(observations, start);
-        if (sizeIsFree) {
-            fitSize(observations, start);
-        }
-        const double distance = misfit(observations, start);
+        const double distance = misfitAtBestSize(observations, start);
         if (std::isfinite(distance)) {
             ranked.push_back({distance, start});
         }
@@ -134,20 +114,24 @@ Parameters likeStart(Parameters found, const Mechanism &start, const Supply &sup
     return found;
 }
 
-/// Standard errors, condition number, and what is not fixed.
-void judge(const Observations &observations, const Parameters &fitted, const FitUnits &units,
-           const FreeParameters &isFree, std::size_t count, Identification &result)
+/// What a fit is worth.
+struct Accuracy {
+    std::array<double, kParameterCount> standardError; ///< in FitUnits, of θ20 at t = 0; NaN where held
+    double conditionNumber = 0.0;
+};
+
+Accuracy accuracyOf(const Observations &observations, const Parameters &fitted, const FitUnits &units,
+                    const FreeParameters &isFree)
 {
+    Accuracy accuracy;
+    accuracy.standardError.fill(kNone);
     Eigen::VectorXd residuals;
     Eigen::Matrix<double, Eigen::Dynamic, kParameterRows> all;
     if (!linearize(observations, fitted, residuals, &all)) {
-        return;
+        return accuracy;
     }
     // θ20 is the angle at t = 0, not at the middle of the data.
     all.col(indexOf(Parameter::Omega2)) += units.origin / units.second * all.col(indexOf(Parameter::Theta20));
-    const std::array<double, kParameterCount> unit{units.mm, units.mm, units.mm, 1.0 / units.second, 1.0};
-    const std::array<double, kParameterCount> size{std::abs(fitted.a), std::abs(fitted.a), std::abs(fitted.a),
-                                                   std::abs(fitted.omega2), 1.0};
 
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < kParameterCount; ++i) {
@@ -167,19 +151,28 @@ void judge(const Observations &observations, const Parameters &fitted, const Fit
     const Eigen::MatrixXd triangle = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
     const Eigen::VectorXd &singular = svd.singularValues();
-    result.conditionNumber = singular[0] / singular[n - 1];
+    accuracy.conditionNumber = singular[0] / singular[n - 1];
 
-    const double freedom = std::max(static_cast<double>(count) - static_cast<double>(n), 1.0);
-    const double variance = residuals.squaredNorm() / freedom;
+    const double freedom = std::max(static_cast<double>(valueCount(observations)) - static_cast<double>(n), 1.0);
+    const double deviation = std::max(std::sqrt(residuals.squaredNorm() / freedom), roundingMisfit(observations));
     for (Eigen::Index j = 0; j < n; ++j) {
-        const std::size_t i = free[static_cast<std::size_t>(j)];
-        const double part = svd.matrixV().row(j).transpose().cwiseQuotient(singular).norm();
-        const double error = std::sqrt(variance) * part / norms[j];
-        result.identifiable[i] = error < size[i]; // also false for NaN
-        if (result.identifiable[i]) {
-            result.standardError[i] = error * unit[i];
-        }
+        const double length = svd.matrixV().row(j).transpose().cwiseQuotient(singular).norm();
+        accuracy.standardError[free[static_cast<std::size_t>(j)]] = deviation * length / norms[j];
     }
+    return accuracy;
+}
+
+/// The parameters whose standard error is not less than the size of such a thing: the crank's length, the speed, a
+/// radian.
+FreeParameters undetermined(const Accuracy &accuracy, const Parameters &fitted, const FreeParameters &isFree)
+{
+    const double length = std::abs(fitted.a);
+    const std::array<double, kParameterCount> sizes{length, length, length, std::abs(fitted.omega2), 1.0};
+    FreeParameters result{};
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        result[i] = isFree[i] && !(accuracy.standardError[i] < sizes[i]); // also where it is NaN
+    }
+    return result;
 }
 
 /// Root mean square of the residuals in steps of the file's rounding.
@@ -193,86 +186,150 @@ double rmsInSteps(Observations observations, const Parameters &parameters)
     return misfit(observations, parameters);
 }
 
+/// Whether any channel varies by more than its rounding.
+bool moves(const Observations &observations)
+{
+    return std::any_of(observations.channels.begin(), observations.channels.end(), [](const ObservedChannel &channel) {
+        return channel.spread > *std::max_element(channel.steps.begin(), channel.steps.end());
+    });
+}
+
+/// The mechanism that fits a few rows of the first few turns best.
+Fit fitToFew(const ReferenceData &data, const FitUnits &units, const Supply &supply, const Courses &courses,
+             const Parameters &given, const FreeParameters &isFree, const std::stop_token &stop)
+{
+    const std::span<const std::size_t> rows = rowsBefore(supply.rows, courses.endRow);
+    const Observations few = lowestOrders(observe(data, units, spread(rows, kScreeningRows)));
+    std::vector<Parameters> starts = startsFrom(courses, likelySpeeds(courses), given.a);
+    starts.push_back(given);
+    const Fit first = screened(few, starts, isFree, stop);
+    if (first.stopped || first.rms <= kGoodStart) {
+        return first;
+    }
+    starts = startsFrom(courses, allSpeeds(courses), given.a);
+    if (starts.empty()) {
+        // The sum of R̈4x may turn back four times a turn.
+        std::vector<double> speeds = likelySpeeds(courses);
+        for (std::size_t i = 0, count = speeds.size(); i < count; ++i) {
+            speeds.push_back(0.5 * speeds[i]);
+        }
+        const Observations fewer = lowestOrders(observe(data, units, spread(rows, kGridRows)));
+        const bool bothDirections = supply.has(Theta3) && supply.has(R4x);
+        starts = startsFromGrid(fewer, speeds, bothDirections, given.a, stop);
+    }
+    const Fit second = screened(few, starts, isFree, stop);
+    return second.stopped || second.rms < first.rms ? second : first;
+}
+
+/// Fitted with each value's own weight, again after the weights have changed.
+Fit fitByStep(Observations &observations, Fit found, const FreeParameters &isFree, const std::stop_token &stop)
+{
+    constexpr int kTimes = 3;
+    int iterations = 0;
+    for (int i = 0; i < kTimes && !found.stopped; ++i) {
+        weighByStep(observations, found.parameters);
+        const Parameters before = found.parameters;
+        found = fit(observations, before, isFree, kFinalIterations, stop);
+        iterations += found.iterations;
+        if (found.parameters == before) {
+            break;
+        }
+    }
+    found.iterations = iterations;
+    return found;
+}
+
+/// What the data leave open goes back to what it was, as far as they do: it is then no longer free.
+void keepUndetermined(const Observations &observations, const FitUnits &units, const Parameters &given, Fit &found,
+                      FreeParameters &isFree, const std::stop_token &stop)
+{
+    constexpr double kNoWorse = 1.05;
+    const FreeParameters open =
+        undetermined(accuracyOf(observations, found.parameters, units, isFree), found.parameters, isFree);
+    if (open == FreeParameters{}) {
+        return;
+    }
+    FreeParameters remaining = isFree;
+    Parameters kept = found.parameters;
+    Parameters before = given;
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        if (open[i]) {
+            remaining[i] = false;
+            valueOf(kept, static_cast<Parameter>(i)) = valueOf(before, static_cast<Parameter>(i));
+        }
+    }
+    const Fit held = fit(observations, kept, remaining, kFinalIterations, stop);
+    if (held.rms <= kNoWorse * found.rms) {
+        found = held;
+        isFree = remaining;
+    }
+}
+
 } // namespace
 
 Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop)
 {
+    using IdentificationStatus = Identification::Status;
     Identification result;
     result.parameters = start.parameters();
     result.standardError.fill(kNone);
+    const auto endedBy = [&](IdentificationStatus status) {
+        result.status = status;
+        return result;
+    };
 
     const Supply supply = supplyOf(data);
     const bool onlyAngles = !supply.has(R4x);
     FreeParameters isFree;
     isFree.fill(true);
     isFree[indexOf(Parameter::A)] = !onlyAngles;
-    if (supply.values < (onlyAngles ? kParameterCount - 1 : kParameterCount) || supply.endRow < supply.firstRow + 2) {
-        result.status = Identification::Status::TooFewData;
-        return result;
+    if (supply.values < (onlyAngles ? kParameterCount - 1 : kParameterCount) || supply.rows.size() < 2) {
+        return endedBy(IdentificationStatus::TooFewData);
     }
-    const auto stopped = [&] {
-        result.status = Identification::Status::Stopped;
-        return result;
-    };
     FitUnits units = unitsFor(data, supply, start.a());
-    units.origin = 0.5 * (data.time[supply.firstRow] + data.time[supply.endRow - 1]);
-    const Parameters given = units.toFit(start.parameters());
-
-    // A few turns, a few rows; then all that there are.
-    const Courses courses = coursesOf(data, supply, units);
-    std::vector<Parameters> starts = startsFrom(courses, given.a);
-    starts.push_back(given);
-    if (stop.stop_requested()) {
-        return stopped();
+    units.origin = 0.5 * (data.time[supply.rows.front()] + data.time[supply.rows.back()]);
+    Observations all = observe(data, units, spread(supply.rows, kMostFitRows));
+    if (!moves(all)) {
+        return endedBy(IdentificationStatus::TooFewData);
     }
-    const Observations few =
-        lowestOrders(observe(data, units, spreadRows(courses.firstRow, courses.endRow, kScreeningRows)));
-    Fit found = screened(few, starts, !onlyAngles, isFree, stop);
+    const Parameters given = units.toFit(start.parameters());
+    const Courses courses = coursesOf(data, supply, units);
+
+    // A few rows of the first turns, more of them, all; then by each value's own weight.
+    Fit found = fitToFew(data, units, supply, courses, given, isFree, stop);
     result.iterations = found.iterations;
     if (!found.stopped && std::isfinite(found.rms)) {
         found = fitGrowing(data, units, supply, courses.endRow, found.parameters, isFree, stop);
         result.iterations += found.iterations;
     }
-    if (found.stopped) {
-        return stopped();
+    if (!found.stopped && !std::isfinite(found.rms)) {
+        return endedBy(IdentificationStatus::NotFound);
     }
-    const bool resembles = found.rms <= kResemblance;
-    if (!std::isfinite(found.rms)) {
-        return result;
-    }
-
+    const bool resembles = found.rms <= std::max(kResemblance, kAsGoodAsRounding * roundingMisfit(lowestOrders(all)));
     found.parameters = likeStart(found.parameters, start, supply);
-    Observations all = observe(data, units, spreadRows(supply.firstRow, supply.endRow, kMostFitRows));
-    constexpr int kReweightings = 3;
-    for (int i = 0; i < kReweightings; ++i) {
-        weighByStep(all, found.parameters);
-        const Parameters before = found.parameters;
-        found = fit(all, found.parameters, isFree, kFinalIterations, stop);
-        result.iterations += found.iterations;
-        if (found.stopped) {
-            return stopped();
-        }
-        if (found.parameters == before) {
-            break;
-        }
+    found = fitByStep(all, found, isFree, stop);
+    result.iterations += found.iterations;
+    keepUndetermined(all, units, given, found, isFree, stop);
+    if (stop.stop_requested()) {
+        return endedBy(IdentificationStatus::Stopped);
     }
 
-    judge(all, found.parameters, units, isFree, supply.values, result);
+    const Accuracy accuracy = accuracyOf(all, found.parameters, units, isFree);
+    const std::array<double, kParameterCount> unit{units.mm, units.mm, units.mm, 1.0 / units.second, 1.0};
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        result.standardError[i] = unit[i] * accuracy.standardError[i];
+        const bool isLength = i <= indexOf(Parameter::C);
+        result.identifiable[i] = std::isfinite(result.standardError[i]) && !(onlyAngles && isLength);
+    }
+    result.conditionNumber = accuracy.conditionNumber;
     result.rms = rmsInSteps(all, found.parameters);
     result.parameters = units.fromFit(found.parameters);
     result.onlyRatios = onlyAngles;
     result.reversePossible = onlyAngles;
     result.otherBranchPossible = onlyAngles && !supply.has({Theta3, Order::Position});
     result.mirrorImagePossible = !supply.has(Theta3);
-    if (onlyAngles) {
-        for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
-            result.identifiable[indexOf(parameter)] = false;
-            result.standardError[indexOf(parameter)] = kNone;
-        }
-    }
-    result.status =
-        resembles && !findFault(result.parameters) ? Identification::Status::Found : Identification::Status::NotFound;
-    return result;
+    return endedBy(resembles && !findFault(result.parameters) ? IdentificationStatus::Found
+                                                              : IdentificationStatus::NotFound);
 }
 
 } // namespace slidercrank

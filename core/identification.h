@@ -30,7 +30,7 @@ constexpr std::size_t indexOf(Parameter parameter)
 struct Identification {
     enum class Status {
         Found,      ///< the data agree with it, or come as close as a least-squares minimum does
-        TooFewData, ///< fewer values than parameters, or none of the six channels
+        TooFewData, ///< fewer values than parameters, none of the six channels, or nothing moves
         NotFound,   ///< no start led to a mechanism that resembles the data; what came nearest, if anything
         Stopped
     };
@@ -38,15 +38,18 @@ struct Identification {
 
     Parameters parameters; ///< θ20 in (-π, π]; what is not identifiable is as in the start
 
-    /// One standard deviation, by indexOf(Parameter), in the parameter's unit; NaN where not identifiable.
+    /// One standard deviation, by indexOf(Parameter), in the parameter's unit; NaN where not identifiable (but see
+    /// onlyRatios).
     std::array<double, kParameterCount> standardError{};
+
+    /// Not so: what would be known no better than to its own size, and may as well be as in the start.
     std::array<bool, kParameterCount> identifiable{};
 
     // What no data of such columns can tell apart, however exact. Of two mechanisms that move alike, the one that turns
     // like the start is given.
 
     /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as in the start, b and c
-    /// follow from it; none of the three counts as identifiable.
+    /// follow from it and have the standard errors they have for that a; none of the three counts as identifiable.
     bool onlyRatios = false;
 
     /// θ3 alone: the crank may as well turn the other way, from π - θ20.

@@ -185,6 +185,42 @@ void lengthenCoupler(const Observations &observations, Parameters &parameters)
     }
 }
 
+double misfitAtBestSize(const Observations &observations, Parameters &parameters)
+{
+    // Of the channels that are lengths, weighted: model², model · value, value².
+    double modelled = 0.0;
+    double both = 0.0;
+    double observed = 0.0;
+    double squares = 0.0; // of the residuals of the others
+    double count = 0.0;
+    PlottedValues model;
+    for (std::size_t row = 0; row < observations.time.size(); ++row) {
+        if (!plottedMotion(parameters, observations.time[row], model)) {
+            model.setZero();
+        }
+        for (const ObservedChannel &channel : observations.channels) {
+            const double weight = channel.weights[row];
+            if (kPlottedChannels[static_cast<std::size_t>(channel.plotted)].coordinate == R4x) {
+                const double weightedModel = weight * model[channel.plotted];
+                const double weightedValue = weight * channel.values[row];
+                modelled += weightedModel * weightedModel;
+                both += weightedModel * weightedValue;
+                observed += weightedValue * weightedValue;
+            } else {
+                const double residual = weight * residualOf(channel, row, model);
+                squares += residual * residual;
+            }
+            count += weight > 0.0 ? 1.0 : 0.0;
+        }
+    }
+    const double scale = modelled > 0.0 && both > 0.0 ? both / modelled : 1.0;
+    parameters.a *= scale;
+    parameters.b *= scale;
+    parameters.c *= scale;
+    squares += observed + scale * (scale * modelled - 2.0 * both);
+    return std::sqrt(std::max(squares, 0.0) / count);
+}
+
 bool linearize(const Observations &observations, const Parameters &parameters, Eigen::VectorXd &residuals,
                Eigen::Matrix<double, Eigen::Dynamic, kParameterRows> *derivatives)
 {
@@ -243,12 +279,7 @@ Fit fit(const Observations &observations, const Parameters &start, const FreePar
     }
     result.stopped = stop.stop_requested();
     result.parameters = residuals.parametersAt(x);
-    double count = 0.0;
-    for (const ObservedChannel &channel : observations.channels) {
-        count += static_cast<double>(
-            std::count_if(channel.weights.begin(), channel.weights.end(), [](double weight) { return weight > 0.0; }));
-    }
-    result.rms = method.fnorm / std::sqrt(count);
+    result.rms = method.fnorm / std::sqrt(static_cast<double>(valueCount(observations)));
     return result;
 }
 
@@ -261,11 +292,11 @@ Fit fitGrowing(const ReferenceData &data, const FitUnits &units, const Supply &s
     Fit result;
     result.parameters = start;
     int iterations = 0;
-    for (std::size_t count = end - supply.firstRow; end < supply.endRow || iterations == 0;) {
-        count *= kGrowth;
-        end = std::min(supply.firstRow + count, supply.endRow);
-        const std::size_t most = end == supply.endRow ? kMostFitRows : kRowsOnTheWay;
-        const Observations more = lowestOrders(observe(data, units, spreadRows(supply.firstRow, end, most)));
+    const std::span<const std::size_t> rows = supply.rows;
+    for (std::size_t count = rowsBefore(rows, end).size(); count < rows.size() || iterations == 0;) {
+        count = std::min(kGrowth * count, rows.size());
+        const std::size_t most = count == rows.size() ? kMostFitRows : kRowsOnTheWay;
+        const Observations more = lowestOrders(observe(data, units, spread(rows.first(count), most)));
         result = fit(more, result.parameters, isFree, kMostIterations, stop);
         iterations += result.iterations;
         if (result.stopped || !std::isfinite(result.rms)) {

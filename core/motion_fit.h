@@ -24,6 +24,10 @@ double misfit(const Observations &observations, const Parameters &parameters);
 /// A coupler just long enough for the motion to exist at all rows.
 void lengthenCoupler(const Observations &observations, Parameters &parameters);
 
+/// The same with all lengths scaled so that the channels that are lengths fit best; where there are none, the size
+/// stays.
+double misfitAtBestSize(const Observations &observations, Parameters &parameters);
+
 struct Fit {
     Parameters parameters;
     double rms = 0.0; ///< of the weighted residuals

@@ -48,25 +48,6 @@ std::vector<double> summedUp(const std::vector<double> &time, const std::vector<
     return sums;
 }
 
-/// Without its straight line of least squares: over whole turns, what the constant of the first of two summings-up adds.
-void removeDrift(const std::vector<double> &time, std::vector<double> &values)
-{
-    double n = 0.0, t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isfinite(values[i])) {
-            n += 1.0;
-            t += time[i];
-            y += values[i];
-            tt += time[i] * time[i];
-            ty += time[i] * values[i];
-        }
-    }
-    const double slope = (n * ty - t * y) / (n * tt - t * t);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] -= (y + slope * (n * time[i] - t)) / n;
-    }
-}
-
 std::optional<Course> courseOf(const ReferenceData &data, const FitUnits &units, const std::vector<double> &time,
                                Coordinate coordinate)
 {
@@ -85,11 +66,8 @@ std::optional<Course> courseOf(const ReferenceData &data, const FitUnits &units,
         if (count < kFewestRows) {
             continue;
         }
-        for (int times = static_cast<int>(order); times > 0; --times) {
+        if (order != Order::Position) {
             course.values = summedUp(time, course.values);
-        }
-        if (order == Order::Acceleration) {
-            removeDrift(time, course.values);
         }
         return course;
     }
@@ -312,7 +290,8 @@ Candidate fromR4x(const Samples &samples, double speed, Order order)
     return {speed, misfit, {a, b, c, speed, std::atan2(v, u), R >= 0.0 ? Branch::Open : Branch::Crossed}};
 }
 
-// ---- the speed -----------------------------------------------------------------------------------------------------
+// ---- the search over the speed
+// -----------------------------------------------------------------------------------------------------
 
 using Route = std::function<Candidate(double speed)>;
 
@@ -381,8 +360,7 @@ Samples samplesOf(const Courses &courses, bool theta3, bool R4x)
         }
     }
     Samples samples;
-    for (const std::size_t which : spreadRows(0, rows.size(), kMostRows)) {
-        const std::size_t row = rows[which];
+    for (const std::size_t row : spread(rows, kMostRows)) {
         samples.time.push_back(courses.time[row]);
         if (theta3) {
             samples.theta3.push_back(courses.theta3->values[row]);
@@ -422,52 +400,69 @@ Courses coursesOf(const ReferenceData &data, const Supply &supply, const FitUnit
     }
     courses.theta3 = courseOf(data, units, time, Theta3);
     courses.R4x = courseOf(data, units, time, R4x);
-    courses.firstRow = supply.firstRow;
-    courses.endRow = supply.endRow;
-    for (const std::optional<Course> *course : {&courses.theta3, &courses.R4x}) {
-        if (!*course) {
-            continue;
+    courses.firstRow = supply.rows.front();
+    courses.endRow = supply.rows.back() + 1;
+    const std::optional<Course> *best = &courses.theta3;
+    if (!*best || (courses.R4x && courses.R4x->order < (*best)->order)) {
+        best = &courses.R4x;
+    }
+    if (!*best) {
+        return courses;
+    }
+    const std::vector<double> &values = (*best)->values;
+    const std::vector<std::size_t> points = turningPoints(values, kMostTurningPoints);
+    courses.turningPoints = points.size();
+    if (points.size() == kMostTurningPoints) {
+        courses.endRow = points.back() + 1;
+    }
+    if (points.size() >= 3) {
+        // From one turning point to the last of the same kind there are whole turns.
+        const std::size_t turns = (points.size() - 1) / 2;
+        const std::size_t last = points[2 * turns];
+        double widest = 0.0;
+        for (std::size_t row = points[0], before = row; row <= last; ++row) {
+            if (std::isfinite(values[row])) {
+                widest = std::max(widest, time[row] - time[before]);
+                before = row;
+            }
         }
-        const std::vector<std::size_t> points = turningPoints((*course)->values, kMostTurningPoints);
-        if (points.size() == kMostTurningPoints) {
-            courses.endRow = std::min(courses.endRow, points.back() + 1);
-        }
-        if (points.size() >= 3) {
-            // From one turning point to the last of the same kind there are whole turns.
-            const std::size_t last = points[(points.size() - 1) / 2 * 2];
-            const double whole = time[last] - time[points[0]];
-            const double spacing = std::max(time[last] - time[last - 1], time[points[0] + 1] - time[points[0]]);
-            courses.speed = 2.0 * kPi * static_cast<double>((points.size() - 1) / 2) / whole;
-            courses.speedUncertainty = std::min(2.0 * spacing / whole, 0.5);
-        }
+        const double whole = time[last] - time[points[0]];
+        courses.speed = 2.0 * kPi * static_cast<double>(turns) / whole;
+        courses.speedUncertainty = std::min(2.0 * widest / whole, 0.5);
     }
     return courses;
 }
 
-std::vector<double> speedsToTry(const Courses &courses)
+std::vector<double> likelySpeeds(const Courses &courses)
 {
-    const double duration = courses.time[courses.endRow - 1] - courses.time[courses.firstRow];
+    if (!(courses.speed > 0.0)) {
+        return allSpeeds(courses);
+    }
+    constexpr int kEachSide = 4;
     std::vector<double> speeds;
-    if (courses.speed > 0.0) {
-        constexpr int kEachSide = 4;
-        for (int i = -kEachSide; i <= kEachSide; ++i) {
-            speeds.push_back(courses.speed * (1.0 + courses.speedUncertainty * i / kEachSide));
-        }
-        return speeds;
-    }
-    for (double turns = 0.02; turns < 0.3; turns *= 1.3) {
-        speeds.push_back(2.0 * kPi * turns / duration);
-    }
-    for (double turns = 0.3; turns < 2.0; turns += 0.07) {
-        speeds.push_back(2.0 * kPi * turns / duration);
+    for (int i = -kEachSide; i <= kEachSide; ++i) {
+        speeds.push_back(courses.speed * (1.0 + courses.speedUncertainty * i / kEachSide));
     }
     return speeds;
 }
 
-std::vector<Parameters> startsFrom(const Courses &courses, double size)
+std::vector<double> allSpeeds(const Courses &courses)
+{
+    const double oneTurn = 2.0 * kPi / (courses.time[courses.endRow - 1] - courses.time[courses.firstRow]);
+    const double mostTurns = 2.0 + 0.5 * static_cast<double>(courses.turningPoints);
+    std::vector<double> speeds;
+    for (double turns = 0.02; turns < 0.3; turns *= 1.3) {
+        speeds.push_back(turns * oneTurn);
+    }
+    for (double turns = 0.3; turns < mostTurns; turns += 0.07) {
+        speeds.push_back(turns * oneTurn);
+    }
+    return speeds;
+}
+
+std::vector<Parameters> startsFrom(const Courses &courses, const std::vector<double> &speeds, double size)
 {
     std::vector<Parameters> found;
-    const std::vector<double> speeds = speedsToTry(courses);
     const bool bothPositions = courses.theta3 && courses.R4x && courses.theta3->order == Order::Position &&
                                courses.R4x->order == Order::Position;
     if (bothPositions) {
@@ -482,14 +477,14 @@ std::vector<Parameters> startsFrom(const Courses &courses, double size)
             return found;
         }
     }
-    if (courses.theta3) {
+    if (courses.theta3 && courses.theta3->order != Order::Acceleration) {
         const Samples samples = samplesOf(courses, true, false);
         if (samples.time.size() >= kFewestRows) {
             const Order order = courses.theta3->order;
             search([&](double speed) { return fromTheta3(samples, speed, order, size); }, speeds, found);
         }
     }
-    if (courses.R4x) {
+    if (courses.R4x && courses.R4x->order != Order::Acceleration) {
         const Samples samples = samplesOf(courses, false, true);
         if (samples.time.size() >= kFewestRows) {
             const Order order = courses.R4x->order;
@@ -497,6 +492,45 @@ std::vector<Parameters> startsFrom(const Courses &courses, double size)
         }
     }
     return withImages(found);
+}
+
+std::vector<Parameters> startsFromGrid(const Observations &observations, const std::vector<double> &speeds,
+                                       bool bothDirections, double size, const std::stop_token &stop)
+{
+    constexpr int kAngles = 12;
+    constexpr double kOffsets[] = {-1.2, -0.5, 0.0, 0.5, 1.2}; // c / a
+    constexpr double kCouplers[] = {0.6, 1.05, 1.3, 2.0, 4.0}; // b / (a + |c|)
+    std::vector<Parameters> found;
+    for (const double magnitude : speeds) {
+        for (const double speed : {magnitude, -magnitude}) {
+            if ((speed < 0.0 && !bothDirections) || stop.stop_requested()) {
+                continue;
+            }
+            Parameters best;
+            double least = std::numeric_limits<double>::infinity();
+            for (const double offset : kOffsets) {
+                for (const double coupler : kCouplers) {
+                    for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+                        for (int i = 0; i < kAngles; ++i) {
+                            Parameters trial{size,
+                                             size * coupler * (1.0 + std::abs(offset)),
+                                             size * offset,
+                                             speed,
+                                             2.0 * kPi * i / kAngles,
+                                             branch};
+                            const double distance = misfitAtBestSize(observations, trial);
+                            if (distance < least) {
+                                least = distance;
+                                best = trial;
+                            }
+                        }
+                    }
+                }
+            }
+            found.push_back(best);
+        }
+    }
+    return found;
 }
 
 } // namespace slidercrank

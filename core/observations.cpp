@@ -26,17 +26,21 @@ bool Supply::has(Coordinate coordinate) const
 Supply supplyOf(const ReferenceData &data)
 {
     Supply supply;
-    supply.firstRow = data.time.size();
-    for (std::size_t plotted = 0; plotted < kPlottedChannels.size(); ++plotted) {
-        const ReferenceSeries *series = data.find(kPlottedChannels[plotted]);
-        for (std::size_t row = 0; series && row < series->values.size(); ++row) {
-            if (std::isfinite(series->values[row])) {
+    std::array<const ReferenceSeries *, kPlottedChannels.size()> series{};
+    std::transform(kPlottedChannels.begin(), kPlottedChannels.end(), series.begin(),
+                   [&](Channel channel) { return data.find(channel); });
+    for (std::size_t row = 0; row < data.time.size(); ++row) {
+        bool any = false;
+        for (std::size_t plotted = 0; plotted < series.size(); ++plotted) {
+            if (series[plotted] && std::isfinite(series[plotted]->values[row])) {
                 ++supply.counts[plotted];
-                supply.firstRow = std::min(supply.firstRow, row);
-                supply.endRow = std::max(supply.endRow, row + 1);
+                ++supply.values;
+                any = true;
             }
         }
-        supply.values += supply.counts[plotted];
+        if (any) {
+            supply.rows.push_back(row);
+        }
     }
     return supply;
 }
@@ -44,7 +48,7 @@ Supply supplyOf(const ReferenceData &data)
 FitUnits unitsFor(const ReferenceData &data, const Supply &supply, double length)
 {
     FitUnits units;
-    units.second = data.time[supply.endRow - 1] - data.time[supply.firstRow];
+    units.second = data.time[supply.rows.back()] - data.time[supply.rows.front()];
     units.mm = length;
     for (const Order order : {Order::Acceleration, Order::Velocity, Order::Position}) {
         if (const ReferenceSeries *series = data.find({R4x, order})) {
@@ -59,14 +63,19 @@ FitUnits unitsFor(const ReferenceData &data, const Supply &supply, double length
     return units;
 }
 
-std::vector<std::size_t> spreadRows(std::size_t first, std::size_t end, std::size_t most)
+std::vector<std::size_t> spread(std::span<const std::size_t> rows, std::size_t most)
 {
-    const std::size_t count = std::min(end - first, most);
-    std::vector<std::size_t> rows(count);
+    const std::size_t count = std::min(rows.size(), most);
+    std::vector<std::size_t> result(count);
     for (std::size_t i = 0; i < count; ++i) {
-        rows[i] = first + (count == 1 ? 0 : i * (end - first - 1) / (count - 1));
+        result[i] = rows[count == 1 ? 0 : i * (rows.size() - 1) / (count - 1)];
     }
-    return rows;
+    return result;
+}
+
+std::span<const std::size_t> rowsBefore(std::span<const std::size_t> rows, std::size_t end)
+{
+    return rows.first(static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), end) - rows.begin()));
 }
 
 Parameters FitUnits::toFit(const Parameters &parameters) const
@@ -144,8 +153,9 @@ Observations observe(const ReferenceData &data, const FitUnits &units, std::span
         }
         channel.spread = std::max(std::sqrt(squares / count), smallestStep);
         if (!(channel.spread > 0.0)) {
-            channel.spread = 1.0; // zero throughout
-            std::fill(channel.steps.begin(), channel.steps.end(), kUsualStep);
+            // Zero throughout: says next to nothing.
+            channel.spread = 1.0;
+            std::fill(channel.steps.begin(), channel.steps.end(), channel.spread);
         }
         for (double &weight : channel.weights) {
             weight /= channel.spread;
@@ -153,6 +163,16 @@ Observations observe(const ReferenceData &data, const FitUnits &units, std::span
         observations.channels.push_back(std::move(channel));
     }
     return observations;
+}
+
+std::size_t valueCount(const Observations &observations)
+{
+    std::size_t count = 0;
+    for (const ObservedChannel &channel : observations.channels) {
+        count += static_cast<std::size_t>(
+            std::count_if(channel.weights.begin(), channel.weights.end(), [](double weight) { return weight > 0.0; }));
+    }
+    return count;
 }
 
 Observations lowestOrders(Observations observations)

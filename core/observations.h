@@ -18,8 +18,7 @@ namespace slidercrank
 struct Supply {
     std::size_t values = 0;                                    ///< of all six
     std::array<std::size_t, kPlottedChannels.size()> counts{}; ///< in the order of kPlottedChannels
-    std::size_t firstRow = 0;                                  ///< with any value
-    std::size_t endRow = 0;                                    ///< behind the last with any value
+    std::vector<std::size_t> rows;                             ///< those with any value, ascending
 
     bool has(Channel channel) const;
     bool has(Coordinate coordinate) const; ///< in any order
@@ -56,8 +55,11 @@ struct ObservedChannel {
     double spread = 0.0; ///< standard deviation of the values
 };
 
-/// So many of the rows from first to end, evenly spread.
-std::vector<std::size_t> spreadRows(std::size_t first, std::size_t end, std::size_t most);
+/// At most so many of the rows, evenly spread.
+std::vector<std::size_t> spread(std::span<const std::size_t> rows, std::size_t most);
+
+/// Those of ascending rows that come before `end`.
+std::span<const std::size_t> rowsBefore(std::span<const std::size_t> rows, std::size_t end);
 
 /// Some rows of the data, in FitUnits.
 struct Observations {
@@ -67,6 +69,8 @@ struct Observations {
 
 /// Weights are 1 / spread: every channel counts alike.
 Observations observe(const ReferenceData &data, const FitUnits &units, std::span<const std::size_t> rows);
+
+std::size_t valueCount(const Observations &observations);
 
 /// Without the channels that are derivatives of others that are there: positions lead a fit home from farther away.
 Observations lowestOrders(Observations observations);

@@ -181,6 +181,7 @@ private slots:
         QTest::newRow("R4x and the speed of θ3") << "011000";
         QTest::newRow("both speeds") << "001100";
         QTest::newRow("everything of R4x") << "010101";
+        QTest::newRow("the speed of R4x") << "000100";
     }
 
     void findsRandomMechanisms()
@@ -239,6 +240,150 @@ private slots:
             QVERIFY(!result.identifiable[indexOf(Parameter::A)] && !result.identifiable[indexOf(Parameter::B)]);
             QVERIFY(!result.identifiable[indexOf(Parameter::C)] && result.identifiable[indexOf(Parameter::Omega2)]);
         }
+    }
+
+    void findsAMechanismFromItsAccelerations()
+    {
+        RandomMechanisms random(kSeed);
+        for (int i = 0; i < 10; ++i) {
+            const Parameters truth = ordinary(random);
+            const double turns = random.uniform(0.6, 3.0);
+            const Identification result =
+                identify(printedData(truth, turnsOf(truth, turns, 201, "000011")), Mechanism());
+            QVERIFY2(isFound(result) && distance(result.parameters, truth) <= 1e-3,
+                     qPrintable(described(result.parameters) + " instead of " + described(truth)));
+        }
+    }
+
+    void findsARocker()
+    {
+        RandomMechanisms random(kSeed);
+        for (int i = 0; i < 100; ++i) {
+            // Around the middle of the arc where c - a sin θ2 stays within ±b.
+            Parameters truth = ordinary(random);
+            const double c = std::abs(truth.c);
+            truth.b = c + truth.a * random.uniform(-0.3, 0.9);
+            if (truth.b < 0.1 * truth.a || truth.b < c - 0.7 * truth.a || truth.b > 0.9 * (truth.a + c)) {
+                continue;
+            }
+            const double limit = std::asin(std::clamp((c - truth.b) / truth.a, -1.0, 1.0));
+            const double upper = c + truth.b > truth.a ? kPi - limit : std::asin((c + truth.b) / truth.a);
+            const double margin = 0.02 * (upper - limit);
+            const double sign = truth.c < 0.0 ? -1.0 : 1.0;
+            const double from = truth.omega2 * sign > 0.0 ? limit + margin : upper - margin;
+            const double to = truth.omega2 * sign > 0.0 ? upper - margin : limit + margin;
+            truth.theta20 = sign * from;
+            Printing printing;
+            printing.to = std::abs((to - from) / truth.omega2);
+            for (const char *channels : {"111111", "110000", "010000"}) {
+                printing.channels = channels;
+                const Identification result = identify(printedData(truth, printing), Mechanism());
+                const bool image = channels[0] == '0' && result.parameters.omega2 * truth.omega2 < 0.0;
+                QVERIFY2(isFound(result) && distance(result.parameters, image ? mirrored(truth) : truth) <= 1e-3,
+                         qPrintable(described(result.parameters) + " instead of " + described(truth)));
+            }
+        }
+    }
+
+    void bridgesGaps()
+    {
+        RandomMechanisms random(kSeed);
+        for (int i = 0; i < 100; ++i) {
+            const Parameters truth = ordinary(random);
+            Printing printing = turnsOf(truth, 3.0, 300, "111111");
+            // A turn is missing altogether, of the rest one cell in two; θ3 ends early, R4x begins late.
+            const auto isGap = [&](int row, std::size_t channel) {
+                return (row > 100 && row < 200) || (channel == 0 && row > 220) || (channel == 1 && row < 80) ||
+                       random.uniform(0.0, 1.0) < 0.5;
+            };
+            const Identification result = identify(printedData(truth, printing, isGap), Mechanism());
+            QVERIFY2(isFound(result) && distance(result.parameters, truth) <= 1e-3,
+                     qPrintable(described(result.parameters) + " instead of " + described(truth)));
+        }
+    }
+
+    void findsAMechanismOfAnySizeAtAnyTime()
+    {
+        for (const double size : {1e-9, 1e9}) {
+            Parameters truth{20.0 * size, 60.0 * size, -25.0 * size, -1e3, 1.0, Branch::Crossed};
+            Printing printing;
+            printing.from = 1e4;
+            printing.to = 1e4 + 0.01;
+            printing.timeFormat = "%.12g";
+            const Identification result = identify(printedData(truth, printing), Mechanism());
+            QVERIFY(isFound(result));
+            // At t = 0 the angle is as uncertain as the speed times 1e4 s.
+            const double error = result.standardError[indexOf(Parameter::Theta20)];
+            const double off = std::remainder(result.parameters.theta20 - truth.theta20, 2.0 * kPi);
+            QVERIFY2(std::abs(off) < 5.0 * error, qPrintable(QStringLiteral("%1 ± %2").arg(off).arg(error)));
+            truth.theta20 = result.parameters.theta20;
+            QVERIFY2(distance(result.parameters, truth) < 1e-5, qPrintable(described(result.parameters)));
+        }
+    }
+
+    void findsAThousandTurnsInManyRows()
+    {
+        const Parameters truth{20.0, 60.0, 25.0, -7.0, 2.0, Branch::Open};
+        const Identification result =
+            identify(printedData(truth, turnsOf(truth, 1000.0, 50000, "110000")), Mechanism());
+        QVERIFY2(isFound(result) && distance(result.parameters, truth) < 1e-5,
+                 qPrintable(described(result.parameters)));
+    }
+
+    void tellsHowFarOffItMayBe()
+    {
+        // Of errors that are as they are said to be, one in 300 is beyond three standard errors.
+        RandomMechanisms random(kSeed);
+        int count = 0;
+        int beyond = 0;
+        for (int i = 0; i < 100; ++i) {
+            const Parameters truth = ordinary(random);
+            const Identification result =
+                identify(printedData(truth, turnsOf(truth, random.uniform(0.6, 3.0), 201, "110000")), Mechanism());
+            const double errors[] = {result.parameters.a - truth.a, result.parameters.b - truth.b,
+                                     result.parameters.c - truth.c, result.parameters.omega2 - truth.omega2,
+                                     std::remainder(result.parameters.theta20 - truth.theta20, 2.0 * kPi)};
+            for (std::size_t k = 0; k < kParameterCount; ++k) {
+                ++count;
+                beyond += std::abs(errors[k]) > 3.0 * result.standardError[k] ? 1 : 0;
+            }
+        }
+        QVERIFY2(beyond <= count / 50, qPrintable(QStringLiteral("%1 of %2").arg(beyond).arg(count)));
+    }
+
+    void leavesOutAColumnThatIsWrong()
+    {
+        ReferenceData data = printedData({20.0, 60.0, 25.0, 5.0, 0.5, Branch::Open});
+        for (ReferenceSeries &series : data.series) {
+            if (series.channel.order == Order::Velocity) {
+                for (double &value : series.values) {
+                    value *= kDegreesPerRadian;
+                }
+            }
+        }
+        const Identification result = identify(data, Mechanism());
+        QVERIFY2(isFound(result) && distance(result.parameters, {20.0, 60.0, 25.0, 5.0, 0.5, Branch::Open}) < 1e-5,
+                 qPrintable(described(result.parameters)));
+    }
+
+    void findsNothingInNonsense()
+    {
+        ReferenceData data = printedData(Parameters());
+        RandomMechanisms random(kSeed);
+        for (ReferenceSeries &series : data.series) {
+            for (double &value : series.values) {
+                value = random.uniform(-1.0, 1.0);
+            }
+        }
+        QCOMPARE(identify(data, Mechanism()).status, Identification::Status::NotFound);
+    }
+
+    void saysThatNothingMoves()
+    {
+        Parameters standing;
+        standing.omega2 = 0.0;
+        standing.theta20 = 0.3;
+        QCOMPARE(identify(printedData(standing), Mechanism()).status, Identification::Status::TooFewData);
     }
 
     void saysThatThereAreTooFewData()
