@@ -161,12 +161,18 @@ std::optional<Explanation> provenByFit(const ReferenceData &data, Explanation ex
 std::vector<Explanation> explanationsOf(const ReferenceData &data, const std::vector<ReferenceData> &witnesses,
                                         const Mechanism &atHand, const std::stop_token &stop)
 {
+    constexpr double kOfAStranger = 0.3;               // decides among as many findings only
+    constexpr double kSimplest = 1.015 + kOfAStranger; // one finding in one column
     struct Priced {
         double cost;
         Explanation explanation;
     };
     std::vector<Priced> priced;
+
     for (const ReferenceData &witness : witnesses) {
+        if (std::any_of(priced.begin(), priced.end(), [&](const Priced &one) { return one.cost <= kSimplest; })) {
+            break; // no other witness can tell anything simpler
+        }
         const Identification fit = identify(witness, atHand, stop);
         if (fit.status != Identification::Status::Found) {
             continue;
@@ -182,7 +188,6 @@ std::vector<Explanation> explanationsOf(const ReferenceData &data, const std::ve
                         continue;
                     }
                     if (const auto explanation = explain(data, assumption)) {
-                        constexpr double kOfAStranger = 0.3; // decides among as many findings only
                         const double strange = resembles(data, *explanation, atHand) ? 0.0 : kOfAStranger;
                         priced.push_back({costOf(*explanation) + strange, *explanation});
                     }
