@@ -822,7 +822,9 @@ private slots:
         data.series.push_back({kTheta, {204.624, 190.5, 180.25}, {Rounding::Rule::SignificantDigits, 6}});
         const ReferenceData turned = applied({Kind::HalfTurn, {kTheta}, -180.0}, data);
         QVERIFY(std::abs(turned.series[0].values[2] - 0.25) < 1e-9);
-        QVERIFY(std::abs(turned.series[0].rounding.stepAt(0.25) - 1e-3) < 1e-12);
+        for (const double value : {24.624, 0.25, 180.25}) {
+            QVERIFY(std::abs(turned.series[0].rounding.stepAt(value) - 1e-3) < 1e-12);
+        }
     }
 
     void appliesAUnitToTheRoundingToo()
