@@ -63,13 +63,14 @@ struct Identification {
 
     int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
-    double rms = 0.0;             ///< of the weighted residuals: about 0.29 when only rounding is left
+    double rms = 0.0;             ///< of the residuals in steps of the file's rounding: 0.29 when only that is left
 };
 
 /// `start` gives what the data cannot fix, and is itself one of the starts tried.
 Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop = {});
 
-/// One parameter of the mechanism fitted alone, all others held: how much of the squared error that explains.
+/// One parameter of the mechanism fitted alone, all others held: how much of the squared error that explains. Here
+/// every channel weighs alike, by how much it varies: what is to be explained is far larger than rounding.
 struct Attribution {
     Parameter parameter = Parameter::A;
     double value = 0.0;     ///< fitted

@@ -8,8 +8,7 @@
 //
 //     θ3 and R4x known    b cos θ3 + a cos θ2 = R4x,  b sin θ3 + a sin θ2 - c = 0               in b, c, u, v
 //     θ3 known            sin θ3 = c/b - (a/b) sin θ2                                           in c/b, u/b, v/b
-//     R4x known           R4x² = 2 R4x a cos θ2 + 2 c a sin θ2 + (b² - a² - c²)                 in u, v, c u, c v, b² -
-//     …
+//     R4x known           R4x² = 2 R4x a cos θ2 + 2 c a sin θ2 + D,  D = b² - a² - c²           in u, v, c u, c v, D
 //
 // Where only a velocity is known it is summed up; the constant that this leaves open is one more unknown: θ3 = θ + δ,
 // sin θ + tan δ cos θ = …, and R4x = r + R, r² + 2 r R = …. So there is one number left to search for, W, and the
