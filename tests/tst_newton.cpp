@@ -595,7 +595,7 @@ void tst_newton::goesOnWhereItsToleranceLeavesNoDigit()
 void tst_newton::givesDerivativesBesideAToggleOnlyWithTheirDigits()
 {
     constexpr double kPart = 6.0 * kResolvedPart;
-    constexpr int kMechanisms = 1200;
+    constexpr int kMechanisms = 600;
     RandomMechanisms random(22);
     double worst = 0.0;
     int solved = 0;

@@ -16,6 +16,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 
 Q_DECLARE_METATYPE(slidercrank::Case)
 
@@ -306,7 +307,8 @@ void tst_structured_newton::relativeIterationsAreTheSameAtEveryTime()
     }
 }
 
-/// Solved with tolerance 0, each channel at each instant is off by 2 u (|f| + κ) at most, κ = Σ |p ∂f/∂p|.
+/// Solved with tolerance 0, each channel at each instant is off by 2 u (|f| + κ) at most, κ = Σ |p ∂f/∂p|. Judged are
+/// the instants where it is hard, and every other one of the run.
 void tst_structured_newton::errorIsWithinTwiceConditioning()
 {
     QFETCH(Case, which);
@@ -335,7 +337,11 @@ void tst_structured_newton::errorIsWithinTwiceConditioning()
             values += static_cast<int>(kChannelCount);
         }
     };
+    const std::vector<double> square = squareInstants(which);
     for (std::size_t i = 0; i < instants.size(); ++i) {
+        if (i % 2 != 0 && !std::binary_search(square.begin(), square.end(), instants[i])) {
+            continue;
+        }
         constexpr double kEnoughClearance = 1e-4; // for 50 digits
         const ExactState<Digits50> exact = exactState<Digits50>(p, instants[i]);
         if (exact.clearance > kEnoughClearance) {
