@@ -361,9 +361,8 @@ void ColumnMapping::guessAnew()
 void ColumnMapping::readAgain()
 {
     m_outcome = readWith(m_beginning, choices());
-    const FileLayout layout = layoutIn(m_outcome);
-    if (layout.columns.size() == m_rows.size()) {
-        m_layout = layout;
+    if (const ReferenceData *fit = std::get_if<ReferenceData>(&m_outcome)) {
+        m_layout = fit->layout; // else the other columns stay as they were: the reader may not have come to them
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         showRow(i);

@@ -317,7 +317,7 @@ void MainWindow::connectRooms()
             [this](const QString &sentence) { m_messageBar->showMessage(MessageBar::Kind::Problem, sentence); });
     connect(m_session, &Session::referenceRefused, this, [this](const QString &path, const QString &sentence) {
         const bool hasColumns = !layoutOf(beginningOf(path)).columns.empty(); // which of them is what may help
-        m_messageBar->showMessage(MessageBar::Kind::Problem, sentence, hasColumns ? tr("Columns…") : QString(),
+        m_messageBar->showMessage(MessageBar::Kind::Problem, sentence, hasColumns ? tr("Choose columns…") : QString(),
                                   hasColumns ? [this, path] { chooseColumns(path); } : std::function<void()>());
     });
     connect(m_session, &Session::referenceLoaded, this, [this](const std::shared_ptr<const Reference> &reference) {
@@ -331,7 +331,7 @@ void MainWindow::connectRooms()
             m_messageBar->showMessage(
                 MessageBar::Kind::Hint,
                 tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name),
-                tr("Columns…"), [this] { chooseColumns(m_session->reference()->path); });
+                tr("Choose columns…"), [this] { chooseColumns(m_session->reference()->path); });
         }
         if (reference && reference->path != kSamplePath) {
             rememberReference(reference->path);
