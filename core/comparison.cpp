@@ -34,11 +34,9 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
     assert(model.size() == time.size() && values.size() == time.size());
 
     double peak = 0.0;
-    double largestStep = 0.0;
     for (const double value : values) {
         if (std::isfinite(value)) {
             peak = std::max(peak, std::abs(value));
-            largestStep = std::max(largestStep, reference.rounding.stepAt(value));
         }
     }
     const double smallestStep = kArithmeticStep * std::max(peak, scale);
@@ -47,11 +45,14 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
     result.channel = reference.channel;
     double maxAbs = -1.0;
     double maxPercent = -1.0;
+    double largestStep = 0.0;
     for (std::size_t i = 0; i < time.size(); ++i) {
         const double value = values[i];
         if (!std::isfinite(value)) {
             continue;
         }
+        const double stepOfFile = reference.rounding.stepAt(value);
+        largestStep = std::max(largestStep, stepOfFile);
         if (!std::isfinite(model[i])) {
             ++result.missingModel;
             continue;
@@ -70,7 +71,7 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
             result.timeOfMaxPercent = time[i];
         }
 
-        const double step = std::max(reference.rounding.stepAt(value), smallestStep);
+        const double step = std::max(stepOfFile, smallestStep);
         const double half = 0.5 * step + kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(value);
         if (error <= half) {
             ++result.withinHalfStep;

@@ -2,6 +2,7 @@
 #include "core/rounding.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -16,36 +17,53 @@ namespace
 constexpr int kLowestPower = -323;
 constexpr int kHighestPower = 308;
 
-/// 10^exponent; 0 or infinity beyond what a double holds. From a table: a step is asked for at every value compared.
-double powerOfTen(int exponent)
+using Powers = std::array<double, kHighestPower - kLowestPower + 1>;
+
+/// The powers of ten that a double holds. A table: a step is asked for at every value compared.
+const Powers &powersOfTen()
 {
-    static const auto table = [] {
-        std::array<double, kHighestPower - kLowestPower + 1> powers{};
+    static const Powers table = [] {
+        Powers powers{};
         for (int power = kLowestPower; power <= kHighestPower; ++power) {
             powers[static_cast<std::size_t>(power - kLowestPower)] = std::pow(10.0, power);
         }
         return powers;
     }();
+    return table;
+}
+
+/// 10^exponent; 0 or infinity beyond what a double holds.
+double powerOfTen(const Powers &powers, int exponent)
+{
     if (exponent < kLowestPower) {
         return 0.0;
     }
     if (exponent > kHighestPower) {
         return std::numeric_limits<double>::infinity();
     }
-    return table[static_cast<std::size_t>(exponent - kLowestPower)];
+    return powers[static_cast<std::size_t>(exponent - kLowestPower)];
 }
 
 /// A unit's conversion there and back may leave 9.99…9 of a printed 10: this part of a value decides no decade.
 constexpr double kConversionSlack = 1e-12;
 
+/// e such that 2^e <= magnitude < 2^(e + 1), of a positive number.
+int binaryExponent(double magnitude)
+{
+    if (magnitude >= std::numeric_limits<double>::min()) { // as it stands in the number's bits
+        return static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52U) - 1023;
+    }
+    return std::ilogb(magnitude);
+}
+
 /// Power of ten of the first digit of a positive number.
-int decadeOf(double magnitude)
+int decadeOf(const Powers &powers, double magnitude)
 {
     const double nudged = magnitude * (1.0 + kConversionSlack);
-    int twos = 0;
-    std::frexp(nudged, &twos); // 2^(twos - 1) <= nudged < 2^twos: one decade or two
-    const int decade = static_cast<int>(std::floor((twos - 1) * 0.30102999566398120));
-    return nudged >= powerOfTen(decade + 1) ? decade + 1 : decade;
+    // log10 2 in units of 2^-18, rounded down: exact to the whole number over all exponents of a double.
+    constexpr int kLog10Of2 = 78913;
+    const int decade = (binaryExponent(nudged) * kLog10Of2) >> 18; // or the one after
+    return nudged >= powerOfTen(powers, decade + 1) ? decade + 1 : decade;
 }
 
 /// A number of at most so many digits may be one that somebody chose (25, 360, 12.75), and then says nothing about how
@@ -96,13 +114,14 @@ bool isBetter(const Fit &fit, const Fit &best)
 
 double Rounding::stepAt(double value) const
 {
+    const Powers &powers = powersOfTen();
     switch (rule) {
     case Rule::Unknown: return 0.0;
-    case Rule::Decimals: return unitFactor * powerOfTen(-digits);
+    case Rule::Decimals: return unitFactor * powerOfTen(powers, -digits);
     case Rule::SignificantDigits: {
         const double printed = std::abs(value) / unitFactor;
-        const int exponent = printed > 0.0 && std::isfinite(printed) ? decadeOf(printed) : smallestExponent;
-        return unitFactor * powerOfTen(std::max(exponent - digits + 1, finestPlace));
+        const int exponent = printed > 0.0 && std::isfinite(printed) ? decadeOf(powers, printed) : smallestExponent;
+        return unitFactor * powerOfTen(powers, std::max(exponent - digits + 1, finestPlace));
     }
     }
     return 0.0;
@@ -152,28 +171,6 @@ PrintedPlaces placesOf(std::string_view digits)
         places.last = placeOf(last - 1);
     }
     return places;
-}
-
-void RoundingObserver::observe(const PrintedPlaces &places, std::string_view digits)
-{
-    m_finestPlace = std::min(m_finestPlace, places.printed);
-    if (places.zero) {
-        return;
-    }
-    m_smallestExponent = std::min(m_smallestExponent, places.first);
-    if (std::abs(places.first) <= kLargestExponent) {
-        const auto decade = static_cast<std::size_t>(places.first + kLargestExponent);
-        const auto length = static_cast<std::size_t>(places.first - places.last);
-        ++m_counts[decade][std::min(length, kMostDigits - 1)];
-    }
-    if (!m_varies) {
-        const std::string_view magnitude = digits.substr(digits.find_first_not_of("+-"));
-        if (m_onlyMagnitude.empty()) {
-            m_onlyMagnitude = magnitude;
-        } else {
-            m_varies = m_onlyMagnitude != magnitude;
-        }
-    }
 }
 
 Rounding RoundingObserver::infer(double unitFactor) const

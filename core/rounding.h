@@ -4,9 +4,11 @@
 // How a program rounded a column of numbers when it wrote them: to so many significant digits, or to so many decimals.
 // Trailing zeros say nothing (139.397000 has six digits), so the rule is inferred from all values of the column.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -77,5 +79,28 @@ private:
     std::string m_onlyMagnitude; ///< the text, without sign, of the first value that is not zero
     bool m_varies = false;       ///< whether another value that is not zero differs from it
 };
+
+// Here, because it is called for each value of a large file.
+inline void RoundingObserver::observe(const PrintedPlaces &places, std::string_view digits)
+{
+    m_finestPlace = std::min(m_finestPlace, places.printed);
+    if (places.zero) {
+        return;
+    }
+    m_smallestExponent = std::min(m_smallestExponent, places.first);
+    if (std::abs(places.first) <= kLargestExponent) {
+        const auto decade = static_cast<std::size_t>(places.first + kLargestExponent);
+        const auto length = static_cast<std::size_t>(places.first - places.last);
+        ++m_counts[decade][std::min(length, kMostDigits - 1)];
+    }
+    if (!m_varies) {
+        const std::string_view magnitude = digits.substr(digits.find_first_not_of("+-"));
+        if (m_onlyMagnitude.empty()) {
+            m_onlyMagnitude = magnitude;
+        } else {
+            m_varies = m_onlyMagnitude != magnitude;
+        }
+    }
+}
 
 } // namespace slidercrank
