@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A simulation's exported motion: a CSV file's bytes → named series in the author's units (mm, °, s), or an error that
-// says line, column and text. Locale-free; nothing throws.
+// A simulation's exported motion: a file's bytes → named series in the author's units (mm, °, s), with what each column
+// was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
 //
-// The first line that is not blank names the columns: "time" and the channels (nameOf()), in any order and case, each
-// with its unit in brackets or parentheses or none for the author's. Length: mm, cm, m, in. Angle: °, deg, rad.
-// Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms. Cells are separated by commas, semicolons or
-// tabs and may be quoted; a cell never spans lines. Numbers hold a decimal point or, where commas do not separate, a
-// decimal comma, the same throughout a file; separators of thousands are not read. An empty cell or "nan" is a gap.
+// Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
+// (nameOf(), or words), in any order and case, each with its unit or none for the author's; perhaps a line of units.
+// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us.
+// Cells are separated by commas, semicolons or tabs and may be quoted; a cell never spans lines. Numbers hold a decimal
+// point or a decimal comma, the same throughout a file; separators of thousands are not read. An empty cell or "nan" is
+// a gap.
+//
+// A name that leaves open which channel it is, is guessed at only where unit and values bear that out, and the guess is
+// marked in the layout; otherwise the column is left out.
 
 #include "core/channel.h"
 #include "core/file_layout.h"
@@ -66,8 +70,9 @@ struct ReadOptions {
     std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
-/// Reads any bytes. A channel or time that stands there twice, an unknown unit and a time that does not increase are
-/// refused rather than guessed at; a row that cannot be read is left out and reported. Watches `stop`.
+/// Reads any bytes. A channel or time that stands there twice under its own name, an unknown unit of either and a time
+/// that does not increase are refused rather than guessed at; a row that cannot be read is left out and reported.
+/// Watches `stop`.
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
                                                          const ReadOptions &options = {});
 
