@@ -12,6 +12,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemModel>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QDropEvent>
@@ -181,6 +182,20 @@ private slots:
         QCOMPARE(m_window->session().parameters().b, 65.0);
         QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(m_window->session().parameters().b, dragged);
+    }
+
+    void aTypedNumberIsUndoneWithTheFocusStillInItsBox()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *box = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("box_b"));
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QStringLiteral("70"));
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters().b, 65.0);
     }
 
     void scrubbingMovesThePose()

@@ -176,6 +176,19 @@ void NumberBox::focusOutEvent(QFocusEvent *event)
     showValue();
 }
 
+/// What was typed and not taken over yet is undone in the box; anything else is the window's to undo.
+bool NumberBox::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride && !m_typed) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QAbstractSpinBox::event(event);
+}
+
 void NumberBox::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() == Qt::Key_Escape && m_typed) {
