@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/diagnosis.h"
 
+#include "core/explanation.h"
 #include "core/trajectory.h"
 
 #include <algorithm>
@@ -27,15 +28,6 @@ std::vector<ChannelComparison> compareWith(const Mechanism &mechanism, const Ref
 }
 
 } // namespace
-
-ChannelSet channelsOf(const ReferenceData &data)
-{
-    ChannelSet channels;
-    for (const ReferenceSeries &series : data.series) {
-        channels.set(indexOf(series.channel));
-    }
-    return channels;
-}
 
 std::shared_ptr<const Diagnosis> diagnose(const std::shared_ptr<const Reference> &reference, const Mechanism &mechanism,
                                           bool agrees, const std::shared_ptr<const Diagnosis> &known,

@@ -29,9 +29,6 @@ struct Diagnosis {
     std::vector<ConventionFinding> conventions;
 };
 
-/// Those that the file has.
-ChannelSet channelsOf(const ReferenceData &data);
-
 /// `agrees`: every channel does, with this mechanism. `known`: an earlier diagnosis, whose identification is taken over
 /// where it is of the same reference; may be null. Null when stopped. May run in any thread.
 std::shared_ptr<const Diagnosis> diagnose(const std::shared_ptr<const Reference> &reference, const Mechanism &mechanism,

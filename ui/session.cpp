@@ -2,6 +2,7 @@
 #include "ui/session.h"
 
 #include "core/closed_form.h"
+#include "core/explanation.h"
 #include "ui/column_choices.h"
 #include "ui/finding_text.h"
 
