@@ -315,6 +315,17 @@ private slots:
         QCOMPARE(m_window->size(), QSize(1024, 700));
     }
 
+    void whatIsFoundInAFileDoesNotHideANewerProblem()
+    {
+        Session &session = m_window->session();
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        m_window->openReference(kSample);
+        QVERIFY(loaded.wait());
+        session.setParameters(withCoupler(-1.0)); // before the diagnosis is there
+        QTRY_VERIFY(session.diagnosis());
+        QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("greater than 0")));
+    }
+
     void saysNothingOfAFileThatAgrees()
     {
         m_window->session().setParameters(withCoupler(60.0));

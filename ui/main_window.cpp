@@ -592,6 +592,9 @@ void MainWindow::announce(const std::shared_ptr<const Diagnosis> &diagnosis)
         return;
     }
     m_announceReference = false;
+    if (!m_messageBar->isHidden()) {
+        return; // opening the file cleared it: what it says is newer
+    }
     const std::vector<Finding> findings = findingsOf(result, diagnosis.get());
     if (findings.empty() || findings.front().remedy == Finding::Remedy::ReadAsPrinted) {
         return; // it agrees
