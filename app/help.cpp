@@ -77,7 +77,7 @@ constexpr OptionEntry kRenderOptions[] = {
     {"what", "WHAT",
      QT_TRANSLATE_NOOP(
          "slidercrank::CommandLine",
-         "figure (the nine plots), mechanism, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, "
+         "figure (the nine plots), mechanism, report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, "
          "theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)")},
     {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a name that ends in .png, .svg or .pdf; needed")},
     {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to draw beside it")},
@@ -117,7 +117,7 @@ QString introductionOf(Subcommand subcommand)
                                "the model\n"
                                "       slidercrank identify FILE [options]     the mechanism that a file belongs to\n"
                                "       slidercrank study [options]             speed against error of every method\n"
-                               "       slidercrank render --output FILE [...]  a picture: PNG, SVG or PDF\n"
+                               "       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF\n"
                                "\n"
                                "Motion of an offset slider-crank. \"slidercrank solve --help\" and so on tell the "
                                "options of each.\n");
@@ -168,7 +168,7 @@ QString introductionOf(Subcommand subcommand)
     case Subcommand::Render:
         return CommandLine::tr("Usage: slidercrank render --output FILE.png|.svg|.pdf [options]\n"
                                "\n"
-                               "Draws what the window shows into a file. Needs no "
+                               "Draws what the window shows into a file, or writes a report of it. Needs no "
                                "display.\n");
     }
     return {};

@@ -447,6 +447,8 @@ void readSubject(OptionReader &reader, RenderOptions &options)
     if (what == u"figure") {
         options.subject = Subject::Figure;
         options.size = QSize(1400, 1800);
+    } else if (what == u"report") {
+        options.subject = Subject::Report;
     } else if (what == u"mechanism") {
         options.subject = Subject::Mechanism;
         options.size = QSize(900, 700);
@@ -455,7 +457,7 @@ void readSubject(OptionReader &reader, RenderOptions &options)
         options.plot = what;
         options.size = QSize(900, 600);
     } else {
-        reader.refuse(CommandLine::tr("--what must be figure, mechanism or one of the plots %1, not \"%2\".")
+        reader.refuse(CommandLine::tr("--what must be figure, mechanism, report or one of the plots %1, not \"%2\".")
                           .arg(alternatives(plots), what));
     }
 }
@@ -468,6 +470,9 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     if (options.output.isEmpty()) {
         reader.refuse(
             CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf."));
+    } else if (options.subject == RenderOptions::Subject::Report &&
+               figureFormatOf(options.output) != FigureFormat::Pdf) {
+        reader.refuse(CommandLine::tr("A report is a PDF: --output must end in .pdf, not be \"%1\".").arg(options.output));
     } else if (!figureFormatOf(options.output)) {
         reader.refuse(CommandLine::tr("--output must end in .png, .svg or .pdf, not be \"%1\".").arg(options.output));
     }
@@ -476,6 +481,15 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     options.solver = readSolver(reader);
     options.reference = reader.file("reference");
     options.theme = reader.choice("theme", options.theme, {{"light", Theme::Light}, {"dark", Theme::Dark}});
+
+    if (options.subject == RenderOptions::Subject::Report) {
+        for (const char *name : {"size", "scale", "theme"}) {
+            if (reader.has(name)) {
+                reader.refuse(
+                    CommandLine::tr("A report is always on A4, black on white: remove --%1.").arg(QLatin1String(name)));
+            }
+        }
+    }
 
     // What a PNG can hold, and a little less than what a person could have meant.
     constexpr int kLargestSide = 20'000;

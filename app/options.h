@@ -57,7 +57,7 @@ struct StudyOptions {
 };
 
 struct RenderOptions {
-    enum class Subject { Figure, Mechanism, Plot };
+    enum class Subject { Figure, Mechanism, Plot, Report };
     Mechanism mechanism;
     Sampling sampling;
     SolverSettings solver;

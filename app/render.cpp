@@ -5,13 +5,14 @@
 #include "ui/figure_export.h"
 #include "ui/mechanism_view.h"
 #include "ui/plot_grid.h"
+#include "ui/report_pages.h"
 #include "ui/session.h"
 #include "ui/theme.h"
 
 #include <QEventLoop>
 #include <QPalette>
 
-#include <functional>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -21,8 +22,8 @@ namespace slidercrank
 namespace
 {
 
-/// The figure belongs to the run, so its cursor does too; the mechanism alone has a pose at any instant, and a run is
-/// put around that.
+/// Figure and report belong to the run, so their cursor does too; the mechanism alone has a pose at any instant, and a
+/// run is put around that.
 Sampling runAround(const RenderOptions &options)
 {
     Sampling run = options.sampling;
@@ -51,6 +52,17 @@ void settle(Session &session, const RenderOptions &options, const std::shared_pt
         loop.exec();
     }
     session.setTime(options.poseInstant);
+}
+
+/// The linkage as the file has it, where that is another than the model's; none where the file reads otherwise.
+ReferencePose ghostOf(const Reference &reference, const Interpretation &interpretation, const RenderOptions &options)
+{
+    if (!interpretation.conventions.empty() || interpretation.attribution.empty()) {
+        return {};
+    }
+    const bool isFound = interpretation.identification.status == Identification::Status::Found;
+    const Mechanism own = isFound ? Mechanism(interpretation.identification.parameters) : options.mechanism;
+    return referencePoseAt(reference.data, own, options.poseInstant);
 }
 
 Shortfall shortfallOf(const RenderOptions &options, const Session &session)
@@ -83,34 +95,48 @@ ExitStatus render(const RenderOptions &options)
     Session session;
     settle(session, options, reference);
 
-    const QPalette palette = paletteFor(options.theme);
     PlotGrid plots;
     MechanismView mechanism;
-    FigureDrawing draw;
-    switch (options.subject) {
-    case RenderOptions::Subject::Figure:
-        draw = [&](QPainter &painter, const QSize &size) { plots.paintFigure(painter, size, palette); };
-        break;
-    case RenderOptions::Subject::Plot:
-        draw = [&](QPainter &painter, const QSize &size) {
-            plots.paintPlot(painter, QStringLiteral("plot_") + options.plot, size, palette);
-        };
-        break;
-    case RenderOptions::Subject::Mechanism:
-        draw = [&](QPainter &painter, const QSize &size) { mechanism.paintMechanism(painter, size, palette); };
-        break;
-    }
     plots.setResult(session.result());
     if (options.poseInstant != options.sampling.start) {
         plots.markTime(options.poseInstant);
     }
     mechanism.setResult(session.result());
     mechanism.setPose(session.pose());
+    ReportContent content{session.result(), {}, false};
+    if (reference && options.subject != RenderOptions::Subject::Figure &&
+        options.subject != RenderOptions::Subject::Plot) {
+        content.interpretation = interpret(reference->data, options.mechanism);
+        const ReferencePose ghost = ghostOf(*reference, content.interpretation, options);
+        content.hasGhost = ghost.exists;
+        mechanism.setGhost(ghost);
+    }
 
-    const QString title = CommandLine::tr("Motion of an offset slider-crank");
-    if (const std::optional<QString> sentence =
-            exportFigure(options.output, {options.size, options.scale}, title, draw)) {
-        say(*sentence);
+    const QPalette palette = paletteFor(options.theme);
+    const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {
+        plots.paintFigure(painter, size, palette);
+    };
+    const FigureDrawing drawMechanism = [&](QPainter &painter, const QSize &size) {
+        mechanism.paintMechanism(painter, size, palette);
+    };
+    const FigureDrawing drawPlot = [&](QPainter &painter, const QSize &size) {
+        plots.paintPlot(painter, QStringLiteral("plot_") + options.plot, size, palette);
+    };
+    const auto exported = [&](const FigureDrawing &draw) {
+        return exportFigure(options.output, {options.size, options.scale},
+                            CommandLine::tr("Motion of an offset slider-crank"), draw);
+    };
+    std::optional<QString> failure;
+    switch (options.subject) {
+    case RenderOptions::Subject::Figure: failure = exported(drawFigure); break;
+    case RenderOptions::Subject::Plot: failure = exported(drawPlot); break;
+    case RenderOptions::Subject::Mechanism: failure = exported(drawMechanism); break;
+    case RenderOptions::Subject::Report:
+        failure = exportReport(options.output, content, {drawMechanism, drawFigure});
+        break;
+    }
+    if (failure) {
+        say(*failure);
         return ExitStatus::FileFailed;
     }
     const Shortfall shortfall = shortfallOf(options, session);

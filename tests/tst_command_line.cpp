@@ -11,6 +11,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -220,6 +221,8 @@ private slots:
     void rendersWhatWasChosen_data();
     void rendersWhatWasChosen();
     void refusesToRenderABadReference();
+    void writesAReport();
+    void reportsTheSameNumbersAsItCompares();
 };
 
 void TestCommandLine::solvesTheReportsStudyByDefault()
@@ -567,7 +570,9 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("render", "needs --output");
     row("render --output x.gif", ".png, .svg or .pdf");
     row("render --output x.png --what R1_x", "theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2");
-    row("render --output x.png --what report", "--what must be");
+    row("render --output x.png --what report", "--output must end in .pdf");
+    row("render --output x.pdf --what report --size 900x600", "remove --size");
+    row("render --output x.pdf --what report --theme dark", "remove --theme");
     row("render --output x.png --size 900", "--size must be");
     row("render --output x.png --size 0x600", "--size must be");
     row("render --output x.png --size 900x600x2", "--size must be");
@@ -1336,6 +1341,74 @@ void TestCommandLine::refusesToRenderABadReference()
     QCOMPARE(outcome.status, 3);
     QVERIFY2(isOneLine(outcome.err), outcome.err.constData());
     QVERIFY(!QFile::exists(path));
+}
+
+void TestCommandLine::writesAReport()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("report.pdf"));
+    const Outcome outcome = run({"render", "--what", "report", "--reference", sample(), "--output", path});
+    QCOMPARE(outcome.err, QByteArray());
+    QCOMPARE(outcome.status, 0);
+    const QByteArray pdf = contentOf(path);
+    QVERIFY(pdf.startsWith("%PDF") && pdf.trimmed().endsWith("%%EOF"));
+    QVERIFY(pdf.contains("/MediaBox [0 0 595") || pdf.contains("/MediaBox [0.000000000 0.000000000 595"));
+    QCOMPARE(run({"render", "--what", "report", "--output", path}).status, 0); // without a reference, too
+    QCOMPARE(run({"render", "--what", "report", "--b", "40", "--output", path}).status, 4);
+    QVERIFY(contentOf(path).startsWith("%PDF"));
+
+    const Outcome nowhere =
+        run({"render", "--what", "report", "--output", folder.filePath(QStringLiteral("missing/report.pdf"))});
+    QCOMPARE(nowhere.status, 3);
+    QVERIFY2(isOneLine(nowhere.err) && nowhere.err.contains("cannot be written"), nowhere.err.constData());
+}
+
+void TestCommandLine::reportsTheSameNumbersAsItCompares()
+{
+    const QString reader = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
+    if (reader.isEmpty()) {
+        QSKIP("There is no pdftotext here.");
+    }
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("report.pdf"));
+    const auto textOf = [&](const QStringList &options) {
+        run(QStringList{"render", "--what", "report", "--reference", sample(), "--output", path} + options);
+        QProcess process;
+        process.start(reader, {QStringLiteral("-layout"), path, QStringLiteral("-")});
+        process.waitForFinished();
+        return QString::fromUtf8(process.readAllStandardOutput()).replace(QChar::Nbsp, u' ');
+    };
+    const QString different = textOf({});
+    QVERIFY2(different.contains(QStringLiteral("inventor_sample.csv")), qPrintable(different));
+    QVERIFY2(different.contains(QStringLiteral("looks like b: 60.000 instead of 65 mm explains 99.9999 % of it.")),
+             qPrintable(different));
+    QVERIFY(different.contains(QStringLiteral("until ‖C‖ ≤ 1e-8")));
+    const QString same = textOf({QStringLiteral("--b"), QStringLiteral("60")});
+    QCOMPARE(same.count(QStringLiteral("agrees to the last printed digit")), qsizetype(6));
+
+    // A row a channel, as many as `compare` has, with its numbers to three digits.
+    const QJsonArray channels = QJsonDocument::fromJson(run({"compare", sample(), "--format", "json"}).out)
+                                    .object()["files"]
+                                    .toArray()[0]
+                                    .toObject()["channels"]
+                                    .toArray();
+    const QStringList symbols{"Rₓ⁴ [mm]", "dRₓ⁴/dt [mm/s]", "d²Rₓ⁴/dt² [mm/s²]",
+                              "θ³ [°]",   "dθ³/dt [°/s]",   "d²θ³/dt² [°/s²]"};
+    QCOMPARE(channels.size(), symbols.size());
+    const QStringList lines = different.split(u'\n');
+    for (qsizetype i = 0; i < symbols.size(); ++i) {
+        const auto line = std::find_if(lines.begin(), lines.end(), [&](const QString &candidate) {
+            return candidate.startsWith(symbols[i]) && candidate.endsWith(QStringLiteral("differs"));
+        });
+        QVERIFY2(line != lines.end(), qPrintable(symbols[i] + different));
+        const QStringList cells = line->mid(symbols[i].size()).simplified().split(u' ');
+        const QJsonObject channel = channels[i].toObject();
+        QVERIFY2(std::abs(cells[0].toDouble() / channel["maxAbs"].toDouble() - 1.0) < 5e-3, qPrintable(*line));
+        QVERIFY2(std::abs(cells[1].toDouble() - channel["timeOfMaxAbs"].toDouble()) < 1e-9, qPrintable(*line));
+        QVERIFY2(std::abs(cells[2].toDouble() / channel["rms"].toDouble() - 1.0) < 5e-3, qPrintable(*line));
+        QVERIFY2(std::abs(cells[3].toDouble() / channel["maxPercent"].toDouble() - 1.0) < 5e-3, qPrintable(*line));
+        QVERIFY2(std::abs(cells[5].toDouble() / channel["percentOfPeak"].toDouble() - 1.0) < 5e-3, qPrintable(*line));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestCommandLine)

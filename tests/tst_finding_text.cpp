@@ -121,6 +121,17 @@ private slots:
         QVERIFY(!text.contains("do not fix"));
         found.standardError[indexOf(Parameter::B)] = 2e-5; // with a held
         QVERIFY2(summaryOf(found).startsWith("b/a = 3.000000 ± 0.000002, c/a = 1.25"), qPrintable(summaryOf(found)));
+        QCOMPARE(measuredText(Parameter::A, found), QString("–"));
+        QCOMPARE(measuredText(Parameter::B, found), QString("3.000000 ± 0.000002 a"));
+    }
+
+    void keepsCaveatsApart()
+    {
+        QCOMPARE(caveatsOf(authorsFile()), QString());
+        Identification found = authorsFile();
+        found.mirrorImagePossible = true;
+        QCOMPARE(summaryOf(found), summaryOf(authorsFile()) + u' ' + caveatsOf(found));
+        QCOMPARE(measuredText(Parameter::B, found), QString("60.00000 ± 0.00001 mm"));
     }
 
     void saysThatASliderHasAMirrorImage()
@@ -311,6 +322,14 @@ private slots:
                          "others."));
         QCOMPARE(summaryOf(std::vector{agrees, close, differs}),
                  QString("Differs from this mechanism in 1 of 3 channels, most in θ³: by up to 9.83 % of its peak."));
+        QCOMPARE(summaryOf(std::vector{agrees}),
+                 QString("Agrees with this mechanism in its one channel, within the rounding of the file."));
+        QVERIFY(summaryOf(std::vector{close, close}).startsWith("Comes close to this mechanism in every channel"));
+        ChannelComparison missing = differs;
+        missing.missingModel = 47;
+        QVERIFY(summaryOf(std::vector{agrees, missing})
+                    .endsWith("9.83 % of its peak. At 47 of the file's instants the mechanism cannot be assembled, or "
+                              "has no derivatives."));
         QVERIFY(!summaryOf(std::vector<ChannelComparison>()).isEmpty());
     }
 

@@ -43,18 +43,6 @@ int powerOfTenBelow(double magnitude)
     return static_cast<int>(std::floor(std::log10(magnitude)));
 }
 
-double valueOf(Parameter parameter, const Parameters &parameters)
-{
-    switch (parameter) {
-    case Parameter::A: return parameters.a;
-    case Parameter::B: return parameters.b;
-    case Parameter::C: return parameters.c;
-    case Parameter::Omega2: return parameters.omega2;
-    case Parameter::Theta20: return parameters.theta20;
-    }
-    return 0.0;
-}
-
 /// From the core's unit to the one that is shown.
 double shownFactor(Parameter parameter)
 {
@@ -97,29 +85,12 @@ QString columnsOf(const Convention &convention)
     return listed(names);
 }
 
-/// "b = 60.000001 ± 0.000003 mm".
-QString measuredParameter(Parameter parameter, const Identification &found)
-{
-    const Parameters &p = found.parameters;
-    const double scale = parameter == Parameter::Omega2    ? std::abs(p.omega2)
-                         : parameter == Parameter::Theta20 ? 1.0
-                                                           : p.a + p.b + std::abs(p.c);
-    const double factor = shownFactor(parameter);
-    return FindingText::tr("%1 = %2%3")
-        .arg(symbolOf(parameter),
-             measuredText(factor * valueOf(parameter, p), factor * found.standardError[indexOf(parameter)],
-                          factor * scale),
-             unitBehind(parameter));
-}
-
-/// "b/a = 3.0000000 ± 0.0000004", a being given.
+/// b/a or c/a, a being given.
 QString measuredRatio(Parameter parameter, const Identification &found)
 {
     const Parameters &p = found.parameters;
-    return FindingText::tr("%1/a = %2")
-        .arg(symbolOf(parameter),
-             measuredText(valueOf(parameter, p) / p.a, found.standardError[indexOf(parameter)] / p.a,
-                          (p.a + p.b + std::abs(p.c)) / p.a));
+    return measuredText(valueOf(parameter, p) / p.a, found.standardError[indexOf(parameter)] / p.a,
+                        (p.a + p.b + std::abs(p.c)) / p.a);
 }
 
 bool isLength(Parameter parameter)
@@ -139,10 +110,11 @@ FoundAndKept foundAndKept(const Identification &identification)
     for (const Parameter parameter : kParameters) {
         if (identification.onlyRatios && isLength(parameter)) {
             if (parameter != Parameter::A) {
-                lists.found << measuredRatio(parameter, identification);
+                lists.found
+                    << FindingText::tr("%1/a = %2").arg(symbolOf(parameter), measuredRatio(parameter, identification));
             }
         } else if (identification.identifiable[indexOf(parameter)]) {
-            lists.found << measuredParameter(parameter, identification);
+            lists.found << FindingText::tr("%1 = %2").arg(symbolOf(parameter), measuredText(parameter, identification));
         } else {
             lists.kept << FindingText::tr("%1 = %2").arg(
                 symbolOf(parameter), parameterText(parameter, valueOf(parameter, identification.parameters)));
@@ -304,6 +276,18 @@ QString symbolOf(Parameter parameter)
     return {};
 }
 
+double valueOf(Parameter parameter, const Parameters &parameters)
+{
+    switch (parameter) {
+    case Parameter::A: return parameters.a;
+    case Parameter::B: return parameters.b;
+    case Parameter::C: return parameters.c;
+    case Parameter::Omega2: return parameters.omega2;
+    case Parameter::Theta20: return parameters.theta20;
+    }
+    return 0.0;
+}
+
 QString parameterText(Parameter parameter, double value, int digits)
 {
     return numberText(shownFactor(parameter) * value, digits) + unitBehind(parameter);
@@ -343,6 +327,48 @@ QString measuredText(double value, double standardError, double scale)
     return text.arg(shortNumber(rounded, digits, QLocale()), shortNumber(roundedError, 1, QLocale()));
 }
 
+QString measuredText(Parameter parameter, const Identification &found)
+{
+    const Parameters &p = found.parameters;
+    if (found.onlyRatios && (parameter == Parameter::B || parameter == Parameter::C)) {
+        return FindingText::tr("%1 a").arg(measuredRatio(parameter, found));
+    }
+    if (!found.identifiable[indexOf(parameter)]) {
+        return QStringLiteral("–");
+    }
+    const double scale = parameter == Parameter::Omega2    ? std::abs(p.omega2)
+                         : parameter == Parameter::Theta20 ? 1.0
+                                                           : p.a + p.b + std::abs(p.c);
+    const double factor = shownFactor(parameter);
+    return measuredText(factor * valueOf(parameter, p), factor * found.standardError[indexOf(parameter)],
+                        factor * scale) +
+           unitBehind(parameter);
+}
+
+QString caveatsOf(const Identification &identification)
+{
+    QStringList sentences;
+    if (identification.onlyRatios) {
+        sentences << FindingText::tr("θ³ alone fixes only b/a and c/a; a = %1 is taken as given.")
+                         .arg(parameterText(Parameter::A, identification.parameters.a));
+    }
+    if (identification.mirrorImagePossible) {
+        sentences << FindingText::tr("Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ "
+                                     "negated).");
+    }
+    if (const QStringList kept = foundAndKept(identification).kept; !kept.isEmpty()) {
+        sentences << FindingText::tr("The data do not fix %1: kept as given.").arg(listed(kept));
+    }
+    // Rounding alone leaves 0.29 of a step; so much more is something else.
+    constexpr double kStepsOfSomethingElse = 5.0;
+    if (identification.rms > kStepsOfSomethingElse) {
+        sentences << FindingText::tr("It comes nearest of all, but the data are still off by %1 × the file's rounding "
+                                     "step (rms).")
+                         .arg(errorText(identification.rms));
+    }
+    return sentences.join(u' ');
+}
+
 QString summaryOf(const Identification &identification)
 {
     switch (identification.status) {
@@ -354,27 +380,10 @@ QString summaryOf(const Identification &identification)
         return FindingText::tr("No slider-crank moves as these data do: check which column is which, and their units.");
     case Identification::Status::Stopped: return FindingText::tr("The search was stopped.");
     }
-    const FoundAndKept lists = foundAndKept(identification);
-    QString text =
-        (QStringList(lists.found) << assemblyText(identification.parameters.branch)).join(FindingText::tr(", ")) + u'.';
-    if (identification.onlyRatios) {
-        text += FindingText::tr(" θ³ alone fixes only b/a and c/a; a = %1 is taken as given.")
-                    .arg(parameterText(Parameter::A, identification.parameters.a));
-    }
-    if (identification.mirrorImagePossible) {
-        text += FindingText::tr(" Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ negated).");
-    }
-    if (!lists.kept.isEmpty()) {
-        text += FindingText::tr(" The data do not fix %1: kept as given.").arg(listed(lists.kept));
-    }
-    // Rounding alone leaves 0.29 of a step; so much more is something else.
-    constexpr double kStepsOfSomethingElse = 5.0;
-    if (identification.rms > kStepsOfSomethingElse) {
-        text += FindingText::tr(" It comes nearest of all, but the data are still off by %1 × the file's rounding step "
-                                "(rms).")
-                    .arg(errorText(identification.rms));
-    }
-    return text;
+    const QStringList parts = foundAndKept(identification).found << assemblyText(identification.parameters.branch);
+    const QString caveats = caveatsOf(identification);
+    return parts.join(FindingText::tr(", ")) + (caveats.isEmpty() ? QStringLiteral(".") : QStringLiteral(". ")) +
+           caveats;
 }
 
 QString attributionText(std::span<const Attribution> attributions, const Mechanism &mechanism)
@@ -526,23 +535,39 @@ QString summaryOf(std::span<const ChannelComparison> channels)
         return std::count_if(channels.begin(), channels.end(),
                              [verdict](const ChannelComparison &channel) { return channel.verdict == verdict; });
     };
-    const auto total = static_cast<qsizetype>(channels.size());
+    const auto within = [&](Verdict verdict) {
+        return channels.size() == 1 ? FindingText::tr("in its one channel")
+                                    : FindingText::tr("in %1 of %2 channels").arg(count(verdict)).arg(channels.size());
+    };
     if (count(Verdict::Differs) == 0) {
-        const QString agrees =
-            FindingText::tr("Agrees with this mechanism in %1 of %2 channels, within the rounding of the file")
-                .arg(count(Verdict::Agrees))
-                .arg(total);
+        if (count(Verdict::Agrees) == 0) {
+            return FindingText::tr("Comes close to this mechanism in every channel, a little beyond the rounding of "
+                                   "the file.");
+        }
+        const QString agrees = FindingText::tr("Agrees with this mechanism %1, within the rounding of the file")
+                                   .arg(within(Verdict::Agrees));
         return count(Verdict::Close) == 0 ? agrees + u'.' : FindingText::tr("%1; close in the others.").arg(agrees);
     }
     const auto worst =
         std::max_element(channels.begin(), channels.end(), [](const ChannelComparison &x, const ChannelComparison &y) {
             return x.percentOfPeak.value_or(0.0) < y.percentOfPeak.value_or(0.0);
         });
-    const QString differs =
-        FindingText::tr("Differs from this mechanism in %1 of %2 channels").arg(count(Verdict::Differs)).arg(total);
-    return worst->percentOfPeak ? FindingText::tr("%1, most in %2: by up to %3 % of its peak.")
-                                      .arg(differs, symbolOf(worst->channel), errorText(*worst->percentOfPeak))
-                                : differs + u'.';
+    QString text = FindingText::tr("Differs from this mechanism %1").arg(within(Verdict::Differs));
+    if (worst->percentOfPeak) {
+        text += FindingText::tr(", most in %1: by up to %2 % of its peak")
+                    .arg(symbolOf(worst->channel), errorText(*worst->percentOfPeak));
+    }
+    text += u'.';
+    std::size_t missing = 0;
+    for (const ChannelComparison &channel : channels) {
+        missing = std::max(missing, channel.missingModel);
+    }
+    if (missing > 0) {
+        text += u' ' + FindingText::tr("At %1 of the file's instants the mechanism cannot be assembled, or has no "
+                                       "derivatives.")
+                           .arg(QLocale().toString(static_cast<qulonglong>(missing)));
+    }
+    return text;
 }
 
 } // namespace slidercrank

@@ -29,6 +29,8 @@ QString unitOf(Channel channel);
 /// "a", "ω₂".
 QString symbolOf(Parameter parameter);
 
+double valueOf(Parameter parameter, const Parameters &parameters);
+
 /// A parameter to so many significant digits, trailing zeros left out, with the unit in which people think of it:
 /// "65 mm", "6.28319 rad/s", "-30°".
 QString parameterText(Parameter parameter, double value, int digits = 6);
@@ -39,6 +41,13 @@ QString mechanismText(const Mechanism &mechanism);
 /// A measured value down to the first digit of its standard error: "20.000001 ± 0.000003". Without a standard error
 /// (NaN), or where that is nothing but the rounding of arithmetic on numbers of size `scale`, the value alone.
 QString measuredText(double value, double standardError, double scale);
+
+/// A parameter as it was found, with its unit: "60.000000 ± 0.000001 mm"; where only ratios are known, of a:
+/// "3.000000 ± 0.000002 a"; a dash for what the data do not fix.
+QString measuredText(Parameter parameter, const Identification &found);
+
+/// In words: what the data cannot fix, and how far they are from any mechanism. Empty where there is nothing to say.
+QString caveatsOf(const Identification &identification);
 
 /// The parameters with their standard errors, and in words what the data cannot fix, how far the data are from it, or
 /// why there is none: "a = 20.000001 ± 0.000003 mm, …, open assembly."
