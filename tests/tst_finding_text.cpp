@@ -143,6 +143,16 @@ private slots:
             " Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ negated)."));
     }
 
+    void saysWhatElseMovesAlike()
+    {
+        Identification found = authorsFile();
+        found.reversePossible = true;
+        QVERIFY(caveatsOf(found).contains("turns the other way, from 180° − θ₂₀"));
+        found.reversePossible = false;
+        found.otherBranchPossible = true;
+        QVERIFY(caveatsOf(found).contains("the other assembly with c negated and θ₂₀ half a turn on"));
+    }
+
     void saysWhatElseTheDataDoNotFix()
     {
         Identification found = authorsFile();

@@ -352,6 +352,14 @@ QString caveatsOf(const Identification &identification)
         sentences << FindingText::tr("θ³ alone fixes only b/a and c/a; a = %1 is taken as given.")
                          .arg(parameterText(Parameter::A, identification.parameters.a));
     }
+    if (identification.reversePossible) {
+        sentences << FindingText::tr("θ³ alone cannot tell it from one that turns the other way, from 180° − θ₂₀.");
+    }
+    if (identification.otherBranchPossible) {
+        sentences << FindingText::tr(
+            "The derivatives of θ³ alone cannot tell it from the other assembly with c negated "
+            "and θ₂₀ half a turn on.");
+    }
     if (identification.mirrorImagePossible) {
         sentences << FindingText::tr("Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ "
                                      "negated).");
