@@ -454,7 +454,12 @@ void ReferencePanel::fillFindings()
     if (!known) {
         rows->addWidget(wrappedText(tr("Being found out…")));
     } else {
-        QLabel *mechanism = wrappedText(summaryOf(m_diagnosis->identification));
+        QString summary = summaryOf(m_diagnosis->identification);
+        for (const char *inOneLine : {" = ", " ± ", " mm", " rad/s"}) {
+            const QString part = QString::fromUtf8(inOneLine);
+            summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
+        }
+        QLabel *mechanism = wrappedText(summary);
         mechanism->setObjectName(QStringLiteral("identificationLabel"));
         if (m_diagnosis->identification.status == Identification::Status::Found) {
             QPushButton *takeOver = button(tr("Take over"), QStringLiteral("takeOverButton"));
