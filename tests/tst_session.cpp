@@ -443,6 +443,15 @@ private slots:
         dragTo({66.0, 67.0, 68.0});
         dragTo({69.0, 70.0}); // pressed anew
         QCOMPARE(session.undoStack().count(), 2);
+        session.beginDrag();
+        for (const double b : {71.0, 72.0}) {
+            parameters.b = b;
+            session.setParameters(parameters);
+            QTest::qWait(1100); // held still for long, but not let go
+        }
+        session.endDrag();
+        QCOMPARE(session.undoStack().count(), 3);
+        session.undoStack().undo();
         session.undoStack().undo();
         QCOMPARE(session.parameters().b, 68.0);
         session.undoStack().undo();
