@@ -29,7 +29,7 @@ constexpr double kCouplerWidth = 8.0;
 constexpr double kJointRadius = 6.0; ///< covers the ends of the links
 constexpr double kBlockHalfWidth = 19.0;
 constexpr double kBlockHalfHeight = 12.0;
-constexpr double kGhostWidth = 1.6;
+constexpr double kGhostWidth = 2.0;
 constexpr double kGhostJointRadius = 2.5;
 constexpr double kHatchLength = 7.0;
 constexpr double kHatchSpacing = 7.0;
@@ -424,16 +424,20 @@ void MechanismView::paintGhost(QPainter &painter, const Canvas &on) const
     }
     const QPointF crank = on({m_ghost.pinX, m_ghost.pinY});
     const QPointF slider = on({m_ghost.sliderX, m_ghost.sliderY});
-    painter.setPen(QPen(on.colours.reference, kGhostWidth));
+    painter.setPen(QPen(on.colours.reference, kGhostWidth, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(on({0.0, 0.0}), crank);
+    painter.drawLine(crank, slider);
     painter.setBrush(Qt::NoBrush);
+    painter.setRenderHint(QPainter::Antialiasing, false); // upright edges need none, and cost less without
+    painter.setPen(on.colours.reference);
     painter.drawRect(QRectF(slider.x() - kBlockHalfWidth, slider.y() - kBlockHalfHeight, 2.0 * kBlockHalfWidth,
                             2.0 * kBlockHalfHeight));
-    const QPointF linkage[] = {on({0.0, 0.0}), crank, slider};
-    painter.drawPolyline(linkage, 3);
-    painter.setBrush(on.colours.reference);
+    const double side = 2.0 * kGhostJointRadius;
     for (const QPointF &joint : {crank, slider}) {
-        painter.drawEllipse(joint, kGhostJointRadius, kGhostJointRadius);
+        painter.fillRect(QRectF(joint.x() - kGhostJointRadius, joint.y() - kGhostJointRadius, side, side),
+                         on.colours.reference);
     }
+    painter.setRenderHint(QPainter::Antialiasing);
 }
 
 void MechanismView::paintExplanation(QPainter &painter, const Canvas &on) const
