@@ -61,6 +61,23 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     reference->path = path;
     reference->name = QFileInfo(path).fileName();
     reference->data = std::move(std::get<ReferenceData>(outcome));
+    reference->columns = options.columns;
+    return reference;
+}
+
+ReferenceSource sourceOf(const Reference &reference)
+{
+    return {QFileInfo(reference.path).absoluteFilePath(), reference.columns, reference.conventions};
+}
+
+std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to)
+{
+    auto reference = std::make_shared<Reference>(*to);
+    reference->data = applied(convention, std::move(reference->data));
+    reference->conventions.push_back(convention);
+    if (!reference->asPrinted) {
+        reference->asPrinted = to;
+    }
     return reference;
 }
 

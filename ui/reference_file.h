@@ -23,13 +23,26 @@ struct Reference {
     QString name;       ///< file name, for legends and titles
     ReferenceData data; ///< as it reads with the conventions below
 
+    std::vector<ColumnChoice> columns;          ///< a person's, over what the names say
     std::vector<Convention> conventions;        ///< applied, in this order
     std::shared_ptr<const Reference> asPrinted; ///< without any; null: this is it
 };
 
+/// Where data come from and how they were read: enough to read them again.
+struct ReferenceSource {
+    QString path; ///< absolute, or in the program's resources
+    std::vector<ColumnChoice> columns;
+    std::vector<Convention> conventions;
+};
+
+ReferenceSource sourceOf(const Reference &reference);
+
 /// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread.
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {},
                                                                       const ReadOptions &options = {});
+
+/// The same as they read with that convention; Branch changes nothing here.
+std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 
 /// "results.csv, line 3, column 2 ("abc"): …". `file`: how it is to be called.
 QString sentenceOf(const ReadError &error, const QString &file);

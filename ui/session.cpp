@@ -291,14 +291,15 @@ void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
     }
 }
 
-void Session::loadReference(const QString &path)
+void Session::readAside(const QString &path, const std::function<std::vector<ColumnChoice>()> &columns,
+                        const std::vector<Convention> &conventions, const std::function<void(const Reading &)> &done)
 {
     m_reading.request_stop();
     m_reading = std::stop_source();
-    using Outcome = std::variant<std::shared_ptr<const Reference>, QString>;
-    const auto read = [path, session = QPointer<Session>(this), stop = m_reading.get_token()]() -> Outcome {
+    const std::stop_token stop = m_reading.get_token();
+    const auto read = [path, columns, conventions, session = QPointer<Session>(this), stop]() -> Reading {
         ReadOptions options;
-        options.columns = rememberedChoices(layoutOf(beginningOf(path)), path);
+        options.columns = columns();
         options.progress = [session, stop, told = std::size_t{0}](std::size_t bytes, std::size_t all) mutable {
             constexpr std::size_t kSteps = 200; // more than the bar can show
             const std::size_t step = all > 0 ? bytes * kSteps / all : 0;
@@ -315,19 +316,59 @@ void Session::loadReference(const QString &path)
                 },
                 Qt::QueuedConnection);
         };
-        return readReference(path, stop, options);
-    };
-    const auto done = [this, path, stop = m_reading.get_token()](const Outcome &outcome) {
-        if (stop.stop_requested()) {
-            return; // another file was asked for, or none
+        Reading outcome = readReference(path, stop, options);
+        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
+            for (const Convention &convention : conventions) {
+                *reference = applied(convention, *reference);
+            }
         }
-        if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            emit referenceRefused(path, *sentence);
-            return;
-        }
-        setReference(std::get<std::shared_ptr<const Reference>>(outcome));
+        return outcome;
     };
-    runAside(read, done);
+    runAside(read, [stop, done](const Reading &outcome) {
+        if (!stop.stop_requested()) {
+            done(outcome);
+        }
+    });
+}
+
+void Session::loadReference(const QString &path)
+{
+    readAside(
+        path, [path] { return rememberedChoices(layoutOf(beginningOf(path)), path); }, {},
+        [this, path](const Reading &outcome) {
+            if (const QString *sentence = std::get_if<QString>(&outcome)) {
+                emit referenceRefused(path, *sentence);
+            } else {
+                setReference(std::get<std::shared_ptr<const Reference>>(outcome));
+            }
+        });
+}
+
+void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
+{
+    if (!source) {
+        m_reading.request_stop();
+        startWith(choices, seconds);
+        emit opened(QString());
+        return;
+    }
+    readAside(
+        source->path, [columns = source->columns] { return columns; }, source->conventions,
+        [this, choices, seconds](const Reading &outcome) {
+            const QString *problem = std::get_if<QString>(&outcome);
+            Choices complete = choices;
+            complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
+            startWith(complete, seconds);
+            emit opened(problem ? *problem : QString());
+        });
+}
+
+void Session::startWith(const Choices &choices, double seconds)
+{
+    m_undoStack.clear();
+    m_lastEdit.clear();
+    putInForce(choices);
+    setTime(seconds);
 }
 
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
@@ -356,13 +397,7 @@ void Session::apply(const Convention &convention)
         parameters.branch = parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
         setParameters(parameters);
     } else if (m_choices.reference) {
-        auto reference = std::make_shared<Reference>(*m_choices.reference);
-        reference->data = applied(convention, std::move(reference->data));
-        reference->conventions.push_back(convention);
-        if (!reference->asPrinted) {
-            reference->asPrinted = m_choices.reference;
-        }
-        setReference(reference);
+        setReference(applied(convention, m_choices.reference));
     }
 }
 

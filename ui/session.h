@@ -18,8 +18,11 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
+#include <variant>
 #include <vector>
 
 namespace slidercrank
@@ -76,6 +79,10 @@ public:
 
     QUndoStack &undoStack() { return m_undoStack; }
 
+    /// Other choices and another time in place of all there was, which cannot be undone; the reference is read from
+    /// `source` first, off the GUI thread, and what is on show stays until then. opened() follows.
+    void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
+
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
     void setSampling(const slidercrank::Sampling &sampling);
@@ -118,7 +125,8 @@ signals:
     /// Another file, another reading of it, or none.
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);
     void referenceRefused(const QString &path, const QString &sentence); ///< what is on show stays
-    void readingProgressed(double part);                                 ///< 0 … 1 of the file being read
+    void opened(const QString &problem);        ///< by open(); not empty: why it is without its reference
+    void readingProgressed(double part);        ///< 0 … 1 of the file being read
     void problemFound(const QString &sentence); ///< one sentence, for the message bar; nothing else changed
     void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
 
@@ -126,6 +134,13 @@ private:
     /// Puts the choices into force, as a step that can be undone. `text`: what was done.
     void edit(const Choices &choices, const QString &text);
     void putInForce(const Choices &choices);
+
+    /// Reads a file off the GUI thread, its columns as columns() says there; then done(outcome) in this one, unless
+    /// another file was asked for by then, or none.
+    using Reading = std::variant<std::shared_ptr<const Reference>, QString>;
+    void readAside(const QString &path, const std::function<std::vector<ColumnChoice>()> &columns,
+                   const std::vector<Convention> &conventions, const std::function<void(const Reading &)> &done);
+    void startWith(const Choices &choices, double seconds);
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);
