@@ -64,6 +64,14 @@ struct PlotSettings {
     friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
 };
 
+/// What is in view; empty: all there is.
+struct PlotZoom {
+    std::optional<Interval> time;                           ///< s, of all nine
+    std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms where the axis is logarithmic
+
+    friend bool operator==(const PlotZoom &, const PlotZoom &) = default;
+};
+
 /// All that one plot shows, for one size of its axes.
 struct PlotPicture {
     QString title;

@@ -115,8 +115,13 @@ void PlotGrid::setPose(const Pose &pose)
 
 void PlotGrid::showAll()
 {
-    m_figure.timeZoom.reset();
-    m_figure.valueZoom = {};
+    setZoom({});
+}
+
+void PlotGrid::setZoom(const PlotZoom &zoom)
+{
+    m_figure.timeZoom = zoom.time;
+    m_figure.valueZoom = zoom.values;
     requestRefresh();
 }
 

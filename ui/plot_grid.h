@@ -47,6 +47,9 @@ public:
 
     const PlotSettings &settings() const { return m_figure.settings(); }
 
+    PlotZoom zoom() const { return {m_figure.timeZoom, m_figure.valueZoom}; }
+    void setZoom(const PlotZoom &zoom);
+
     /// An instant (s) to be marked by a line in what is painted from now on. The cursor on the screen is not.
     void markTime(double seconds) { m_markedTime = seconds; }
 
