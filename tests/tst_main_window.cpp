@@ -7,6 +7,7 @@
 #include "ui/message_bar.h"
 #include "ui/newton_panel.h"
 #include "ui/plot_grid.h"
+#include "ui/scene_file.h"
 #include "ui/study_panel.h"
 #include "ui/timeline.h"
 
@@ -17,12 +18,16 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QSplitter>
 #include <QStandardPaths>
 #include <QStyleOptionSlider>
 #include <QTabBar>
@@ -93,11 +98,13 @@ private slots:
     void initTestCase()
     {
         QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
         QApplication::setStyle(QStringLiteral("Fusion"));
     }
 
     void init()
     {
+        QSettings().clear();
         m_window = std::make_unique<MainWindow>();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
@@ -486,7 +493,212 @@ private slots:
         m_window->setTheme(Theme::Light);
     }
 
+    void savesASceneAndOpensItAgain()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->openReference(kSample);
+        QVERIFY(loaded.wait());
+        m_window->session().setParameters(withCoupler(61.25));
+        m_window->session().setTime(0.3);
+        auto *grid = m_window->findChild<PlotGrid *>();
+        PlotSettings settings;
+        settings.error = ErrorMeasure::OfPeak;
+        settings.abscissa = Abscissa::CrankAngle;
+        PlotZoom zoom;
+        zoom.time = Interval{0.25, 0.5};
+        zoom.values[4] = Interval{-10.0, 20.0};
+        grid->setSettings(settings);
+        grid->setZoom(zoom);
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY(m_window->scene().saveTo(path));
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(m_window->windowTitle().startsWith(QLatin1String("rig.json[*]")));
+        const Trajectory before = m_window->session().result()->trajectory;
+        const QImage picture = pictureOf(*m_window, QStringLiteral("plot_R4_x_diff"));
+
+        init(); // another window
+        QSignalSpy opened(&m_window->session(), &Session::opened);
+        drop(*m_window, path);
+        QVERIFY(opened.wait());
+        grid = m_window->findChild<PlotGrid *>();
+        QCOMPARE(m_window->session().parameters(), withCoupler(61.25));
+        QCOMPARE(m_window->session().time(), 0.3);
+        QVERIFY(grid->settings() == settings);
+        QVERIFY(grid->zoom() == zoom);
+        QCOMPARE(m_window->session().reference()->name, QStringLiteral("inventor_sample.csv"));
+        for (const Channel channel : kPlottedChannels) {
+            QVERIFY(m_window->session().result()->trajectory[channel] == before[channel]);
+        }
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(!m_window->session().undoStack().canUndo());
+        QCOMPARE(SceneFile::recent(), QStringList{path});
+        QTRY_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
+    }
+
+    void saysWhatIsModified()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(m_window->scene().saveTo(folder.filePath(QStringLiteral("rig.json"))));
+        m_window->session().setParameters(withCoupler(70.0));
+        QVERIFY(m_window->isWindowModified());
+        m_window->session().undoStack().undo();
+        QVERIFY(!m_window->isWindowModified());
+        m_window->session().undoStack().redo();
+        QVERIFY(m_window->isWindowModified());
+        m_window->session().setTime(0.5); // looking is no edit
+        m_window->scene().save();
+        QVERIFY(!m_window->isWindowModified());
+        m_window->session().undoStack().undo();
+        QVERIFY(m_window->isWindowModified());
+    }
+
+    void asksBeforeItCloses_data()
+    {
+        QTest::addColumn<int>("answer");
+        QTest::addColumn<bool>("closes");
+        QTest::addColumn<double>("saved");
+        QTest::newRow("cancel") << int(QMessageBox::Cancel) << false << 65.0;
+        QTest::newRow("discard") << int(QMessageBox::Discard) << true << 65.0;
+        QTest::newRow("save") << int(QMessageBox::Save) << true << 70.0;
+    }
+
+    void asksBeforeItCloses()
+    {
+        QFETCH(const int, answer);
+        QFETCH(const bool, closes);
+        QFETCH(const double, saved);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QVERIFY(m_window->scene().saveTo(path));
+        m_window->session().setParameters(withCoupler(70.0));
+        m_window->close();
+        QVERIFY(m_window->isVisible());
+        auto *question = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"));
+        QVERIFY(question && question->isVisible() && question->text().contains(QLatin1String("rig.json")));
+        question->button(static_cast<QMessageBox::StandardButton>(answer))->click();
+        QCOMPARE(m_window->isVisible(), !closes);
+        QCOMPARE(std::get<Scene>(readScene(path)).parameters.b, saved);
+    }
+
+    void closesWithoutAWordWhenNothingIsLost()
+    {
+        m_window->close();
+        QVERIFY(!m_window->isVisible());
+        QVERIFY(!m_window->findChild<QMessageBox *>());
+    }
+
+    void asksBeforeItOpensAnother()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QVERIFY(m_window->scene().saveTo(path));
+        m_window->session().setParameters(withCoupler(70.0));
+        drop(*m_window, path);
+        QCOMPARE(m_window->session().parameters(), withCoupler(70.0));
+        auto *question = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"));
+        QVERIFY(question);
+        question->button(QMessageBox::Discard)->click();
+        QCOMPARE(m_window->session().parameters(), withCoupler(65.0));
+        QVERIFY(!m_window->isWindowModified());
+    }
+
+    void asksForANameTheFirstTime()
+    {
+        const QTemporaryDir folder;
+        m_window->session().setParameters(withCoupler(70.0));
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier);
+        auto *dialog = m_window->findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        dialog->setDirectory(folder.path());
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(QStringLiteral("rig"));
+        QMetaObject::invokeMethod(dialog, "accept");
+        QTRY_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.json")));
+        QVERIFY(!m_window->isWindowModified());
+    }
+
+    void aBadSceneIsToldAndChangesNothing()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{\"version\": 99}");
+        file.close();
+        m_window->session().setParameters(withCoupler(70.0));
+        QSignalSpy results(&m_window->session(), &Session::resultChanged);
+        drop(*m_window, path);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("rig.json")));
+        QVERIFY(!m_window->findChild<QMessageBox *>());
+        QCOMPARE(results.count(), 0);
+        QVERIFY(m_window->session().undoStack().canUndo());
+        QCOMPARE(m_window->scene().path(), QString());
+    }
+
+    void aSceneThatCannotBeSavedIsToldAndStaysModified()
+    {
+        m_window->session().setParameters(withCoupler(70.0));
+        QVERIFY(!m_window->scene().saveTo(QStringLiteral("/no/such/folder/rig.json")));
+        QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("rig.json")));
+        QVERIFY(m_window->isWindowModified());
+        QCOMPARE(m_window->scene().path(), QString());
+    }
+
+    void opensWithoutAReferenceThatIsGoneAndKeepsItsName()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        Scene scene;
+        scene.parameters.b = 70.0;
+        scene.reference = ReferenceSource{folder.filePath(QStringLiteral("gone.csv")), {}, {}};
+        QCOMPARE(writeScene(scene, path), std::nullopt);
+        m_window->openFile(path);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        QTRY_VERIFY(bar->isVisible() && bar->text().contains(QLatin1String("gone.csv")));
+        QCOMPARE(m_window->session().parameters(), withCoupler(70.0));
+        m_window->scene().save();
+        const Scene again = std::get<Scene>(readScene(path));
+        QVERIFY(again.reference && again.reference->path == scene.reference->path);
+    }
+
+    void opensASceneWithAnotherReference()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        Scene scene;
+        scene.reference = ReferenceSource{folder.filePath(QStringLiteral("gone.csv")), {}, {}};
+        QCOMPARE(writeScene(scene, path), std::nullopt);
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->scene().open(path, kSample);
+        QVERIFY(loaded.wait());
+        QCOMPARE(m_window->session().reference()->path, kSample);
+        QCOMPARE(m_window->scene().path(), path);
+    }
+
+    void remembersItsLayout()
+    {
+        m_window->resize(1250, 850);
+        auto *columns = m_window->findChild<QSplitter *>(QStringLiteral("columns"));
+        columns->setSizes({500, 750});
+        m_window->findChild<FoldingTabs *>()->setFolded(true);
+        QCoreApplication::processEvents();
+        const QList<int> sizes = columns->sizes();
+        m_window->close();
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QCOMPARE(m_window->size(), QSize(1250, 850));
+        QCOMPARE(m_window->findChild<QSplitter *>(QStringLiteral("columns"))->sizes(), sizes);
+        QVERIFY(m_window->findChild<FoldingTabs *>()->isFolded());
+        m_window->findChild<FoldingTabs *>()->setFolded(false);
+        QTRY_VERIFY(m_window->findChild<FoldingTabs *>()->height() > 150);
+    }
+
 private:
+    const QTemporaryDir m_settings;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -13,6 +13,7 @@
 #include "ui/parameter_panel.h"
 #include "ui/plot_grid.h"
 #include "ui/reference_panel.h"
+#include "ui/scene_file.h"
 #include "ui/study_panel.h"
 #include "ui/timeline.h"
 
@@ -21,6 +22,7 @@
 #include <QAbstractSlider>
 #include <QActionGroup>
 #include <QApplication>
+#include <QCloseEvent>
 #include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
@@ -81,13 +83,13 @@ MainWindow::MainWindow(QWidget *parent)
     , m_timeline(new Timeline(this))
     , m_parameterPanel(new ParameterPanel(this))
     , m_plotGrid(new PlotGrid(this))
+    , m_scene(new SceneFile(m_session, m_plotGrid, this))
     , m_tabs(new FoldingTabs(this))
     , m_errorPanel(new ErrorPanel(this))
     , m_progress(new QProgressBar(this))
     , m_cancelButton(new QToolButton(this))
     , m_busyTimer(new QTimer(this))
 {
-    setWindowTitle(tr("Slider-crank"));
     setWindowIcon(QIcon(QStringLiteral(":/slidercrank.svg")));
     setAcceptDrops(true);
     resize(1400, 900);
@@ -95,6 +97,8 @@ MainWindow::MainWindow(QWidget *parent)
     buildMenus();
     buildStatusBar();
     connectRooms();
+    restoreLayout();
+    showTitle();
     qApp->installEventFilter(this);
 
     m_parameterPanel->setParameters(m_session->parameters());
@@ -164,12 +168,18 @@ void MainWindow::buildMenus()
 {
     QMenu *file = menuBar()->addMenu(tr("&File"));
     file->addAction(tr("&Open reference…"), QKeySequence::Open, this, &MainWindow::chooseReference);
+    file->addAction(tr("Open s&cene…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), m_scene,
+                    &SceneFile::chooseAndOpen);
     m_recentMenu = file->addMenu(tr("Open &recent"));
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     file->addAction(tr("Open the &sample"), this, &MainWindow::openSample);
     m_closeReferenceAction = file->addAction(tr("&Close reference"), QKeySequence::Close, this,
                                              [this] { m_session->setReference(nullptr); });
     m_closeReferenceAction->setEnabled(false);
+    file->addSeparator();
+    file->addAction(tr("&Save scene"), QKeySequence::Save, m_scene, [this] { m_scene->save(); });
+    file->addAction(tr("Save scene &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), m_scene,
+                    [this] { m_scene->saveAs(); });
     file->addSeparator();
     file->addAction(tr("Export &figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
                     [this] { exportFigureTo(chooseExportFile(QStringLiteral("figure.png"))); });
@@ -325,7 +335,7 @@ void MainWindow::connectRooms()
         m_ghostAction->setEnabled(reference != nullptr);
         const bool guessed = reference && !reference->asPrinted && reference->data.layout.isGuessed();
         m_announceReference = reference && !guessed; // with wrong columns it would be another mechanism's
-        setWindowTitle(reference ? tr("%1 – Slider-crank").arg(reference->name) : tr("Slider-crank"));
+        showTitle();
         m_messageBar->hide();
         if (guessed) {
             m_messageBar->showMessage(
@@ -338,6 +348,18 @@ void MainWindow::connectRooms()
         }
     });
     connect(m_tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
+
+    connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
+    connect(m_scene, &SceneFile::problemFound, this,
+            [this](const QString &sentence) { m_messageBar->showMessage(MessageBar::Kind::Problem, sentence); });
+    connect(m_scene, &SceneFile::saved, this, [this](const QString &path) {
+        m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Saved: %1").arg(QDir::toNativeSeparators(path)));
+    });
+    connect(m_scene, &SceneFile::referenceMissing, this, [this](const QString &sentence) {
+        m_messageBar->showMessage(MessageBar::Kind::Problem,
+                                  tr("The scene is open without its reference. %1").arg(sentence),
+                                  tr("Open reference…"), [this] { chooseReference(); });
+    });
 }
 
 QWidget *MainWindow::makeReferencePanel()
@@ -387,6 +409,15 @@ QWidget *MainWindow::makeLimitsPanel()
     return panel;
 }
 
+void MainWindow::openFile(const QString &path)
+{
+    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+        m_scene->open(path);
+    } else {
+        openReference(path);
+    }
+}
+
 void MainWindow::openReference(const QString &path)
 {
     m_session->loadReference(path);
@@ -431,6 +462,10 @@ void MainWindow::rememberReference(const QString &path)
 void MainWindow::fillRecentMenu()
 {
     m_recentMenu->clear();
+    for (const QString &path : SceneFile::recent()) {
+        m_recentMenu->addAction(QDir::toNativeSeparators(path), this, [this, path] { m_scene->open(path); });
+    }
+    m_recentMenu->addSeparator();
     for (const QString &path : recentFiles()) {
         m_recentMenu->addAction(QDir::toNativeSeparators(path), this, [this, path] { openReference(path); });
     }
@@ -507,7 +542,8 @@ void MainWindow::exportTo(const QString &path, const QSize &size,
     FigureSize figureSize;
     figureSize.size = size;
     figureSize.scale = 2.0;
-    if (const std::optional<QString> problem = exportFigure(path, figureSize, windowTitle(), draw)) {
+    if (const std::optional<QString> problem =
+            exportFigure(path, figureSize, tr("Motion of an offset slider-crank"), draw)) {
         m_messageBar->showMessage(MessageBar::Kind::Problem, *problem);
         return;
     }
@@ -544,6 +580,48 @@ void MainWindow::copyFigure()
         m_plotGrid->paintFigure(painter, drawn, paletteFor(Theme::Light));
     });
     m_messageBar->showMessage(MessageBar::Kind::Hint, tr("The figure is in the clipboard."));
+}
+
+void MainWindow::showTitle()
+{
+    const std::shared_ptr<const Reference> &reference = m_session->reference();
+    QString document = QFileInfo(m_scene->path()).fileName();
+    if (document.isEmpty() && reference) {
+        document = reference->name;
+    }
+    setWindowTitle(document.isEmpty() ? tr("Slider-crank[*]") : tr("%1[*] – Slider-crank").arg(document));
+    setWindowModified(m_scene->isModified());
+}
+
+void MainWindow::rememberLayout() const
+{
+    QSettings settings;
+    settings.beginGroup(QStringLiteral("layout"));
+    settings.setValue(QStringLiteral("window"), saveGeometry());
+    for (const QSplitter *splitter : findChildren<QSplitter *>()) {
+        const bool folded = splitter == m_tabs->parentWidget() && m_tabs->isFolded(); // then it tells no height
+        if (!splitter->objectName().isEmpty() && !folded) {
+            settings.setValue(splitter->objectName(), splitter->saveState());
+        }
+    }
+    if (m_foldedByHand) {
+        settings.setValue(QStringLiteral("folded"), m_tabs->isFolded());
+    }
+}
+
+void MainWindow::restoreLayout()
+{
+    QSettings settings;
+    settings.beginGroup(QStringLiteral("layout"));
+    restoreGeometry(settings.value(QStringLiteral("window")).toByteArray());
+    for (QSplitter *splitter : findChildren<QSplitter *>()) {
+        splitter->restoreState(settings.value(splitter->objectName()).toByteArray());
+    }
+    const QVariant folded = settings.value(QStringLiteral("folded"));
+    if (folded.isValid()) {
+        m_tabs->setFolded(folded.toBool());
+        m_foldedByHand = true;
+    }
 }
 
 void MainWindow::setTheme(Theme theme)
@@ -648,6 +726,21 @@ void MainWindow::showAbout()
             .arg(QCoreApplication::applicationVersion()));
 }
 
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (m_scene->isModified() && !m_isLeaving) {
+        event->ignore();
+        m_scene->askThen([this] {
+            m_isLeaving = true;
+            close();
+            m_isLeaving = false;
+        });
+        return;
+    }
+    rememberLayout();
+    QMainWindow::closeEvent(event);
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
@@ -661,7 +754,7 @@ void MainWindow::dropEvent(QDropEvent *event)
     const QList<QUrl> urls = event->mimeData()->urls();
     if (!urls.isEmpty() && urls.first().isLocalFile()) {
         event->acceptProposedAction();
-        openReference(urls.first().toLocalFile());
+        openFile(urls.first().toLocalFile());
     }
 }
 

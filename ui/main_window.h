@@ -26,6 +26,7 @@ class MechanismView;
 class MessageBar;
 class ParameterPanel;
 class PlotGrid;
+class SceneFile;
 class Timeline;
 
 class MainWindow : public QMainWindow
@@ -38,7 +39,11 @@ public:
 
     Session &session() { return *m_session; }
 
+    SceneFile &scene() { return *m_scene; }
+
 public slots:
+    /// A scene where it is named .json, else a reference.
+    void openFile(const QString &path);
     void openReference(const QString &path);
     void openSample();
 
@@ -53,6 +58,7 @@ public slots:
     void setTheme(slidercrank::Theme theme);
 
 protected:
+    void closeEvent(QCloseEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
@@ -76,12 +82,15 @@ private:
     void chooseAnimation();
     void copyFigure();
 
+    void showTitle();
     void showStatus(const std::shared_ptr<const Result> &result);
     void showAgreement(const std::shared_ptr<const Result> &result);
     void announce(const std::shared_ptr<const Diagnosis> &diagnosis);
     void remedy(const Finding &finding);
     void showGhost();
     void rememberReference(const QString &path);
+    void rememberLayout() const;
+    void restoreLayout();
     void fillRecentMenu();
     void showAbout();
 
@@ -91,6 +100,7 @@ private:
     Timeline *m_timeline;
     ParameterPanel *m_parameterPanel;
     PlotGrid *m_plotGrid;
+    SceneFile *m_scene;
     FoldingTabs *m_tabs;
     ErrorPanel *m_errorPanel;
     QProgressBar *m_progress;
@@ -101,6 +111,7 @@ private:
     QAction *m_closeReferenceAction = nullptr;
     QAction *m_ghostAction = nullptr;
     bool m_announceReference = false; ///< the next diagnosis is the first of a newly loaded file
+    bool m_isLeaving = false;         ///< unsaved changes were asked about
     bool m_foldedByHand = false;      ///< the person chose; a resize no longer does
 };
 
