@@ -2,9 +2,12 @@
 #include "core/comparison.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <thread>
+#include <vector>
 
 namespace slidercrank
 {
@@ -110,12 +113,26 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference)
 {
-    std::vector<ChannelComparison> comparisons;
-    comparisons.reserve(reference.series.size());
-    for (const ReferenceSeries &series : reference.series) {
-        comparisons.push_back(
-            compareChannel(reference.time, model[series.channel], series, naturalScale(mechanism, series.channel)));
+    const std::size_t count = reference.series.size();
+    std::vector<ChannelComparison> comparisons(count);
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count; i = next++) {
+            const ReferenceSeries &series = reference.series[i];
+            comparisons[i] =
+                compareChannel(reference.time, model[series.channel], series, naturalScale(mechanism, series.channel));
+        }
+    };
+    constexpr std::size_t kWorthAThread = 50000; // instants
+    std::vector<std::jthread> aside;
+    if (reference.time.size() > kWorthAThread) {
+        const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+        for (std::size_t i = 1; i < std::min(processors, count); ++i) {
+            aside.emplace_back(work);
+        }
     }
+    work();
+    aside.clear(); // waits for them
     return comparisons;
 }
 

@@ -8,9 +8,12 @@
 #include "core/text_encoding.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <thread>
 #include <utility>
 
 namespace slidercrank
@@ -283,6 +286,25 @@ public:
         }
     }
 
+    /// Those of the lines that follow, which were counted from 1; `linesBefore` stand before them.
+    void add(SkippedRows later, std::size_t linesBefore)
+    {
+        for (SkippedRow &row : later.m_rows) {
+            row.line += linesBefore;
+            if (m_rows.size() < kMostSkippedRows) {
+                m_rows.push_back(std::move(row));
+            } else if (m_unlisted++ == 0) {
+                m_firstUnlisted = row.line;
+            }
+        }
+        if (later.m_unlisted > 0) { // then the list was full before: 1000 of them were added
+            if (m_unlisted == 0) {
+                m_firstUnlisted = later.m_firstUnlisted + linesBefore;
+            }
+            m_unlisted += later.m_unlisted;
+        }
+    }
+
     std::vector<SkippedRow> take()
     {
         if (m_unlisted > 0) {
@@ -349,6 +371,19 @@ public:
 
     const std::vector<double> &time() const { return m_data.time; }
 
+    /// The rows that follow.
+    void add(const SeriesBuilder &later)
+    {
+        const auto append = [](std::vector<double> &values, const std::vector<double> &more) {
+            values.insert(values.end(), more.begin(), more.end());
+        };
+        append(m_data.time, later.m_data.time);
+        for (std::size_t i = 0; i < m_observers.size(); ++i) {
+            append(m_data.series[i].values, later.m_data.series[i].values);
+            m_observers[i].add(later.m_observers[i]);
+        }
+    }
+
     void add(const Row &row)
     {
         m_data.time.push_back(row.time);
@@ -397,11 +432,91 @@ private:
 };
 
 /// About how many rows there are: from the length of the first, or the shortest that can fill the columns.
-std::size_t estimateRows(const Layout &layout)
+std::size_t estimateRows(std::string_view lines, std::size_t columns)
 {
-    const std::string_view data = layout.table.data;
-    const std::size_t firstLine = std::min(data.find_first_of("\r\n"), data.size()) + 1;
-    return data.size() / std::max(firstLine, layout.columns.size()) + 1;
+    const std::size_t firstLine = std::min(lines.find_first_of("\r\n"), lines.size()) + 1;
+    return lines.size() / std::max(firstLine, columns) + 1;
+}
+
+/// Some lines of the table. They are counted from 1 until it is known how many stand before them.
+struct Part {
+    Part(std::string_view text, const Layout &layout, std::size_t expectedRows)
+        : lines(text)
+        , builder(layout, expectedRows)
+    {
+    }
+
+    std::string_view lines;
+    SeriesBuilder builder;
+    SkippedRows skipped;
+    std::optional<ReadError> error;
+    std::size_t lineCount = 0;
+    std::size_t firstRow = 0; ///< its line; 0: there is no row
+    std::string_view firstTime;
+};
+
+ReadError timeFault(std::size_t line, const Layout &layout, std::string_view digits)
+{
+    return atCell(line, layout.timeColumn + 1, digits,
+                  "the time does not increase from the row before: sort the rows by time and keep one of each "
+                  "instant.");
+}
+
+/// `read`: called with the bytes read since the last call; false when reading is to stop.
+void readPart(Part &part, const Layout &layout, const std::function<bool(std::size_t)> &read)
+{
+    Row row;
+    row.numbers.resize(layout.channels.size());
+    const bool plainNumbers = layout.table.layout.decimalSign == DecimalSign::Point;
+    CellScanner scanner(part.lines, layout.table.layout.delimiter, 1);
+    const char *reported = scanner.position();
+    for (std::size_t count = 0; !scanner.atEnd(); ++count) {
+        if (count % kRowsBetweenPolls == 0) {
+            if (!read(static_cast<std::size_t>(scanner.position() - reported))) {
+                return;
+            }
+            reported = scanner.position();
+        }
+        const std::size_t line = scanner.line();
+        if (!plainNumbers || !readPlainRow(scanner, layout, row)) {
+            if (const std::optional<RowFault> fault = readRow(scanner, layout, row)) {
+                if (fault->reason) {
+                    part.skipped.add(line, *fault);
+                }
+                continue;
+            }
+        }
+        if (part.firstRow == 0) {
+            part.firstRow = line;
+            part.firstTime = row.timeDigits;
+        } else if (!(row.time > part.builder.time().back())) {
+            part.error = timeFault(line, layout, row.timeDigits);
+            return;
+        }
+        part.builder.add(row);
+    }
+    part.lineCount = scanner.line() - 1;
+}
+
+/// The lines in pieces of like size, one for each processor where there are enough of them.
+std::vector<std::string_view> partsOf(std::string_view lines)
+{
+    constexpr std::size_t kSmallestPart = std::size_t{1} << 20U; // bytes: less does not pay for a thread
+    constexpr std::size_t kMostParts = 8;
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t count =
+        std::clamp<std::size_t>(lines.size() / kSmallestPart, 1, std::min(processors, kMostParts));
+    std::vector<std::string_view> parts;
+    for (std::size_t left = count; left > 0; --left) {
+        std::size_t end = lines.size() / left;
+        if (left > 1) { // to the end of the line; lines may end with LF, CR LF or CR
+            end = std::min(lines.find_first_of("\r\n", end), lines.size());
+            end = std::min(end + (lines.substr(end).starts_with("\r\n") ? 2 : 1), lines.size());
+        }
+        parts.push_back(lines.substr(0, end));
+        lines.remove_prefix(end);
+    }
+    return parts;
 }
 
 std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_token &stop, const ReadOptions &options)
@@ -410,38 +525,55 @@ std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_t
         error.layout = std::move(layout.table.layout);
         return error;
     };
-    SeriesBuilder builder(layout, estimateRows(layout));
-    SkippedRows skipped;
-    Row row;
-    row.numbers.resize(layout.channels.size());
     const Table &table = layout.table;
-    const bool plainNumbers = table.layout.decimalSign == DecimalSign::Point;
-    CellScanner scanner = rowsOf(table);
-    for (std::size_t count = 0; !scanner.atEnd(); ++count) {
-        if (count % kRowsBetweenPolls == 0) {
-            if (stop.stop_requested()) {
-                return wholeFile("Reading was stopped.");
-            }
-            if (options.progress) {
-                options.progress(static_cast<std::size_t>(scanner.position() - table.data.data()), table.data.size());
-            }
+    std::vector<Part> parts;
+    for (const std::string_view lines : partsOf(table.data)) {
+        // The first takes the others in: its room is for all.
+        const std::string_view roomFor = parts.empty() ? table.data : lines;
+        parts.emplace_back(lines, layout, estimateRows(roomFor, layout.columns.size()));
+    }
+    std::atomic<std::size_t> done = 0;
+    const auto readAside = [&](std::size_t bytes) {
+        done += bytes;
+        return !stop.stop_requested();
+    };
+    const auto readHere = [&](std::size_t bytes) {
+        const bool goOn = readAside(bytes);
+        if (options.progress) {
+            options.progress(done, table.data.size());
         }
-        const std::size_t line = scanner.line();
-        if (!plainNumbers || !readPlainRow(scanner, layout, row)) {
-            if (const std::optional<RowFault> fault = readRow(scanner, layout, row)) {
-                if (fault->reason) {
-                    skipped.add(line, *fault);
-                }
-                continue;
-            }
+        return goOn;
+    };
+    {
+        std::vector<std::jthread> aside;
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            aside.emplace_back([&, i] { readPart(parts[i], layout, readAside); });
         }
-        if (!builder.time().empty() && !(row.time > builder.time().back())) {
-            return refused(
-                atCell(line, layout.timeColumn + 1, row.timeDigits,
-                       "the time does not increase from the row before: sort the rows by time and keep one of "
-                       "each instant."));
+        readPart(parts.front(), layout, readHere);
+    }
+    if (stop.stop_requested()) {
+        return wholeFile("Reading was stopped.");
+    }
+
+    SeriesBuilder &builder = parts.front().builder;
+    SkippedRows skipped;
+    std::size_t linesBefore = table.firstDataLine - 1;
+    for (Part &part : parts) {
+        const bool isFirst = &part == &parts.front();
+        const bool continues = isFirst || part.firstRow == 0 || builder.time().empty() ||
+                               part.builder.time().front() > builder.time().back();
+        if (!continues) {
+            return refused(timeFault(part.firstRow + linesBefore, layout, part.firstTime));
         }
-        builder.add(row);
+        if (part.error) {
+            part.error->line += linesBefore;
+            return refused(*std::move(part.error));
+        }
+        if (!isFirst) {
+            builder.add(part.builder);
+        }
+        skipped.add(std::move(part.skipped), linesBefore);
+        linesBefore += part.lineCount;
     }
 
     const std::size_t firstLine = table.firstDataLine;

@@ -173,6 +173,23 @@ PrintedPlaces placesOf(std::string_view digits)
     return places;
 }
 
+void RoundingObserver::add(const RoundingObserver &later)
+{
+    for (std::size_t decade = 0; decade < kDecades; ++decade) {
+        for (std::size_t length = 0; length < kMostDigits; ++length) {
+            m_counts[decade][length] += later.m_counts[decade][length];
+        }
+    }
+    m_finestPlace = std::min(m_finestPlace, later.m_finestPlace);
+    m_smallestExponent = std::min(m_smallestExponent, later.m_smallestExponent);
+    const bool differ =
+        !m_onlyMagnitude.empty() && !later.m_onlyMagnitude.empty() && m_onlyMagnitude != later.m_onlyMagnitude;
+    m_varies = m_varies || later.m_varies || differ;
+    if (m_onlyMagnitude.empty()) {
+        m_onlyMagnitude = later.m_onlyMagnitude;
+    }
+}
+
 Rounding RoundingObserver::infer(double unitFactor) const
 {
     Rounding rounding;

@@ -65,6 +65,9 @@ public:
     /// The same where the places are known already.
     void observe(const PrintedPlaces &places, std::string_view digits);
 
+    /// As if the numbers that `later` saw had been observed after these.
+    void add(const RoundingObserver &later);
+
     Rounding infer(double unitFactor) const;
 
 private:

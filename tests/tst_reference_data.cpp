@@ -12,6 +12,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -472,6 +473,70 @@ private slots:
         QCOMPARE(skipped.size(), std::size_t(1001));
         QCOMPARE(skipped.back().line, std::size_t(1003));
         QVERIFY2(skipped.back().reason.find("1499 more") != std::string::npos, skipped.back().reason.c_str());
+    }
+
+    void readsALargeFileInOnePiece_data()
+    {
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::newRow("LF") << QByteArray("\n");
+        QTest::newRow("CR LF") << QByteArray("\r\n");
+        QTest::newRow("CR") << QByteArray("\r");
+    }
+
+    /// Several megabytes are read by several threads: nothing of that may show.
+    void readsALargeFileInOnePiece()
+    {
+        QFETCH(QByteArray, lineEnd);
+        constexpr int kRows = 300000;
+        constexpr int kBadEvery = 9973;
+        constexpr int kGapEvery = 7919;
+        QByteArray bytes = "time,R4_x" + lineEnd;
+        std::vector<double> time;
+        std::vector<double> values;
+        std::vector<std::size_t> badLines;
+        std::vector<QByteArray> lines;
+        for (int i = 1; i <= kRows; ++i) {
+            const QByteArray instant = QByteArray::number(i) + ".5";
+            const QByteArray value = QByteArray::number(i % 1000) + "." + QByteArray::number(100 + i % 900);
+            const bool bad = i % kBadEvery == 0;
+            const bool gap = i % kGapEvery == 0;
+            lines.push_back(instant + ',' + (bad ? QByteArray("oops") : gap ? QByteArray() : value));
+            if (bad) {
+                badLines.push_back(static_cast<std::size_t>(i) + 1);
+                continue;
+            }
+            time.push_back(i + 0.5);
+            values.push_back(gap ? std::numeric_limits<double>::quiet_NaN() : value.toDouble());
+        }
+        const auto fileOf = [&](const std::vector<QByteArray> &rows) {
+            QByteArray file = bytes;
+            for (const QByteArray &row : rows) {
+                file += row + lineEnd;
+            }
+            return file;
+        };
+        const QByteArray file = fileOf(lines);
+        QVERIFY(file.size() > 4 << 20);
+        const auto outcome = read(file);
+        const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+        QVERIFY(data);
+        QVERIFY(data->time == time);
+        QCOMPARE(described(data->series[0].values), described(values));
+        QCOMPARE(data->series[0].rounding.digits, 3);
+        QCOMPARE(data->skipped.size(), badLines.size());
+        for (std::size_t i = 0; i < badLines.size(); ++i) {
+            QCOMPARE(data->skipped[i].line, badLines[i]);
+        }
+
+        // The first fault counts, wherever it stands: here in the last quarter, and right where it is easily missed.
+        for (const std::size_t row : {std::size_t{kRows} / 4 * 3, std::size_t{kRows} / 2, std::size_t{kRows} - 2}) {
+            std::vector<QByteArray> faulty = lines;
+            faulty[row] = lines[row - 1].left(lines[row - 1].indexOf(',')) + ",1.5";
+            const auto refusal = read(fileOf(faulty));
+            const ReadError *error = std::get_if<ReadError>(&refusal);
+            QVERIFY(error);
+            QCOMPARE(error->line, row + 2);
+        }
     }
 
     void stopsWhenAsked()

@@ -221,50 +221,62 @@ void PlotFigure::convert()
                 channel.comparison = &comparison;
             }
         }
-        convertErrors(channel, *series);
+        channel.series = series;
+        convertErrors(channel);
     }
 }
 
-void PlotFigure::convertErrors(ShownChannel &channel, const ReferenceSeries &series) const
+void PlotFigure::convertErrors(ShownChannel &channel) const
 {
     constexpr double kPercent = 100.0;
-    constexpr double kHalf = 0.5;
-    double perDifference = 1.0;
-    std::optional<double> largest;
+    const ChannelComparison *comparison = channel.comparison;
     switch (m_settings.error) {
     case ErrorMeasure::Percent:
-        perDifference = kPercent;
-        largest = channel.comparison ? channel.comparison->maxPercent : std::nullopt;
+        channel.perDifference = kPercent;
+        channel.largestError = comparison ? comparison->maxPercent : std::nullopt;
         break;
-    case ErrorMeasure::Absolute: largest = channel.comparison ? channel.comparison->maxAbs : std::nullopt; break;
+    case ErrorMeasure::Absolute: channel.largestError = comparison ? comparison->maxAbs : std::nullopt; break;
     case ErrorMeasure::OfPeak: {
         const std::optional<Interval> range = extremes(channel.reference);
         const double peak = range ? std::max(std::abs(range->lower), std::abs(range->upper)) : 0.0;
-        perDifference = peak > 0.0 ? kPercent / peak : kNaN;
-        largest = channel.comparison ? channel.comparison->percentOfPeak : std::nullopt;
+        channel.perDifference = peak > 0.0 ? kPercent / peak : kNaN;
+        channel.largestError = comparison ? comparison->percentOfPeak : std::nullopt;
         break;
     }
     }
-    channel.largestError = largest;
-    const bool ofValue = m_settings.error == ErrorMeasure::Percent;
-    const auto shown = [this](double error) {
-        return !m_settings.logarithmicError ? error : error > 0.0 ? std::log10(error) : kNaN;
-    };
     const std::size_t count = channel.reference.size();
-    channel.errors.reserve(count);
-    channel.band.reserve(m_settings.roundingBand ? count : 0);
+    channel.errors.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
         const double reference = channel.reference[k];
-        const bool isZero = ofValue && reference == 0.0;
-        if (isZero) {
+        channel.errors[k] = shownError(channel, channel.modelAtReference[k] - reference, reference);
+        if (reference == 0.0 && m_settings.error == ErrorMeasure::Percent) {
             channel.zeroReference.push_back(m_referenceTime[k]);
         }
-        const double perUnit = isZero ? kNaN : ofValue ? perDifference / std::abs(reference) : perDifference;
-        channel.errors.push_back(shown(std::abs(channel.modelAtReference[k] - reference) * perUnit));
-        if (m_settings.roundingBand) {
-            channel.band.push_back(shown(kHalf * series.rounding.stepAt(reference) * perUnit));
-        }
     }
+}
+
+/// In the chosen measure, as the axis has it; NaN where it is infinite or has no logarithm.
+double PlotFigure::shownError(const ShownChannel &channel, double difference, double reference) const
+{
+    double error = std::abs(difference) * channel.perDifference;
+    if (m_settings.error == ErrorMeasure::Percent) {
+        error = reference == 0.0 ? kNaN : error / std::abs(reference);
+    }
+    if (m_settings.logarithmicError) {
+        error = error > 0.0 ? std::log10(error) : kNaN;
+    }
+    return error;
+}
+
+/// Half a rounding step of the file, where its curve has the points that are drawn.
+std::vector<CurvePoint> PlotFigure::bandOf(const ShownChannel &channel, const PixelColumns &pixels) const
+{
+    constexpr double kHalf = 0.5;
+    std::vector<CurvePoint> band = decimate(m_referenceTime, channel.reference, pixels);
+    for (CurvePoint &point : band) {
+        point.value = shownError(channel, kHalf * channel.series->rounding.stepAt(point.value), point.value);
+    }
+    return band;
 }
 
 void PlotFigure::setSettings(const PlotSettings &settings)
@@ -444,7 +456,9 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
         isCompared = true;
         PlotPicture::Curve &curve = picture.curves[i];
         curve.points = decimate(m_referenceTime, channel.errors, pixels);
-        curve.band = decimate(m_referenceTime, channel.band, pixels);
+        if (m_settings.roundingBand) {
+            curve.band = bandOf(channel, pixels);
+        }
         curve.marks = channel.zeroReference;
         extents[i] = extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.errors);
         if (channel.largestError) {

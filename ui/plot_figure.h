@@ -165,15 +165,19 @@ private:
         std::span<const double> model;
         std::span<const double> reference; ///< empty where the file has no such column
         std::span<const double> modelAtReference;
+        const ReferenceSeries *series = nullptr;
         const ChannelComparison *comparison = nullptr;
-        std::vector<double> errors;        ///< in the chosen measure, at the file's instants; NaN where there is none
-        std::vector<double> band;          ///< half a rounding step of the file, in the same measure
+        double perDifference = 1.0; ///< what a difference is multiplied by to be an error; of a percentage, before it
+                                    ///< is divided by the value
+        std::vector<double> errors; ///< in the chosen measure, at the file's instants; NaN where there is none
         std::vector<double> zeroReference; ///< instants where the reference is zero
         std::optional<double> largestError;
     };
 
     void convert();
-    void convertErrors(ShownChannel &channel, const ReferenceSeries &series) const;
+    void convertErrors(ShownChannel &channel) const;
+    double shownError(const ShownChannel &channel, double difference, double reference) const;
+    std::vector<CurvePoint> bandOf(const ShownChannel &channel, const PixelColumns &pixels) const;
     PlotPicture::TimeLabels timeLabels(double width, double digitWidth) const;
     QString errorUnit(std::size_t channel) const;
     QString errorText(std::size_t channel, std::size_t atReference) const;
