@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/interpretation.h"
 
+#include "core/explanation.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -28,13 +30,9 @@ bool isDifferent(const ReferenceData &data, const Mechanism &mechanism, std::sto
 
 Trajectory exactMotionOf(const Mechanism &mechanism, const ReferenceData &data, std::stop_token stop)
 {
-    ChannelSet channels;
-    for (const ReferenceSeries &series : data.series) {
-        channels.set(indexOf(series.channel));
-    }
     SolverSettings exact;
     exact.method = Method::ClosedForm;
-    return sample(mechanism, data.time, channels, exact, stop);
+    return sample(mechanism, data.time, channelsOf(data), exact, stop);
 }
 
 Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)

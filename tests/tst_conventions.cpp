@@ -25,6 +25,18 @@ namespace
 {
 
 constexpr double kPi = std::numbers::pi;
+
+/// How many of the random files are tried. The sanitizers, a dozen times slower, look at memory and not at numbers: a
+/// tenth is enough for them.
+constexpr int filesOf(int all)
+{
+#ifdef __SANITIZE_ADDRESS__
+    return (all + 9) / 10;
+#else
+    return all;
+#endif
+}
+
 constexpr Channel kTheta{Theta3, Order::Position};
 constexpr Channel kThetaDot{Theta3, Order::Velocity};
 constexpr Channel kThetaDDot{Theta3, Order::Acceleration};
@@ -435,7 +447,7 @@ private slots:
     {
         QFETCH(const Fault, fault);
         RandomFiles files(1);
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < filesOf(50); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             const std::vector<Convention> expected = fault.inject(table, p, files);
@@ -456,7 +468,7 @@ private slots:
     {
         QFETCH(const Fault, fault);
         RandomFiles files(1);
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < filesOf(50); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             const std::vector<Convention> expected = fault.inject(table, p, files);
@@ -500,7 +512,7 @@ private slots:
         QFETCH(const Fault, second);
         QFETCH(const bool, atHand);
         RandomFiles files(3);
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < filesOf(20); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             std::vector<Convention> expected = second.inject(table, p, files);
@@ -519,7 +531,7 @@ private slots:
     {
         QFETCH(const Fault, fault);
         RandomFiles files(4);
-        for (int i = 0; i < 10; ++i) {
+        for (int i = 0; i < filesOf(10); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             fault.inject(table, p, files);
@@ -544,7 +556,7 @@ private slots:
     void findsNothingInCleanFiles()
     {
         RandomFiles files(2);
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < filesOf(200); ++i) {
             const Parameters p = files.mechanism();
             const ReferenceData data = writtenAndRead(motionAt(p, files.instants(p)));
             for (const Parameters &compared : {p, files.mechanism(), Parameters()}) {
@@ -569,7 +581,7 @@ private slots:
     {
         QFETCH(const std::vector<Channel>, channels);
         RandomFiles files(5);
-        for (int i = 0; i < 40; ++i) {
+        for (int i = 0; i < filesOf(40); ++i) {
             const Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             table.keepOnly(channels);
@@ -613,7 +625,7 @@ private slots:
         QFETCH(const Fault, fault);
         QFETCH(const bool, atHand);
         RandomFiles files(6);
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < filesOf(20); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             const std::vector<Convention> expected = fault.inject(table, p, files);
@@ -636,7 +648,7 @@ private slots:
     {
         QFETCH(const Fault, fault);
         RandomFiles files(7);
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < filesOf(50); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             fault.inject(table, p, files);
@@ -654,7 +666,7 @@ private slots:
     void tellsAReversedAxisFromAHalfTurnByASimilarMechanism()
     {
         RandomFiles files(8);
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < filesOf(20); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             const std::vector<Convention> expected = kAxisReversed.inject(table, p, files);
@@ -675,7 +687,7 @@ private slots:
     void takesAnglesThatJumpTogether()
     {
         RandomFiles files(9);
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < filesOf(50); ++i) {
             Parameters p = files.mechanism();
             p.branch = Branch::Crossed;
             Table table = motionAt(p, files.instants(p));
@@ -715,7 +727,7 @@ private slots:
     void findsAFaultInMeasuredData()
     {
         RandomFiles files(10);
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < filesOf(20); ++i) {
             const Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             for (auto &[channel, values] : table.columns) {

@@ -57,16 +57,16 @@ std::shared_ptr<const Diagnosis> diagnosisOf(const Result &result)
     auto diagnosis = std::make_shared<Diagnosis>();
     diagnosis->reference = result.reference;
     diagnosis->parameters = result.mechanism.parameters();
-    Identification &found = diagnosis->identification;
+    Identification &found = diagnosis->found.identification;
     found.status = Identification::Status::Found;
     found.parameters.b = 60.00001;
     found.standardError.fill(3e-5);
     found.identifiable.fill(true);
-    diagnosis->identified = result.comparison;
-    for (ChannelComparison &channel : diagnosis->identified) {
+    diagnosis->found.identified = result.comparison;
+    for (ChannelComparison &channel : diagnosis->found.identified) {
         channel.verdict = Verdict::Agrees;
     }
-    diagnosis->attribution = {{Parameter::B, 60.00001, 0.9999999}};
+    diagnosis->found.attribution = {{Parameter::B, 60.00001, 0.9999999}};
     return diagnosis;
 }
 
@@ -240,8 +240,8 @@ private slots:
         auto diagnosis = std::make_shared<Diagnosis>(*diagnosisOf(*result));
         const Convention radians{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRadian};
         const Convention late{Convention::Kind::TimeShift, {}, 0.1};
-        diagnosis->conventions = {{radians, 98.0, 1e-3}, {late, 30.0, 1e-3}};
-        diagnosis->identification.status = Identification::Status::NotFound;
+        diagnosis->found.conventions = {{radians, 98.0, 1e-3}, {late, 30.0, 1e-3}};
+        diagnosis->found.identification.status = Identification::Status::NotFound;
         ErrorPanel panel;
         panel.resize(900, 220);
         panel.show();

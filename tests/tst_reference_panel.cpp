@@ -64,7 +64,7 @@ std::shared_ptr<Diagnosis> diagnosisOf(const std::shared_ptr<const Reference> &r
     found.parameters.b = 60.0;
     found.identifiable.fill(true);
     found.standardError.fill(1e-6);
-    diagnosis->identification = found;
+    diagnosis->found.identification = found;
     return diagnosis;
 }
 
@@ -184,11 +184,11 @@ private slots:
     {
         const auto reference = referenceOf(kFile);
         const auto diagnosis = diagnosisOf(reference);
-        diagnosis->conventions = {{kDegrees, 98.25, 0.001}, {kMetres, 99.9, 0.002}};
+        diagnosis->found.conventions = {{kDegrees, 98.25, 0.001}, {kMetres, 99.9, 0.002}};
         m_panel->setReference(reference);
         m_panel->setDiagnosis(diagnosis);
         const QString text = allText(*child<QScrollArea>(*m_panel, QStringLiteral("findings")));
-        for (const ConventionFinding &finding : diagnosis->conventions) {
+        for (const ConventionFinding &finding : diagnosis->found.conventions) {
             QVERIFY2(text.contains(explanationOf(finding.convention)), qPrintable(text));
             QVERIFY2(text.contains(effectOf(finding)), qPrintable(text));
         }
@@ -261,7 +261,7 @@ private slots:
         QFETCH(const QSize, size);
         const auto reference = referenceOf(kFile);
         const auto diagnosis = diagnosisOf(reference);
-        diagnosis->conventions = {{kDegrees, 98.25, 0.001}, {kMetres, 99.9, 0.002}};
+        diagnosis->found.conventions = {{kDegrees, 98.25, 0.001}, {kMetres, 99.9, 0.002}};
         m_panel->resize(size);
         m_panel->setReference(reference);
         m_panel->setDiagnosis(diagnosis);

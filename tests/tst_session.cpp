@@ -270,11 +270,11 @@ private slots:
         QTRY_COMPARE(diagnoses.count(), 1);
         const Diagnosis &diagnosis = *session.diagnosis();
         QCOMPARE(diagnosis.reference, session.reference());
-        QCOMPARE(diagnosis.identification.status, Identification::Status::Found);
-        QCOMPARE(diagnosis.attribution.front().parameter, Parameter::B);
-        QVERIFY(std::abs(diagnosis.attribution.front().value - 60.0) < 1e-4);
-        QVERIFY(diagnosis.attribution.front().explained > 0.999999);
-        QVERIFY(allAgree(diagnosis.identified));
+        QCOMPARE(diagnosis.found.identification.status, Identification::Status::Found);
+        QCOMPARE(diagnosis.found.attribution.front().parameter, Parameter::B);
+        QVERIFY(std::abs(diagnosis.found.attribution.front().value - 60.0) < 1e-4);
+        QVERIFY(diagnosis.found.attribution.front().explained > 0.999999);
+        QVERIFY(allAgree(diagnosis.found.identified));
 
         session.takeOver();
         QVERIFY(std::abs(session.parameters().a - 20.0) < 1e-5);
@@ -306,8 +306,8 @@ private slots:
         QCOMPARE(session.diagnosis(), first); // what was found of the file stands
         QTRY_COMPARE(diagnoses.count(), 1);
         QCOMPARE(session.diagnosis()->parameters.b, 85.0);
-        QCOMPARE(session.diagnosis()->attribution.front().parameter, Parameter::B);
-        QCOMPARE(session.diagnosis()->identification.parameters, first->identification.parameters);
+        QCOMPARE(session.diagnosis()->found.attribution.front().parameter, Parameter::B);
+        QCOMPARE(session.diagnosis()->found.identification.parameters, first->found.identification.parameters);
     }
 
     void thereIsNothingToExplainWhereEverythingAgrees()
@@ -319,8 +319,8 @@ private slots:
         session.loadReference(kSample);
         QTRY_VERIFY(session.diagnosis());
         QVERIFY(allAgree(session.result()->comparison));
-        QVERIFY(session.diagnosis()->attribution.empty());
-        QVERIFY(session.diagnosis()->conventions.empty());
+        QVERIFY(session.diagnosis()->found.attribution.empty());
+        QVERIFY(session.diagnosis()->found.conventions.empty());
     }
 
     void withoutAReferenceThereIsNoDiagnosis()

@@ -96,14 +96,17 @@ QString conventionSentence(const ConventionFinding &found)
 /// Which mechanism the file is of, where it is another one than that on show.
 Finding mechanismFinding(const Result &result, const Diagnosis &diagnosis)
 {
-    const Identification &found = diagnosis.identification;
+    const Identification &found = diagnosis.found.identification;
     Finding finding;
+    if (!diagnosis.found.conventions.empty() && diagnosis.found.attribution.empty()) {
+        return finding; // read with the conventions, it is of the one on show
+    }
     if (found.status != Identification::Status::Found) {
         finding.sentence = summaryOf(found);
         return finding; // one parameter may explain much, but is not what is wrong
     }
-    finding.sentence = attributionText(diagnosis.attribution, Mechanism(diagnosis.parameters));
-    if (isBetter(diagnosis.identified, result.comparison)) {
+    finding.sentence = attributionText(diagnosis.found.attribution, Mechanism(diagnosis.parameters));
+    if (isBetter(diagnosis.found.identified, result.comparison)) {
         finding.remedy = Finding::Remedy::TakeOver;
         finding.remedyText = FindingList::tr("Take this mechanism over");
         finding.details = changesText(result.mechanism.parameters(), found);
@@ -122,7 +125,7 @@ std::vector<Finding> findingsOf(const Result &result, const Diagnosis *diagnosis
     const bool agrees = std::ranges::all_of(
         result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
     if (diagnosis && !agrees) {
-        for (const ConventionFinding &found : diagnosis->conventions) {
+        for (const ConventionFinding &found : diagnosis->found.conventions) {
             findings.push_back({Finding::Remedy::Apply, found.convention, conventionSentence(found),
                                 FindingList::tr("Apply"), effectOf(found)});
         }

@@ -711,8 +711,8 @@ void MainWindow::showGhost()
         return;
     }
     const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
-    const bool found = diagnosis && diagnosis->identification.status == Identification::Status::Found;
-    const Mechanism lengths(found ? diagnosis->identification.parameters : m_session->parameters());
+    const bool found = diagnosis && diagnosis->found.identification.status == Identification::Status::Found;
+    const Mechanism lengths(found ? diagnosis->found.identification.parameters : m_session->parameters());
     m_mechanismView->setGhost(referencePoseAt(result.reference->data, lengths, m_session->time()));
 }
 

@@ -438,9 +438,9 @@ void ReferencePanel::fillFindings()
         rows->addLayout(rowOf(wrappedText(sentences.join(QLatin1Char('\n'))), asPrinted));
     }
     const bool known = m_diagnosis && m_diagnosis->reference == m_reference;
-    if (known && !m_diagnosis->conventions.empty()) {
+    if (known && !m_diagnosis->found.conventions.empty()) {
         rows->addWidget(title(tr("How else it may be read")));
-        for (const ConventionFinding &finding : m_diagnosis->conventions) {
+        for (const ConventionFinding &finding : m_diagnosis->found.conventions) {
             QPushButton *apply = button(tr("Apply"), QStringLiteral("applyButton"));
             apply->setAccessibleName(tr("Apply: %1").arg(explanationOf(finding.convention)));
             connect(
@@ -454,14 +454,14 @@ void ReferencePanel::fillFindings()
     if (!known) {
         rows->addWidget(wrappedText(tr("Being found out…")));
     } else {
-        QString summary = summaryOf(m_diagnosis->identification);
+        QString summary = summaryOf(m_diagnosis->found.identification);
         for (const char *inOneLine : {" = ", " ± ", " mm", " rad/s"}) {
             const QString part = QString::fromUtf8(inOneLine);
             summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
         }
         QLabel *mechanism = wrappedText(summary);
         mechanism->setObjectName(QStringLiteral("identificationLabel"));
-        if (m_diagnosis->identification.status == Identification::Status::Found) {
+        if (m_diagnosis->found.identification.status == Identification::Status::Found) {
             QPushButton *takeOver = button(tr("Take over"), QStringLiteral("takeOverButton"));
             takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);

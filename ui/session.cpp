@@ -110,6 +110,7 @@ Session::~Session()
     m_computation.request_stop();
     m_reading.request_stop();
     m_diagnosing.request_stop();
+    m_undoStack.disconnect(); // it says that it empties itself, to whom is there no more
 }
 
 Pose Session::pose() const
@@ -269,13 +270,10 @@ void Session::diagnoseAside()
     if (!reference || !upToDate || known) {
         return; // nothing to say, or not yet: the next result asks again
     }
-    const bool agrees = std::ranges::all_of(
-        m_result->comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
     m_diagnosing.request_stop();
     m_diagnosing = std::stop_source();
     const std::stop_token stop = m_diagnosing.get_token();
-    runAside([reference, mechanism = m_result->mechanism, agrees, known = m_diagnosis,
-              stop] { return diagnose(reference, mechanism, agrees, known, stop); },
+    runAside([reference, mechanism = m_result->mechanism, stop] { return diagnose(reference, mechanism, stop); },
              [this, stop](const std::shared_ptr<const Diagnosis> &diagnosis) {
                  if (diagnosis && !stop.stop_requested()) {
                      publishDiagnosis(diagnosis);
@@ -382,11 +380,11 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
 
 void Session::takeOver()
 {
-    if (!m_diagnosis || m_diagnosis->identification.status != Identification::Status::Found) {
+    if (!m_diagnosis || m_diagnosis->found.identification.status != Identification::Status::Found) {
         return;
     }
     Choices choices = m_choices;
-    choices.parameters = m_diagnosis->identification.parameters;
+    choices.parameters = m_diagnosis->found.identification.parameters;
     edit(choices, tr("taking over the file's mechanism"));
 }
 
