@@ -65,6 +65,19 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     return reference;
 }
 
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const ReferenceSource &source,
+                                                                      std::stop_token stop, ReadOptions options)
+{
+    options.columns = source.columns;
+    std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(source.path, stop, options);
+    if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
+        for (const Convention &convention : source.conventions) {
+            *reference = applied(convention, *reference);
+        }
+    }
+    return outcome;
+}
+
 ReferenceSource sourceOf(const Reference &reference)
 {
     return {QFileInfo(reference.path).absoluteFilePath(), reference.columns, reference.conventions};

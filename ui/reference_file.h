@@ -41,6 +41,10 @@ ReferenceSource sourceOf(const Reference &reference);
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {},
                                                                       const ReadOptions &options = {});
 
+/// The same, read as that says.
+std::variant<std::shared_ptr<const Reference>, QString>
+readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
+
 /// The same as they read with that convention; Branch changes nothing here.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 

@@ -297,7 +297,6 @@ void Session::readAside(const QString &path, const std::function<std::vector<Col
     const std::stop_token stop = m_reading.get_token();
     const auto read = [path, columns, conventions, session = QPointer<Session>(this), stop]() -> Reading {
         ReadOptions options;
-        options.columns = columns();
         options.progress = [session, stop, told = std::size_t{0}](std::size_t bytes, std::size_t all) mutable {
             constexpr std::size_t kSteps = 200; // more than the bar can show
             const std::size_t step = all > 0 ? bytes * kSteps / all : 0;
@@ -314,13 +313,7 @@ void Session::readAside(const QString &path, const std::function<std::vector<Col
                 },
                 Qt::QueuedConnection);
         };
-        Reading outcome = readReference(path, stop, options);
-        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
-            for (const Convention &convention : conventions) {
-                *reference = applied(convention, *reference);
-            }
-        }
-        return outcome;
+        return readReference(ReferenceSource{path, columns(), conventions}, stop, options);
     };
     runAside(read, [stop, done](const Reading &outcome) {
         if (!stop.stop_requested()) {
