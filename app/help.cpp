@@ -17,6 +17,9 @@ constexpr OptionEntry kMechanismOptions[] = {
     {"theta20", "RAD", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank angle at t = 0 (0)")},
     {"branch", "open|crossed",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "assembly: slider to the right of A, or to the left (open)")},
+    {"scene", "FILE",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "a saved scene that gives these and whatever else it knows; an option beside it wins")},
 };
 
 constexpr OptionEntry kRunOptions[] = {
@@ -94,6 +97,9 @@ constexpr OptionEntry kRenderOptions[] = {
 
 constexpr OptionEntry kWindowOptions[] = {
     {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to open")},
+    {"reset-settings", nullptr,
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "forget the window's layout, the recent files, the theme and the choices of columns")},
 };
 
 constexpr OptionEntry kEverywhereOptions[] = {
@@ -111,7 +117,7 @@ QString introductionOf(Subcommand subcommand)
 {
     switch (subcommand) {
     case Subcommand::Window:
-        return CommandLine::tr("Usage: slidercrank [--reference FILE]          opens the window\n"
+        return CommandLine::tr("Usage: slidercrank [SCENE.json] [options]      opens the window\n"
                                "       slidercrank solve [options]             the motion as CSV or JSON\n"
                                "       slidercrank compare FILE… [options]     how far simulations' files are from "
                                "the model\n"

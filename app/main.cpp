@@ -11,11 +11,13 @@
 #include "app/solve.h"
 #include "app/study.h"
 #include "ui/main_window.h"
+#include "ui/scene_file.h"
 
 #include <QApplication>
 #include <QCoreApplication>
 #include <QLocale>
 #include <QLoggingCategory>
+#include <QSettings>
 
 using namespace slidercrank;
 
@@ -44,6 +46,19 @@ ExitStatus print(const QString &text)
     return ExitStatus::Done;
 }
 
+ExitStatus resetSettings()
+{
+    QSettings settings;
+    settings.clear();
+    settings.sync();
+    if (settings.status() != QSettings::NoError) {
+        say(CommandLine::tr("The settings in %1 cannot be written: remove them there.").arg(settings.fileName()));
+        return ExitStatus::FileFailed;
+    }
+    return print(CommandLine::tr("Forgotten: the window's layout, the recent files, the theme and the choices of "
+                                 "columns.\n"));
+}
+
 /// None for what needs more than a QCoreApplication.
 std::optional<ExitStatus> runWithoutPlatform(const Command &command)
 {
@@ -54,6 +69,13 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
     if (const WrongCommandLine *wrong = std::get_if<WrongCommandLine>(&command)) {
         say(wrong->sentence);
         return ExitStatus::WrongCommandLine;
+    }
+    if (const UnreadableScene *unreadable = std::get_if<UnreadableScene>(&command)) {
+        say(unreadable->sentence);
+        return ExitStatus::FileFailed;
+    }
+    if (std::holds_alternative<ResetSettings>(command)) {
+        return resetSettings();
     }
     if (const Answer *answer = std::get_if<Answer>(&command)) {
         return print(answer->text);
@@ -120,8 +142,11 @@ int main(int argc, char *argv[])
     }
     MainWindow window;
     window.show();
-    if (const QString &reference = std::get<WindowOptions>(command).reference; !reference.isEmpty()) {
-        window.openReference(reference);
+    const WindowOptions &options = std::get<WindowOptions>(command);
+    if (!options.scene.isEmpty()) {
+        window.scene().open(options.scene, options.reference);
+    } else if (!options.reference.isEmpty()) {
+        window.openReference(options.reference);
     }
     return QApplication::exec();
 }

@@ -6,6 +6,7 @@
 #include "core/crank_instant.h"
 #include "core/study.h"
 #include "ui/figure_export.h"
+#include "ui/scene.h"
 
 #include <QCommandLineParser>
 #include <QDir>
@@ -106,9 +107,25 @@ public:
     explicit OptionReader(const QCommandLineParser &parser)
         : m_parser(parser)
     {
+        // The report's iterates, an order of magnitude sooner.
+        m_scene.solver.newton.elimination = Elimination::Structured;
     }
 
     const std::optional<QString> &fault() const { return m_fault; }
+    const std::optional<QString> &sceneFault() const { return m_sceneFault; }
+
+    /// What holds where no option says otherwise.
+    const Scene &scene() const { return m_scene; }
+
+    void takeScene(const QString &path)
+    {
+        const std::variant<Scene, QString> outcome = readScene(path);
+        if (const QString *sentence = std::get_if<QString>(&outcome)) {
+            m_sceneFault = *sentence;
+        } else {
+            m_scene = std::get<Scene>(outcome);
+        }
+    }
 
     void refuse(const QString &sentence)
     {
@@ -195,7 +212,9 @@ public:
 
 private:
     const QCommandLineParser &m_parser;
+    Scene m_scene;
     std::optional<QString> m_fault;
+    std::optional<QString> m_sceneFault;
 };
 
 const char *optionOf(Parameter parameter)
@@ -212,7 +231,7 @@ const char *optionOf(Parameter parameter)
 
 Mechanism readMechanism(OptionReader &reader)
 {
-    Parameters parameters;
+    Parameters parameters = reader.scene().parameters;
     parameters.a = reader.number("a", parameters.a);
     parameters.b = reader.number("b", parameters.b);
     parameters.c = reader.number("c", parameters.c);
@@ -238,7 +257,7 @@ Mechanism readMechanism(OptionReader &reader)
 
 Sampling readSampling(OptionReader &reader)
 {
-    Sampling sampling;
+    Sampling sampling = reader.scene().sampling;
     sampling.start = reader.boundedNumber("start", sampling.start);
     sampling.duration = reader.boundedNumber("duration", sampling.duration);
     sampling.steps = reader.integer("steps", sampling.steps, 1, kMostSteps);
@@ -257,10 +276,9 @@ Sampling readSampling(OptionReader &reader)
 
 SolverSettings readSolver(OptionReader &reader)
 {
-    SolverSettings solver;
+    SolverSettings solver = reader.scene().solver;
     solver.method =
         reader.choice("method", solver.method, {{"newton", Method::Newton}, {"closed-form", Method::ClosedForm}});
-    solver.newton.elimination = Elimination::Structured; // the report's iterates, an order of magnitude sooner
     solver.newton.maxIterations = reader.integer("max-iterations", solver.newton.maxIterations, 1, 1'000'000);
     solver.newton.tolerance = reader.number("tolerance", solver.newton.tolerance);
     if (!(solver.newton.tolerance >= 0.0)) {
@@ -323,6 +341,19 @@ void refusePositional(OptionReader &reader, const QStringList &positional, Subco
     }
 }
 
+/// --output, which must be none of the files that are read.
+QString readOutputBeside(OptionReader &reader, const QStringList &files)
+{
+    const QString output = reader.file("output");
+    for (const QString &file : files + QStringList(reader.text("scene"))) {
+        if (!output.isEmpty() && QFileInfo::exists(output) && QFileInfo(output) == QFileInfo(file)) {
+            reader.refuse(CommandLine::tr("--output would overwrite %1, which is to be read: choose another name.")
+                              .arg(QDir::toNativeSeparators(file)));
+        }
+    }
+    return output;
+}
+
 Command readSolve(OptionReader &reader, const QStringList &positional)
 {
     SolveOptions options;
@@ -334,7 +365,8 @@ Command readSolve(OptionReader &reader, const QStringList &positional)
                                   .arg(QLatin1String(name)));
             }
         }
-        options.atInstant = readCrankInstant(reader, options.mechanism, reader.boundedNumber("start", 0.0));
+        options.atInstant =
+            readCrankInstant(reader, options.mechanism, reader.boundedNumber("start", reader.scene().sampling.start));
     } else {
         options.sampling = readSampling(reader);
     }
@@ -343,22 +375,9 @@ Command readSolve(OptionReader &reader, const QStringList &positional)
     options.angleUnit =
         reader.choice("angle-unit", options.angleUnit, {{"deg", AngleUnit::Degree}, {"rad", AngleUnit::Radian}});
     options.format = reader.choice("format", options.format, {{"csv", Format::Csv}, {"json", Format::Json}});
-    options.output = reader.file("output");
+    options.output = readOutputBeside(reader, {});
     refusePositional(reader, positional, Subcommand::Solve);
     return options;
-}
-
-/// --output, which must be none of the files that are read.
-QString readOutputBeside(OptionReader &reader, const QStringList &files)
-{
-    const QString output = reader.file("output");
-    for (const QString &file : files) {
-        if (!output.isEmpty() && QFileInfo::exists(output) && QFileInfo(output) == QFileInfo(file)) {
-            reader.refuse(CommandLine::tr("--output would overwrite %1, which is to be read: choose another name.")
-                              .arg(QDir::toNativeSeparators(file)));
-        }
-    }
-    return output;
 }
 
 Command readCompare(OptionReader &reader, const QStringList &positional)
@@ -418,7 +437,7 @@ Command readStudy(OptionReader &reader, const QStringList &positional)
     }
     options.format =
         reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
-    options.output = reader.file("output");
+    options.output = readOutputBeside(reader, {});
     refusePositional(reader, positional, Subcommand::Study);
     return options;
 }
@@ -472,14 +491,20 @@ Command readRender(OptionReader &reader, const QStringList &positional)
             CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf."));
     } else if (options.subject == RenderOptions::Subject::Report &&
                figureFormatOf(options.output) != FigureFormat::Pdf) {
-        reader.refuse(CommandLine::tr("A report is a PDF: --output must end in .pdf, not be \"%1\".").arg(options.output));
+        reader.refuse(
+            CommandLine::tr("A report is a PDF: --output must end in .pdf, not be \"%1\".").arg(options.output));
     } else if (!figureFormatOf(options.output)) {
         reader.refuse(CommandLine::tr("--output must end in .png, .svg or .pdf, not be \"%1\".").arg(options.output));
     }
     options.mechanism = readMechanism(reader);
     options.sampling = readSampling(reader);
     options.solver = readSolver(reader);
-    options.reference = reader.file("reference");
+    options.reference = reader.scene().reference;
+    if (const QString file = reader.file("reference"); !file.isEmpty()) {
+        options.reference = ReferenceSource{file, {}, {}};
+    }
+    options.plots = reader.scene().plots;
+    options.zoom = reader.scene().zoom;
     options.theme = reader.choice("theme", options.theme, {{"light", Theme::Light}, {"dark", Theme::Dark}});
 
     if (options.subject == RenderOptions::Subject::Report) {
@@ -514,7 +539,9 @@ Command readRender(OptionReader &reader, const QStringList &positional)
                           .arg(kLargestSide));
     }
 
-    options.poseInstant = options.sampling.start;
+    const double end = options.sampling.start + options.sampling.duration;
+    options.poseInstant =
+        reader.has("scene") ? std::clamp(reader.scene().time, options.sampling.start, end) : options.sampling.start;
     if (reader.has("at") && reader.has("at-angle")) {
         reader.refuse(CommandLine::tr("--at and --at-angle both choose the instant: remove one of them."));
     } else if (reader.has("at")) {
@@ -522,7 +549,6 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     } else if (reader.has("at-angle")) {
         options.poseInstant = readCrankInstant(reader, options.mechanism, options.sampling.start);
     }
-    const double end = options.sampling.start + options.sampling.duration;
     if (options.subject != RenderOptions::Subject::Mechanism &&
         (options.poseInstant < options.sampling.start || options.poseInstant > end)) {
         reader.refuse(CommandLine::tr("The cursor's instant, t = %1 s, lies outside the run from %2 s to %3 s: choose "
@@ -536,17 +562,36 @@ Command readRender(OptionReader &reader, const QStringList &positional)
 
 Command readWindow(OptionReader &reader, const QStringList &positional)
 {
-    if (!positional.isEmpty()) {
-        const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("identify"),
-                                QStringLiteral("study"), QStringLiteral("render")};
-        reader.refuse(
-            words.contains(positional.first())
-                ? CommandLine::tr("The command must come first: slidercrank %1 …").arg(positional.first())
-                : CommandLine::tr("There is no command \"%1\": use solve, compare, identify, study or render, or no "
-                                  "word at all for the window.")
-                      .arg(positional.first()));
+    if (reader.has("reset-settings")) {
+        if (!positional.isEmpty() || reader.has("reference")) {
+            reader.refuse(CommandLine::tr("--reset-settings opens no window: remove what stands beside it."));
+        }
+        return ResetSettings{};
     }
-    return WindowOptions{reader.file("reference")};
+    WindowOptions options;
+    options.reference = reader.file("reference");
+    if (positional.isEmpty()) {
+        return options;
+    }
+    options.scene = positional.first();
+    const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("identify"),
+                            QStringLiteral("study"), QStringLiteral("render")};
+    const bool isFile =
+        options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || QFileInfo::exists(options.scene);
+    if (words.contains(options.scene)) {
+        reader.refuse(CommandLine::tr("The command must come first: slidercrank %1 …").arg(options.scene));
+    } else if (!isFile) {
+        reader.refuse(CommandLine::tr("There is no command \"%1\": use solve, compare, identify, study or render, or "
+                                      "no word at all, or a scene's file, for the window.")
+                          .arg(options.scene));
+    } else if (positional.size() > 1) {
+        reader.refuse(CommandLine::tr("The window opens one scene, not %1: remove \"%2\".")
+                          .arg(positional.size())
+                          .arg(positional[1]));
+    } else {
+        reader.takeScene(options.scene); // to know before there is a window whether it is one
+    }
+    return options;
 }
 
 /// What is wrong with the shape of the line: unknown, repeated or unfinished options.
@@ -623,6 +668,9 @@ Command parseCommandLine(const QStringList &arguments)
 
     OptionReader reader(parser);
     const QStringList positional = parser.positionalArguments();
+    if (subcommand != Subcommand::Window && reader.has("scene")) {
+        reader.takeScene(reader.file("scene"));
+    }
     Command command;
     switch (subcommand) {
     case Subcommand::Window: command = readWindow(reader, positional); break;
@@ -631,6 +679,9 @@ Command parseCommandLine(const QStringList &arguments)
     case Subcommand::Identify: command = readIdentify(reader, positional); break;
     case Subcommand::Study: command = readStudy(reader, positional); break;
     case Subcommand::Render: command = readRender(reader, positional); break;
+    }
+    if (reader.sceneFault()) {
+        return UnreadableScene{*reader.sceneFault()};
     }
     if (reader.fault()) {
         return WrongCommandLine{*reader.fault()};

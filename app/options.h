@@ -8,6 +8,8 @@
 #include "core/channel.h"
 #include "core/mechanism.h"
 #include "core/trajectory.h"
+#include "ui/plot_figure.h"
+#include "ui/reference_file.h"
 #include "ui/theme.h"
 
 #include <QSize>
@@ -62,7 +64,9 @@ struct RenderOptions {
     Sampling sampling;
     SolverSettings solver;
     double poseInstant = 0.0; ///< s
-    QString reference;        ///< empty: none
+    std::optional<ReferenceSource> reference;
+    PlotSettings plots;
+    PlotZoom zoom;
     Subject subject = Subject::Figure;
     QString plot; ///< for Subject::Plot, its channel, or error_position, error_velocity, error_acceleration
     QString output;
@@ -72,7 +76,12 @@ struct RenderOptions {
 };
 
 struct WindowOptions {
-    QString reference; ///< empty: none
+    QString scene;     ///< empty: none
+    QString reference; ///< empty: none, or the scene's own
+};
+
+/// All that was remembered is to be forgotten, and done.
+struct ResetSettings {
 };
 
 /// Help or version: to be printed, and done.
@@ -84,8 +93,13 @@ struct WrongCommandLine {
     QString sentence;
 };
 
+/// The line is right, but the scene that it names is none.
+struct UnreadableScene {
+    QString sentence;
+};
+
 using Command = std::variant<WindowOptions, SolveOptions, CompareOptions, IdentifyOptions, StudyOptions, RenderOptions,
-                             Answer, WrongCommandLine>;
+                             ResetSettings, Answer, WrongCommandLine, UnreadableScene>;
 
 /// `arguments` as QCoreApplication::arguments() gives them, the program's name first.
 Command parseCommandLine(const QStringList &arguments);

@@ -84,8 +84,8 @@ Shortfall shortfallOf(const RenderOptions &options, const Session &session)
 ExitStatus render(const RenderOptions &options)
 {
     std::shared_ptr<const Reference> reference;
-    if (!options.reference.isEmpty()) {
-        const std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(options.reference);
+    if (options.reference) {
+        const std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(*options.reference);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             return ExitStatus::FileFailed;
@@ -97,7 +97,9 @@ ExitStatus render(const RenderOptions &options)
 
     PlotGrid plots;
     MechanismView mechanism;
+    plots.setSettings(options.plots);
     plots.setResult(session.result());
+    plots.setZoom(options.zoom);
     if (options.poseInstant != options.sampling.start) {
         plots.markTime(options.poseInstant);
     }

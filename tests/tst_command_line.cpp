@@ -142,6 +142,24 @@ QByteArray contentOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+/// A scene as the window saves it, of a crossed mechanism with b = 60 mm; the plots are zoomed in.
+QByteArray sceneText(const QByteArray &reference = "null")
+{
+    return R"({"version": 1,
+        "mechanism": {"a": 20, "b": 60, "c": 25, "omega2": 6.283185307179586, "theta20": 0.5, "branch": "crossed"},
+        "sampling": {"start": 0.25, "duration": 2, "steps": 10},
+        "solver": {"method": "closed-form", "maxIterations": 7, "tolerance": 1e-6, "toleranceKind": "absolute",
+                   "warmStart": "previous", "elimination": "structured"},
+        "reference": )" +
+           reference + R"(, "view": {"time": 0.75, "error": "absolute", "zoom": {"time": [0.5, 1.5]}}})";
+}
+
+QString writeFile(const QString &path, const QByteArray &content)
+{
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(content) == content.size() ? path : QString();
+}
+
 /// Table 1's motion to six digits, θ3 in radians under a heading that does not say so.
 QString fileInRadians(const QTemporaryDir &folder)
 {
@@ -152,9 +170,7 @@ QString fileInRadians(const QTemporaryDir &folder)
                QByteArray::number(table.at(row, "R4_x"), 'g', 6) + ',' +
                QByteArray::number(table.at(row, "R4_x_diff"), 'g', 6) + '\n';
     }
-    const QString path = folder.filePath(QStringLiteral("radians.csv"));
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() ? path : QString();
+    return writeFile(folder.filePath(QStringLiteral("radians.csv")), csv);
 }
 
 bool isOneLine(const QByteArray &text)
@@ -213,6 +229,12 @@ private slots:
     void studiesTheMechanismAskedFor();
     void takesAnyFileName();
     void speaksTheSameNumbersInEveryLocale();
+    void takesASceneForWhatIsNotSaid();
+    void goesOnFromAScene();
+    void rendersASceneAsItWasSaved();
+    void saysWhatIsWrongWithAScene_data();
+    void saysWhatIsWrongWithAScene();
+    void forgetsTheSettings();
     void helpsEverywhere();
     void needsNoPlatformButToRender();
     void rendersPicturesOfTheSizeAskedFor_data();
@@ -509,7 +531,11 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     QTest::addColumn<QString>("says");
     const auto row = [](const char *line, const char *says) { QTest::newRow(line) << line << says; };
     row("solv", "no command \"solv\"");
-    row("scene.json", "no command \"scene.json\"");
+    row("scene.txt", "no command \"scene.txt\"");
+    row("a.json b.json", "one scene, not 2: remove \"b.json\"");
+    row("--reset-settings --reference x.csv", "remove what stands beside it");
+    row("--reset-settings a.json", "remove what stands beside it");
+    row("solve --reset-settings", "no option --reset-settings");
     row("--reference x.csv solve", "must come first");
     row("--reference", "--reference needs a value");
     row("--steps 3", "no option --steps");
@@ -1160,6 +1186,155 @@ void TestCommandLine::speaksTheSameNumbersInEveryLocale()
         QCOMPARE(outcome.status, 0);
         QCOMPARE(outcome.out, run(arguments).out);
     }
+}
+
+void TestCommandLine::takesASceneForWhatIsNotSaid()
+{
+    QTemporaryDir folder;
+    const QString scene = writeFile(folder.filePath(QStringLiteral("a scene.json")), sceneText());
+    const QString said =
+        QStringLiteral("solve --b 60 --theta20 0.5 --branch crossed --start 0.25 --duration 2 --steps 10 "
+                       "--method closed-form");
+    const Outcome taken = run({"solve", "--scene", scene});
+    QCOMPARE(taken.err, QByteArray());
+    QCOMPARE(taken.status, 0);
+    QCOMPARE(taken.out, run(said).out);
+    QCOMPARE(tableOf(taken.out).cells.size(), std::size_t(11));
+
+    const QString otherwise = QStringLiteral("--b 70 --branch open --steps 4 --method newton --tolerance 0 --start 1");
+    const Outcome over = run(QStringList{"solve", "--scene", scene} + QProcess::splitCommand(otherwise));
+    QCOMPARE(over.status, 0);
+    QCOMPARE(over.out, run(QStringLiteral("solve --theta20 0.5 --duration 2 --max-iterations 7 ") + otherwise).out);
+    QCOMPARE(run({"solve", "--scene", scene, "--at-angle", "60", "--channels", "theta3"}).out,
+             run(QStringLiteral("solve --b 60 --theta20 0.5 --branch crossed --start 0.25 --method closed-form "
+                                "--at-angle 60 --channels theta3"))
+                 .out);
+
+    const Outcome overwriting = run({"solve", "--scene", scene, "--output", scene});
+    QCOMPARE(overwriting.status, 2);
+    QVERIFY2(overwriting.err.contains("would overwrite"), overwriting.err.constData());
+    QCOMPARE(contentOf(scene), sceneText());
+}
+
+void TestCommandLine::goesOnFromAScene()
+{
+    QTemporaryDir folder;
+    const QByteArray open = sceneText().replace("crossed", "open").replace("\"theta20\": 0.5", "\"theta20\": 0");
+    const QString scene = writeFile(folder.filePath(QStringLiteral("scene.json")), open);
+    const QStringList comparing{"compare", sample(), "--fail-on-difference", "--scene", scene};
+    QCOMPARE(run(comparing).status, 0); // the sample is of b = 60 mm
+    QCOMPARE(run(comparing + QStringList{"--b", "65"}).status, 1);
+
+    // Angles alone tell the lengths' ratios; the scene says how long the crank is.
+    const QByteArray longer =
+        QByteArray(open).replace("\"a\": 20", "\"a\": 40").replace("60", "120").replace("25,", "50,");
+    const QString twice = writeFile(folder.filePath(QStringLiteral("twice.json")), longer);
+    const QString angles = folder.filePath(QStringLiteral("angles.csv"));
+    run({"solve", "--b", "62", "--channels", "theta3,theta3_diff", "--output", angles});
+    const auto crankOf = [&](const QString &path) {
+        const Outcome found = run({"identify", angles, "--format", "json", "--scene", path});
+        return QJsonDocument::fromJson(found.out).object()["mechanism"].toObject()["a"].toDouble();
+    };
+    QCOMPARE(crankOf(scene), 20.0);
+    QCOMPARE(crankOf(twice), 40.0);
+
+    const QString rocker =
+        writeFile(folder.filePath(QStringLiteral("rocker.json")), QByteArray(open).replace("60", "40"));
+    const Table study = tableOf(run({"study", "--scene", rocker, "--format", "csv"}).out);
+    QVERIFY(study.cells.size() > 5);
+    QVERIFY(study.at(0, "not-assemblable") > 0.0);
+}
+
+void TestCommandLine::rendersASceneAsItWasSaved()
+{
+    QTemporaryDir folder;
+    const QByteArray reference = R"({"file": "measured.csv", "columns": [], "conventions": []})";
+    const QString scene = writeFile(folder.filePath(QStringLiteral("scene.json")), sceneText(reference));
+    QVERIFY(QFile::copy(sample(), folder.filePath(QStringLiteral("measured.csv"))));
+    const auto picture = [&](const QStringList &options) {
+        const QString path = folder.filePath(QStringLiteral("picture.png"));
+        QFile::remove(path);
+        const Outcome outcome = run(QStringList{"render", "--output", path} + options);
+        if (outcome.status != 0) {
+            qWarning() << outcome.err;
+        }
+        return QImage(path);
+    };
+    const QStringList said = QProcess::splitCommand(QStringLiteral(
+        "--b 60 --theta20 0.5 --branch crossed --start 0.25 --duration 2 --steps 10 --method closed-form"));
+    const QImage pose = picture({"--what", "mechanism", "--scene", scene});
+    QVERIFY(!pose.isNull());
+    QCOMPARE(pose, picture(said + QStringList{"--what", "mechanism", "--at", "0.75", "--reference", sample()}));
+    QVERIFY(pose != picture({"--what", "mechanism", "--scene", scene, "--at", "0.8"}));
+
+    // The same curves, but as far as they were in view, and the errors in the measure chosen.
+    const QImage figure = picture({"--scene", scene});
+    QVERIFY(!figure.isNull());
+    QVERIFY(figure != picture(said + QStringList{"--at", "0.75", "--reference", sample()}));
+    const QByteArray unzoomed =
+        sceneText(reference).replace("\"error\": \"absolute\", ", "").replace("[0.5, 1.5]", "null");
+    writeFile(scene, unzoomed);
+    QCOMPARE(picture({"--scene", scene}), picture(said + QStringList{"--at", "0.75", "--reference",
+                                                                     folder.filePath(QStringLiteral("measured.csv"))}));
+
+    QVERIFY(QFile::remove(folder.filePath(QStringLiteral("measured.csv"))));
+    const Outcome without = run({"render", "--scene", scene, "--output", folder.filePath(QStringLiteral("x.png"))});
+    QCOMPARE(without.status, 3);
+    QVERIFY2(isOneLine(without.err) && without.err.contains("measured.csv"), without.err.constData());
+}
+
+void TestCommandLine::saysWhatIsWrongWithAScene_data()
+{
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QByteArray>("says");
+    QTest::newRow("not there") << QByteArray() << QByteArray("cannot be opened");
+    QTest::newRow("not JSON") << QByteArray("time,theta3\n0,1\n") << QByteArray("line 1: this is not JSON");
+    QTest::newRow("another JSON") << QByteArray("{\"a\": 1}") << QByteArray("no \"version\"");
+    QTest::newRow("no length") << sceneText().replace("\"b\": 60", "\"b\": -60")
+                               << QByteArray("\"mechanism.b\" must be");
+    QTest::newRow("half of it") << sceneText().first(300) << QByteArray("this is not JSON");
+}
+
+void TestCommandLine::saysWhatIsWrongWithAScene()
+{
+    QFETCH(QByteArray, content);
+    QFETCH(QByteArray, says);
+    QTemporaryDir folder;
+    const QString scene = folder.filePath(QStringLiteral("scene.json"));
+    if (!content.isEmpty()) {
+        writeFile(scene, content);
+    }
+    for (const QStringList &line :
+         {QStringList{scene}, QStringList{"solve", "--scene", scene},
+          QStringList{"compare", sample(), "--scene", scene}, QStringList{"identify", sample(), "--scene", scene},
+          QStringList{"study", "--scene", scene},
+          QStringList{"render", "--output", folder.filePath(QStringLiteral("x.png")), "--scene", scene}}) {
+        const Outcome outcome = run(line);
+        QVERIFY2(isOneLine(outcome.err) && outcome.err.contains(says) && outcome.err.contains("scene.json"),
+                 outcome.err.constData());
+        QCOMPARE(outcome.out, QByteArray());
+        QCOMPARE(outcome.status, 3);
+    }
+}
+
+void TestCommandLine::forgetsTheSettings()
+{
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+    QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("slidercrank")));
+    const QString path = writeFile(folder.filePath(QStringLiteral("slidercrank/slidercrank.conf")),
+                                   "[General]\ntheme=2\n[layout]\nfolded=true\n");
+    QProcessEnvironment environment = withoutDisplay();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.path());
+    const Outcome outcome = run({"--reset-settings"}, environment);
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(outcome.err, QByteArray());
+    QVERIFY(isOneLine(outcome.out));
+    QVERIFY2(!contentOf(path).contains("theme") && !contentOf(path).contains("folded"), contentOf(path).constData());
+    QCOMPARE(run({"--reset-settings"}, environment).status, 0); // nothing to forget
+#else
+    QSKIP("Settings are no file that this test could see.");
+#endif
 }
 
 void TestCommandLine::helpsEverywhere()
