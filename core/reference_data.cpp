@@ -554,6 +554,9 @@ std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_t
     if (stop.stop_requested()) {
         return wholeFile("Reading was stopped.");
     }
+    if (options.progress) {
+        options.progress(table.data.size(), table.data.size()); // the others may have been the last to end
+    }
 
     SeriesBuilder &builder = parts.front().builder;
     SkippedRows skipped;
