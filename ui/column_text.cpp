@@ -12,10 +12,9 @@ namespace slidercrank
 namespace
 {
 
-QString tr(const char *text, int count = -1)
-{
-    return QCoreApplication::translate("slidercrank::ColumnText", text, nullptr, count);
-}
+struct ColumnText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ColumnText)
+};
 
 QString encodingText(const FileLayout &layout)
 {
@@ -31,11 +30,11 @@ QString encodingText(const FileLayout &layout)
 QString delimiterText(char delimiter)
 {
     switch (delimiter) {
-    case ',': return tr("columns separated by commas");
-    case ';': return tr("columns separated by semicolons");
-    case '\t': return tr("columns separated by tabs");
-    case ' ': return tr("columns separated by spaces");
-    default: return tr("columns separated by “%1”").arg(QLatin1Char(delimiter));
+    case ',': return ColumnText::tr("columns separated by commas");
+    case ';': return ColumnText::tr("columns separated by semicolons");
+    case '\t': return ColumnText::tr("columns separated by tabs");
+    case ' ': return ColumnText::tr("columns separated by spaces");
+    default: return ColumnText::tr("columns separated by “%1”").arg(QLatin1Char(delimiter));
     }
 }
 
@@ -56,14 +55,14 @@ QString textOf(std::string_view utf8)
 QString headingText(const FileLayout &layout, std::size_t column)
 {
     const QString heading = textOf(layout.columns[column].heading);
-    return heading.isEmpty() ? tr("column %1").arg(column + 1) : heading;
+    return heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading;
 }
 
 QString meaningText(const FileColumn &column)
 {
     switch (column.role) {
     case ColumnRole::Ignored: return QStringLiteral("–");
-    case ColumnRole::Time: return tr("time");
+    case ColumnRole::Time: return ColumnText::tr("time");
     case ColumnRole::Channel: return symbolOf(column.channel);
     }
     return {};
@@ -76,8 +75,8 @@ QString unitText(const FileColumn &column)
     }
     switch (column.role) {
     case ColumnRole::Ignored: return QStringLiteral("–");
-    case ColumnRole::Time: return tr("s (none given)");
-    case ColumnRole::Channel: return tr("%1 (none given)").arg(textOf(authorUnitOf(column.channel)));
+    case ColumnRole::Time: return ColumnText::tr("s (none given)");
+    case ColumnRole::Channel: return ColumnText::tr("%1 (none given)").arg(textOf(authorUnitOf(column.channel)));
     }
     return {};
 }
@@ -86,24 +85,29 @@ QString reasonText(const FileLayout &layout, std::size_t column)
 {
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
-    case ColumnReason::KnownName: return tr("its name is known");
-    case ColumnReason::Chosen: return tr("chosen by hand");
+    case ColumnReason::KnownName: return ColumnText::tr("its name is known");
+    case ColumnReason::Chosen: return ColumnText::tr("chosen by hand");
     case ColumnReason::QuantityInName:
-        return tr("guessed: its name says the quantity, and this is the body usually exported");
-    case ColumnReason::LetterAndUnit: return tr("guessed: P, V or A says the order, its unit says angle or length");
+        return ColumnText::tr("guessed: its name says the quantity, and this is the body usually exported");
+    case ColumnReason::LetterAndUnit:
+        return ColumnText::tr("guessed: P, V or A says the order, its unit says angle or length");
     case ColumnReason::LetterAndValues:
-        return tr("guessed: P, V or A says the order, its values tell an angle from a length");
-    case ColumnReason::DerivativeOfOther: return tr("guessed: its values are the derivative of “%1”").arg(other);
-    case ColumnReason::EvenRate: return tr("guessed: an angle that grows at an even rate, as the crank's does");
-    case ColumnReason::RisingValues: return tr("guessed: the first column whose values only rise");
-    case ColumnReason::UnknownName: return tr("ignored: its name means no channel");
-    case ColumnReason::NoName: return tr("ignored: it has no name");
-    case ColumnReason::NoNumber: return tr("ignored: it holds no number");
-    case ColumnReason::UnknownUnit: return tr("ignored: its unit is not known or does not suit the quantity");
-    case ColumnReason::LikeOther: return tr("ignored: “%1” could be the same quantity").arg(other);
+        return ColumnText::tr("guessed: P, V or A says the order, its values tell an angle from a length");
+    case ColumnReason::DerivativeOfOther:
+        return ColumnText::tr("guessed: its values are the derivative of “%1”").arg(other);
+    case ColumnReason::EvenRate:
+        return ColumnText::tr("guessed: an angle that grows at an even rate, as the crank's does");
+    case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
+    case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
+    case ColumnReason::NoName: return ColumnText::tr("ignored: it has no name");
+    case ColumnReason::NoNumber: return ColumnText::tr("ignored: it holds no number");
+    case ColumnReason::UnknownUnit:
+        return ColumnText::tr("ignored: its unit is not known or does not suit the quantity");
+    case ColumnReason::LikeOther: return ColumnText::tr("ignored: “%1” could be the same quantity").arg(other);
     case ColumnReason::NotDerivative:
-        return tr("ignored: its values are not the derivative of “%1” that its name says").arg(other);
-    case ColumnReason::AngleOrLength: return tr("ignored: neither its unit nor its values tell an angle from a length");
+        return ColumnText::tr("ignored: its values are not the derivative of “%1” that its name says").arg(other);
+    case ColumnReason::AngleOrLength:
+        return ColumnText::tr("ignored: neither its unit nor its values tell an angle from a length");
     }
     return {};
 }
@@ -112,21 +116,21 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
 {
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
-    case ColumnReason::KnownName: return tr("name known");
-    case ColumnReason::Chosen: return tr("chosen by hand");
-    case ColumnReason::QuantityInName: return tr("guessed by its name");
-    case ColumnReason::LetterAndUnit: return tr("guessed by its unit");
-    case ColumnReason::LetterAndValues: return tr("guessed by its values");
-    case ColumnReason::DerivativeOfOther: return tr("guessed: derivative of %1").arg(other);
-    case ColumnReason::EvenRate: return tr("guessed: even rate");
-    case ColumnReason::RisingValues: return tr("guessed: only rises");
-    case ColumnReason::UnknownName: return tr("name not known");
-    case ColumnReason::NoName: return tr("no name");
-    case ColumnReason::NoNumber: return tr("no number in it");
-    case ColumnReason::UnknownUnit: return tr("unit not known");
-    case ColumnReason::LikeOther: return tr("as %1 could be").arg(other);
-    case ColumnReason::NotDerivative: return tr("not the derivative of %1").arg(other);
-    case ColumnReason::AngleOrLength: return tr("angle or length?");
+    case ColumnReason::KnownName: return ColumnText::tr("name known");
+    case ColumnReason::Chosen: return ColumnText::tr("chosen by hand");
+    case ColumnReason::QuantityInName: return ColumnText::tr("guessed by its name");
+    case ColumnReason::LetterAndUnit: return ColumnText::tr("guessed by its unit");
+    case ColumnReason::LetterAndValues: return ColumnText::tr("guessed by its values");
+    case ColumnReason::DerivativeOfOther: return ColumnText::tr("guessed: derivative of %1").arg(other);
+    case ColumnReason::EvenRate: return ColumnText::tr("guessed: even rate");
+    case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
+    case ColumnReason::UnknownName: return ColumnText::tr("name not known");
+    case ColumnReason::NoName: return ColumnText::tr("no name");
+    case ColumnReason::NoNumber: return ColumnText::tr("no number in it");
+    case ColumnReason::UnknownUnit: return ColumnText::tr("unit not known");
+    case ColumnReason::LikeOther: return ColumnText::tr("as %1 could be").arg(other);
+    case ColumnReason::NotDerivative: return ColumnText::tr("not the derivative of %1").arg(other);
+    case ColumnReason::AngleOrLength: return ColumnText::tr("angle or length?");
     }
     return {};
 }
@@ -136,12 +140,13 @@ QString roundingText(const Rounding &rounding)
     switch (rounding.rule) {
     case Rounding::Rule::Unknown: return QStringLiteral("–");
     case Rounding::Rule::SignificantDigits:
-        return rounding.digits == 1 ? tr("1 significant digit") : tr("%1 significant digits").arg(rounding.digits);
+        return rounding.digits == 1 ? ColumnText::tr("1 significant digit")
+                                    : ColumnText::tr("%1 significant digits").arg(rounding.digits);
     case Rounding::Rule::Decimals:
         if (rounding.digits < 0) {
-            return tr("whole multiples of 1e%1").arg(-rounding.digits);
+            return ColumnText::tr("whole multiples of 1e%1").arg(-rounding.digits);
         }
-        return rounding.digits == 1 ? tr("1 decimal") : tr("%1 decimals").arg(rounding.digits);
+        return rounding.digits == 1 ? ColumnText::tr("1 decimal") : ColumnText::tr("%1 decimals").arg(rounding.digits);
     }
     return {};
 }
@@ -149,18 +154,19 @@ QString roundingText(const Rounding &rounding)
 QString formText(const FileLayout &layout)
 {
     QStringList parts{encodingText(layout), delimiterText(layout.delimiter),
-                      layout.decimalSign == DecimalSign::Point ? tr("decimal point") : tr("decimal comma"),
-                      layout.headerLine == 0 ? tr("no names of columns")
-                                             : tr("names in line %1").arg(layout.headerLine)};
+                      layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
+                                                               : ColumnText::tr("decimal comma"),
+                      layout.headerLine == 0 ? ColumnText::tr("no names of columns")
+                                             : ColumnText::tr("names in line %1").arg(layout.headerLine)};
     if (layout.unitsLine != 0) {
-        parts << tr("units in line %1").arg(layout.unitsLine);
+        parts << ColumnText::tr("units in line %1").arg(layout.unitsLine);
     }
     if (layout.preambleLines.size() == 1) {
-        parts << tr("line %1 above them passed over").arg(layout.preambleLines[0]);
+        parts << ColumnText::tr("line %1 above them passed over").arg(layout.preambleLines[0]);
     } else if (!layout.preambleLines.empty()) {
-        parts << tr("%1 lines above them passed over").arg(layout.preambleLines.size());
+        parts << ColumnText::tr("%1 lines above them passed over").arg(layout.preambleLines.size());
     }
-    return parts.join(tr(", "));
+    return parts.join(ColumnText::tr(", "));
 }
 
 } // namespace slidercrank

@@ -11,10 +11,9 @@ namespace slidercrank
 namespace
 {
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("slidercrank::EditCommand", text);
-}
+struct EditCommandText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::EditCommandText)
+};
 
 QString changeName(const Parameters &before, const Parameters &after)
 {
@@ -29,8 +28,9 @@ QString changeName(const Parameters &before, const Parameters &after)
     note(before.c != after.c, symbolOf(Parameter::C));
     note(before.omega2 != after.omega2, symbolOf(Parameter::Omega2));
     note(before.theta20 != after.theta20, symbolOf(Parameter::Theta20));
-    note(before.branch != after.branch, tr("the assembly"));
-    return changed.size() == 1 ? tr("change of %1").arg(changed.first()) : tr("change of the mechanism");
+    note(before.branch != after.branch, EditCommandText::tr("the assembly"));
+    return changed.size() == 1 ? EditCommandText::tr("change of %1").arg(changed.first())
+                               : EditCommandText::tr("change of the mechanism");
 }
 
 } // namespace
@@ -39,16 +39,17 @@ QString changeName(const Choices &before, const Choices &after)
 {
     if (before.reference != after.reference) {
         if (!after.reference) {
-            return tr("closing of %1").arg(before.reference->name);
+            return EditCommandText::tr("closing of %1").arg(before.reference->name);
         }
         const bool sameFile = before.reference && before.reference->path == after.reference->path;
-        return (sameFile ? tr("other reading of %1") : tr("opening of %1")).arg(after.reference->name);
+        return (sameFile ? EditCommandText::tr("other reading of %1") : EditCommandText::tr("opening of %1"))
+            .arg(after.reference->name);
     }
     if (before.sampling != after.sampling) {
-        return tr("change of the sampling");
+        return EditCommandText::tr("change of the sampling");
     }
     if (before.solver != after.solver) {
-        return tr("change of the method");
+        return EditCommandText::tr("change of the method");
     }
     return changeName(before.parameters, after.parameters);
 }

@@ -29,10 +29,9 @@ constexpr double kPointsPerPixel = 0.75;   // 72 / 96
 constexpr double kLargestPixelCount = 2e8; // 800 MB as an image
 constexpr int kLargestSide = 30000;        // QPainter's raster engine stops at 32767
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("slidercrank::FigureExport", text);
-}
+struct FigureExportText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::FigureExportText)
+};
 
 QSize devicePixels(const FigureSize &size)
 {
@@ -43,19 +42,19 @@ QSize devicePixels(const FigureSize &size)
 std::optional<QString> findFault(const FigureSize &size)
 {
     if (size.size.width() < 1 || size.size.height() < 1) {
-        return tr("A figure must be at least 1 pixel wide and high.");
+        return FigureExportText::tr("A figure must be at least 1 pixel wide and high.");
     }
     if (!std::isfinite(size.scale) || size.scale <= 0.0) {
-        return tr("The scale of a figure must be greater than 0.");
+        return FigureExportText::tr("The scale of a figure must be greater than 0.");
     }
     const double width = size.size.width() * size.scale;
     const double height = size.size.height() * size.scale;
     if (width < 1.0 || height < 1.0) {
-        return tr("A figure must be at least 1 pixel wide and high.");
+        return FigureExportText::tr("A figure must be at least 1 pixel wide and high.");
     }
     const double longest = std::max({width, height, double(size.size.width()), double(size.size.height())});
     if (longest > kLargestSide || width * height > kLargestPixelCount) {
-        return tr("A figure of %1 × %2 pixels is too large: choose a smaller size or scale.")
+        return FigureExportText::tr("A figure of %1 × %2 pixels is too large: choose a smaller size or scale.")
             .arg(std::max(width, double(size.size.width())), 0, 'f', 0)
             .arg(std::max(height, double(size.size.height())), 0, 'f', 0);
     }
@@ -150,14 +149,16 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
     const QString shown = QDir::toNativeSeparators(path);
     const std::optional<FigureFormat> format = figureFormatOf(path);
     if (!format) {
-        return tr("%1: a figure's name must end in .png, .svg or .pdf.").arg(shown);
+        return FigureExportText::tr("%1: a figure's name must end in .png, .svg or .pdf.").arg(shown);
     }
     const FigureSize wanted = *format == FigureFormat::Png ? size : FigureSize{size.size, 1.0};
     if (std::optional<QString> fault = findFault(wanted)) {
         return fault;
     }
     QSaveFile file(path);
-    const auto failure = [&] { return tr("%1 cannot be written: %2.").arg(shown, file.errorString()); };
+    const auto failure = [&] {
+        return FigureExportText::tr("%1 cannot be written: %2.").arg(shown, file.errorString());
+    };
     if (!file.open(QIODevice::WriteOnly)) {
         return failure();
     }
@@ -166,7 +167,7 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
     case FigureFormat::Png: {
         QImage image = imageOf(wanted, draw);
         if (image.isNull()) {
-            return tr("There is not enough memory for a figure of that size.");
+            return FigureExportText::tr("There is not enough memory for a figure of that size.");
         }
         image.setText(QStringLiteral("Title"), title);
         isDrawn = image.save(&file, "PNG");
@@ -188,7 +189,7 @@ std::optional<QString> copyFigureToClipboard(const FigureSize &size, const Figur
     }
     const QImage image = imageOf(size, draw);
     if (image.isNull()) {
-        return tr("There is not enough memory for a figure of that size.");
+        return FigureExportText::tr("There is not enough memory for a figure of that size.");
     }
     QGuiApplication::clipboard()->setImage(image);
     return std::nullopt;

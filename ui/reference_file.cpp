@@ -17,10 +17,9 @@ std::string_view viewOf(const QByteArray &bytes)
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
 }
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("slidercrank::ReferenceFile", text);
-}
+struct ReferenceFileText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferenceFileText)
+};
 
 } // namespace
 
@@ -32,9 +31,9 @@ QString sentenceOf(const ReadError &error, const QString &file)
     }
     const QString line = QString::number(error.line);
     if (error.column == 0) {
-        return tr("%1, line %2: %3").arg(file, line, reason);
+        return ReferenceFileText::tr("%1, line %2: %3").arg(file, line, reason);
     }
-    return tr("%1, line %2, column %3 (\"%4\"): %5")
+    return ReferenceFileText::tr("%1, line %2, column %3 (\"%4\"): %5")
         .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
 }
 
@@ -44,14 +43,14 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     const QString shown = QDir::toNativeSeparators(path);
     QFile file(path);
     if (QFileInfo(path).isDir()) {
-        return tr("%1 is a folder: choose a CSV file.").arg(shown);
+        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
     }
     if (!file.open(QIODevice::ReadOnly)) {
-        return tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
     }
     const QByteArray bytes = file.readAll();
     if (file.error() != QFileDevice::NoError) {
-        return tr("%1 cannot be read: %2.").arg(shown, file.errorString());
+        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(shown, file.errorString());
     }
     std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes), stop, options);
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {

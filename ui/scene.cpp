@@ -27,10 +27,9 @@ constexpr int kMostSteps = 1'000'000;
 constexpr int kMostIterations = 1000;
 constexpr int kMostColumns = 1'000'000;
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("slidercrank::Scene", text);
-}
+struct SceneText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::SceneText)
+};
 
 // What the enumerators are called in a file.
 template <typename Value>
@@ -161,14 +160,15 @@ public:
     void refuse(const QString &place, const QString &must)
     {
         if (!m_fault) {
-            m_fault = tr("%1: \"%2\" must be %3. Correct it there, or open another scene.").arg(m_file, place, must);
+            m_fault = SceneText::tr("%1: \"%2\" must be %3. Correct it there, or open another scene.")
+                          .arg(m_file, place, must);
         }
     }
 
     void refuseMissing(const QString &place)
     {
         if (!m_fault) {
-            m_fault = tr("%1: \"%2\" is missing. Add it there, or open another scene.").arg(m_file, place);
+            m_fault = SceneText::tr("%1: \"%2\" is missing. Add it there, or open another scene.").arg(m_file, place);
         }
     }
 
@@ -220,22 +220,22 @@ public:
         switch (bound) {
         case Bound::None:
             if (!std::isfinite(number)) {
-                refuse(name, tr("a number"));
+                refuse(name, SceneText::tr("a number"));
             }
             break;
         case Bound::Magnitude:
             if (!bounded) {
-                refuse(name, tr("a number of a magnitude up to 1e12"));
+                refuse(name, SceneText::tr("a number of a magnitude up to 1e12"));
             }
             break;
         case Bound::Positive:
             if (!(bounded && number > 0.0)) {
-                refuse(name, tr("a number greater than 0 and at most 1e12"));
+                refuse(name, SceneText::tr("a number greater than 0 and at most 1e12"));
             }
             break;
         case Bound::NotNegative:
             if (!(number >= 0.0)) {
-                refuse(name, tr("a number not less than 0"));
+                refuse(name, SceneText::tr("a number not less than 0"));
             }
             break;
         }
@@ -247,7 +247,7 @@ public:
         const std::optional<QJsonValue> found = value(name);
         const double number = found ? found->toDouble() : 1.0;
         if (!(number >= 1.0 && number <= largest && number == std::floor(number))) {
-            refuse(name, tr("a whole number from 1 to %1").arg(largest));
+            refuse(name, SceneText::tr("a whole number from 1 to %1").arg(largest));
             return 1;
         }
         return static_cast<int>(number);
@@ -257,7 +257,7 @@ public:
     {
         const std::optional<QJsonValue> found = value(name);
         if (found && !found->isBool()) {
-            refuse(name, tr("true or false"));
+            refuse(name, SceneText::tr("true or false"));
         }
         return found ? found->toBool() : otherwise;
     }
@@ -266,7 +266,7 @@ public:
     {
         const std::optional<QJsonValue> found = value(name);
         if (found && !found->isString()) {
-            refuse(name, tr("a text in quotation marks"));
+            refuse(name, SceneText::tr("a text in quotation marks"));
         }
         return found ? found->toString() : QString();
     }
@@ -285,7 +285,7 @@ public:
             }
             known += u'"' + QLatin1String(word) + u'"';
         }
-        refuse(name, tr("one of %1").arg(known.join(QStringLiteral(", "))));
+        refuse(name, SceneText::tr("one of %1").arg(known.join(QStringLiteral(", "))));
         return otherwise;
     }
 
@@ -293,7 +293,7 @@ public:
     {
         const std::optional<QJsonValue> found = value(name);
         if (found && !found->isObject()) {
-            refuse(name, tr("an object in braces"));
+            refuse(name, SceneText::tr("an object in braces"));
         }
         return Part(m_reader, found ? found->toObject() : QJsonObject(), placeOf(QLatin1String(name)), mayLack);
     }
@@ -306,7 +306,7 @@ public:
         for (qsizetype i = 0; i < array.size(); ++i) {
             const QString place = QStringLiteral("%1[%2]").arg(placeOf(QLatin1String(name))).arg(i);
             if (!array[i].isObject()) {
-                m_reader.refuse(place, tr("an object in braces"));
+                m_reader.refuse(place, SceneText::tr("an object in braces"));
             }
             parts.emplace_back(m_reader, array[i].toObject(), place);
         }
@@ -317,7 +317,7 @@ public:
     {
         const std::optional<QJsonValue> found = value(name);
         if (found && !found->isArray()) {
-            refuse(name, tr("a list in brackets"));
+            refuse(name, SceneText::tr("a list in brackets"));
         }
         return found ? found->toArray() : QJsonArray();
     }
@@ -331,7 +331,7 @@ public:
         const Interval interval{array[0].toDouble(), array.size() == 2 ? array[1].toDouble() : 0.0};
         const bool numbers = array.size() == 2 && array[0].isDouble() && array[1].isDouble();
         if (!numbers || !(interval.lower < interval.upper) || !std::isfinite(interval.length())) {
-            refuse(name, tr("two numbers in brackets, the smaller one first"));
+            refuse(name, SceneText::tr("two numbers in brackets, the smaller one first"));
         }
         return interval;
     }
@@ -388,7 +388,7 @@ ColumnChoice columnChoiceOf(const Part &part)
     } else if (use == u"time") {
         choice.role = ColumnRole::Time;
     } else if (use != u"ignored") {
-        part.refuse("use", tr("\"time\", \"ignored\" or a channel such as \"theta3\" or \"R4_x_diff\""));
+        part.refuse("use", SceneText::tr("\"time\", \"ignored\" or a channel such as \"theta3\" or \"R4_x_diff\""));
     }
     return choice;
 }
@@ -400,13 +400,13 @@ Convention conventionOf(const Part &part)
     for (const QJsonValue &name : part.list("channels")) {
         const std::optional<Channel> channel = channelNamed(name.toString().toStdString());
         if (!channel) {
-            part.refuse("channels", tr("a list of channels such as \"theta3\" or \"R4_x_diff\""));
+            part.refuse("channels", SceneText::tr("a list of channels such as \"theta3\" or \"R4_x_diff\""));
             return convention;
         }
         convention.channels.push_back(*channel);
     }
     if (convention.kind == Convention::Kind::SwappedColumns && convention.channels.size() != 2) {
-        part.refuse("channels", tr("a list of two channels"));
+        part.refuse("channels", SceneText::tr("a list of two channels"));
     }
     const bool isUnit = convention.kind == Convention::Kind::AngleUnit ||
                         convention.kind == Convention::Kind::LengthUnit ||
@@ -420,7 +420,7 @@ ReferenceSource referenceOf(const Part &part, const QDir &folder)
     ReferenceSource reference;
     const QString file = part.text("file");
     if (file.isEmpty()) {
-        part.refuse("file", tr("the name of a file"));
+        part.refuse("file", SceneText::tr("the name of a file"));
     }
     reference.path = file.startsWith(u':') ? file : QDir::cleanPath(folder.absoluteFilePath(file));
     for (const Part &column : part.parts("columns")) {
@@ -489,19 +489,21 @@ std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (error.error != QJsonParseError::NoError) {
-        return tr("%1, line %2: this is not JSON (%3). Correct it there, or open another scene.")
+        return SceneText::tr("%1, line %2: this is not JSON (%3). Correct it there, or open another scene.")
             .arg(shown, QString::number(lineAt(json, error.offset)), error.errorString());
     }
     Scene scene;
     scene.asRead = document.object();
     const QJsonValue version = scene.asRead.value(QStringLiteral("version"));
     if (!version.isDouble()) {
-        return tr("%1 is no scene: it has no \"version\" that is a number. Open a file that this program saved.")
+        return SceneText::tr(
+                   "%1 is no scene: it has no \"version\" that is a number. Open a file that this program saved.")
             .arg(shown);
     }
     if (version.toDouble() > kVersion) {
-        return tr("%1 was saved by a newer slidercrank (scene version %2, this one reads up to %3). Open it with that.")
-            .arg(shown, QString::number(version.toDouble()), QString::number(kVersion));
+        return SceneText::
+            tr("%1 was saved by a newer slidercrank (scene version %2, this one reads up to %3). Open it with that.")
+                .arg(shown, QString::number(version.toDouble()), QString::number(kVersion));
     }
     SceneReader reader(shown);
     const Part whole(reader, scene.asRead, QString());
@@ -527,17 +529,17 @@ std::variant<Scene, QString> readScene(const QString &path)
     const QString shown = QDir::toNativeSeparators(path);
     QFile file(path);
     if (QFileInfo(path).isDir()) {
-        return tr("%1 is a folder: choose a scene's file.").arg(shown);
+        return SceneText::tr("%1 is a folder: choose a scene's file.").arg(shown);
     }
     if (!file.open(QIODevice::ReadOnly)) {
-        return tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
+        return SceneText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
     }
     const QByteArray bytes = file.read(kLargestFile + 1);
     if (file.error() != QFileDevice::NoError) {
-        return tr("%1 cannot be read: %2.").arg(shown, file.errorString());
+        return SceneText::tr("%1 cannot be read: %2.").arg(shown, file.errorString());
     }
     if (bytes.size() > kLargestFile) {
-        return tr("%1 is no scene: it is too large. Open a file that this program saved.").arg(shown);
+        return SceneText::tr("%1 is no scene: it is too large. Open a file that this program saved.").arg(shown);
     }
     return sceneOf(bytes, path);
 }
@@ -551,7 +553,7 @@ std::optional<QString> writeScene(const Scene &scene, const QString &path)
             return std::nullopt;
         }
     }
-    return tr("%1 cannot be written: %2. Choose another name or folder.")
+    return SceneText::tr("%1 cannot be written: %2. Choose another name or folder.")
         .arg(QDir::toNativeSeparators(path), file.errorString());
 }
 

@@ -23,10 +23,9 @@ constexpr double kRadius = 3.6;       // px, of a point
 constexpr int kFontPixels = 11;       // pixel sizes: SVG would scale points
 constexpr double kLeastError = 1e-17; // an error of 0 is drawn here, below what a double can resolve
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("slidercrank::StudyFigure", text);
-}
+struct StudyFigureText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyFigureText)
+};
 
 QString powerOfTen(int exponent)
 {
@@ -184,11 +183,12 @@ void drawGrid(QPainter &painter, const Axes &axes, const SeriesColours &colours,
     }
     painter.setPen(colours.text);
     painter.drawText(QRectF(axes.area.left(), size.height() - lineHeight - 2.0, axes.area.width(), lineHeight),
-                     Qt::AlignCenter, tr("time per state [ns]"));
+                     Qt::AlignCenter, StudyFigureText::tr("time per state [ns]"));
     painter.save();
     painter.translate(0.0, axes.area.bottom());
     painter.rotate(-90.0);
-    painter.drawText(QRectF(0.0, 1.0, axes.area.height(), lineHeight), Qt::AlignCenter, tr("largest error / peak"));
+    painter.drawText(QRectF(0.0, 1.0, axes.area.height(), lineHeight), Qt::AlignCenter,
+                     StudyFigureText::tr("largest error / peak"));
     painter.restore();
 }
 
@@ -295,29 +295,29 @@ QString titleOf(const MethodResult &row)
 {
     const std::string &name = row.method;
     if (name == "newton-dense") {
-        return tr("Newton dense (report)");
+        return StudyFigureText::tr("Newton dense (report)");
     }
     if (name == "newton-dense-taylor") {
-        return tr("Newton dense, Taylor");
+        return StudyFigureText::tr("Newton dense, Taylor");
     }
     if (name == "newton-structured") {
-        return tr("Newton structured");
+        return StudyFigureText::tr("Newton structured");
     }
     if (name == "newton-structured-taylor") {
-        return tr("Newton structured, Taylor");
+        return StudyFigureText::tr("Newton structured, Taylor");
     }
     if (name == "closed-form") {
-        return tr("closed form");
+        return StudyFigureText::tr("closed form");
     }
     if (name == "closed-form-batch") {
-        return tr("closed form, batch");
+        return StudyFigureText::tr("closed form, batch");
     }
     if (name == "finite-difference") {
-        return tr("differences");
+        return StudyFigureText::tr("differences");
     }
     constexpr std::string_view kHarmonic = "harmonic-";
     if (name.starts_with(kHarmonic)) {
-        return tr("%1 harmonics").arg(QString::fromStdString(name.substr(kHarmonic.size())));
+        return StudyFigureText::tr("%1 harmonics").arg(QString::fromStdString(name.substr(kHarmonic.size())));
     }
     return QString::fromStdString(name);
 }
@@ -327,18 +327,22 @@ QString descriptionOf(const MethodResult &row)
     const QLocale locale;
     QString text = titleOf(row);
     if (row.tolerance) {
-        text += tr(", tolerance %1").arg(locale.toString(*row.tolerance, 'g', 3));
+        text += StudyFigureText::tr(", tolerance %1").arg(locale.toString(*row.tolerance, 'g', 3));
     }
-    text += u'\n' + tr("%1 ns per state (± %2), %3 channels")
+    text += u'\n' + StudyFigureText::tr("%1 ns per state (± %2), %3 channels")
                         .arg(shortNumber(row.nsPerState, 3, locale), shortNumber(0.5 * row.spread, 2, locale),
                              QString::number(row.channels));
     if (row.iterationsPerState) {
-        text += u'\n' + tr("%1 iterations per state").arg(shortNumber(*row.iterationsPerState, 3, locale));
+        text +=
+            u'\n' + StudyFigureText::tr("%1 iterations per state").arg(shortNumber(*row.iterationsPerState, 3, locale));
     }
-    text += u'\n' + (row.maxError ? tr("largest error %1 of the peak").arg(shortNumber(*row.maxError, 3, locale))
-                                  : tr("no instant solved"));
+    text +=
+        u'\n' + (row.maxError
+                     ? StudyFigureText::tr("largest error %1 of the peak").arg(shortNumber(*row.maxError, 3, locale))
+                     : StudyFigureText::tr("no instant solved"));
     if (row.errorBound) {
-        text += u'\n' + tr("rounded input alone makes κ·u = %1").arg(shortNumber(*row.errorBound, 3, locale));
+        text += u'\n' +
+                StudyFigureText::tr("rounded input alone makes κ·u = %1").arg(shortNumber(*row.errorBound, 3, locale));
     }
     return text;
 }
@@ -376,7 +380,7 @@ void drawStudy(QPainter &painter, const QSize &size, const CaseResult &which, co
         const double y = axes.heightOf(*bound);
         painter.setPen(QPen(colours.warning, 1.0, Qt::DashLine));
         painter.drawLine(QPointF(axes.area.left(), y), QPointF(axes.area.right(), y));
-        const QString text = tr("κ·u");
+        const QString text = StudyFigureText::tr("κ·u");
         const QFontMetricsF metrics(painter.font());
         const QRectF place(axes.area.left() + 3.0, y - metrics.height(), metrics.horizontalAdvance(text),
                            metrics.height());
