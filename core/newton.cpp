@@ -193,20 +193,11 @@ bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
     return false;
 }
 
-/// The start from which Newton's way is monotone: sin θ3 - h/b rises and bends one way between here and the root.
 template <class System>
 void assembleFromAfar(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
                       typename System::Coordinates &q, NewtonResult &result)
 {
-    const double theta2 = mechanism.omega2() * t + mechanism.theta20();
-    const double theta3 = branchCentre(mechanism.branch());
-    const double pinX = mechanism.a() * std::cos(theta2);
-    const double pinY = mechanism.a() * std::sin(theta2);
-    const double couplerX = mechanism.branch() == Branch::Open ? mechanism.b() : -mechanism.b();
-    Vector12 start;
-    start << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY, theta3, pinX + couplerX,
-        mechanism.c(), 0.0;
-    q = system.coordinatesOf(start);
+    q = system.coordinatesOf(farStart(mechanism, t));
     result.startedAfar = true;
     const int maxIterations = std::max(kAssemblyIterations, options.maxIterations);
     conclude(result, iterate(system, mechanism, options, maxIterations, q, result));
@@ -298,6 +289,20 @@ void withSystem(const Mechanism &mechanism, double t, Elimination elimination, c
 }
 
 } // namespace
+
+// sin θ3 - h/b rises and bends one way between here and the root.
+Vector12 farStart(const Mechanism &mechanism, double t)
+{
+    const double theta2 = mechanism.omega2() * t + mechanism.theta20();
+    const double theta3 = branchCentre(mechanism.branch());
+    const double pinX = mechanism.a() * std::cos(theta2);
+    const double pinY = mechanism.a() * std::sin(theta2);
+    const double couplerX = mechanism.branch() == Branch::Open ? mechanism.b() : -mechanism.b();
+    Vector12 start;
+    start << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY, theta3, pinX + couplerX,
+        mechanism.c(), 0.0;
+    return start;
+}
 
 NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions &options)
 {

@@ -68,7 +68,10 @@ struct NewtonResult {
     double residual() const { return residualCount > 0 ? residuals[static_cast<std::size_t>(residualCount - 1)] : 0.0; }
 };
 
-/// From afar: θ2 exact, the coupler along x (open: 0, crossed: π).
+/// Afar: θ2 exact, the coupler along x (open: 0, crossed: π). From there Newton's way to the wanted root is monotone.
+Vector12 farStart(const Mechanism &mechanism, double t);
+
+/// From afar.
 NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions &options = {});
 
 /// From coordinates near the answer: those of a neighbouring instant, or what is expected of this one.
