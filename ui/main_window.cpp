@@ -388,7 +388,9 @@ QWidget *MainWindow::makeNewtonPanel()
         m_session->setSampling(sampling);
     });
     connect(m_session, &Session::settingsChanged, panel, &NewtonPanel::setSettings);
+    panel->setPose(m_session->pose());
     connect(m_session, &Session::resultChanged, panel, &NewtonPanel::setResult);
+    connect(m_session, &Session::timeChanged, panel, &NewtonPanel::setPose);
     return panel;
 }
 

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/newton_panel.h"
 
+#include "core/iteration_history.h"
 #include "ui/axis_scale.h"
-#include "ui/number_box.h"
+#include "ui/iteration_plot.h"
+#include "ui/newton_tables.h"
+#include "ui/solver_form.h"
 #include "ui/theme.h"
 
-#include <QComboBox>
+#include <QBoxLayout>
+#include <QButtonGroup>
 #include <QEvent>
-#include <QFormLayout>
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
-#include <QSignalBlocker>
-#include <QSpinBox>
+#include <QStackedWidget>
+#include <QToolButton>
 
-#include <algorithm>
+#include <Eigen/LU>
+
 #include <cmath>
+#include <limits>
 
 namespace slidercrank
 {
@@ -25,9 +27,8 @@ namespace slidercrank
 namespace
 {
 
-/// With few steps a warm start is far away and with many iterations nothing more comes: beyond these nobody gains.
-constexpr int kMostSteps = 1'000'000;
-constexpr int kMostIterations = 1000;
+constexpr int kBetweenInstants = 50; // ms: numbers that change faster cannot be read, and cost
+constexpr int kWide = 760;           // px: from here on there is room for the segments beside the page
 
 } // namespace
 
@@ -35,250 +36,275 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     : QWidget(parent)
 {
     setObjectName(QStringLiteral("newtonPanel"));
-    setAccessibleName(tr("Newton-Raphson: settings and outcome"));
+    setAccessibleName(tr("Newton-Raphson"));
 
-    m_method = new QComboBox;
-    m_method->setObjectName(QStringLiteral("methodBox"));
-    m_method->addItem(tr("Newton-Raphson"), static_cast<int>(Method::Newton));
-    m_method->addItem(tr("closed form, exact"), static_cast<int>(Method::ClosedForm));
-    m_method->setToolTip(tr("How the curves are computed"));
-    connect(m_method, &QComboBox::activated, this, [this](int index) {
-        SolverSettings solver = m_solver;
-        solver.method = static_cast<Method>(m_method->itemData(index).toInt());
-        edit(m_sampling, solver);
-    });
+    m_buttons = new QButtonGroup(this);
+    m_segments = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_segments->setSpacing(1);
+    m_pages = new QStackedWidget;
 
-    m_steps = new QSpinBox;
-    m_steps->setObjectName(QStringLiteral("stepsBox"));
-    m_steps->setRange(1, kMostSteps);
-    m_steps->setKeyboardTracking(false);
-    m_steps->setAlignment(Qt::AlignRight);
-    m_steps->setToolTip(tr("Intervals; one instant more is computed"));
-    connect(m_steps, &QSpinBox::valueChanged, this, [this](int steps) {
-        Sampling sampling = m_sampling;
-        sampling.steps = steps;
-        edit(sampling, m_solver);
-    });
+    m_form = new SolverForm;
+    connect(m_form, &SolverForm::edited, this, &NewtonPanel::edited);
+    addPage(Settings, tr("Settings"), m_form, nullptr);
 
-    m_duration = new NumberBox;
-    m_duration->setObjectName(QStringLiteral("durationBox"));
-    m_duration->setSuffix(tr(" s"));
-    m_duration->setToolTip(tr("From the first instant to the last"));
-    connect(m_duration, &NumberBox::edited, this, [this](double seconds) {
-        Sampling sampling = m_sampling;
-        sampling.duration = seconds;
-        edit(sampling, m_solver);
-    });
+    auto *equations = new NumberTable(equationColumns());
+    equations->setObjectName(QStringLiteral("equationTable"));
+    equations->setAccessibleName(tr("Equations, a row a constraint"));
+    equations->setColumnText(0, QStringLiteral("pivot O₂, x"));
+    equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ² + b/2 cos θ³ = 0"));
+    equations->setColumnText(2, QStringLiteral("-0.000·10⁻¹⁰"));
+    equations->setColumnText(3, QStringLiteral("-0000.0000"));
+    equations->setColumnText(4, QStringLiteral("-0000.0000"));
+    addPage(Equations, tr("Equations"), equations, equations);
 
-    m_start = new NumberBox;
-    m_start->setObjectName(QStringLiteral("startBox"));
-    m_start->setSuffix(tr(" s"));
-    m_start->setToolTip(tr("The first instant"));
-    connect(m_start, &NumberBox::edited, this, [this](double seconds) {
-        Sampling sampling = m_sampling;
-        sampling.start = seconds;
-        edit(sampling, m_solver);
-    });
+    QWidget *jacobian = createJacobianPage();
+    addPage(Jacobian, tr("Jacobian"), jacobian, m_jacobian);
+    QWidget *iterations = createIterationPage();
+    addPage(Iterations, tr("Iterations"), iterations, m_iterations);
 
-    m_tolerance = new QLineEdit;
-    m_tolerance->setObjectName(QStringLiteral("toleranceBox"));
-    m_tolerance->setAlignment(Qt::AlignRight);
-    m_tolerance->setToolTip(tr("Iterates until ‖C‖ is at most this; 0: until it no longer falls"));
-    connect(m_tolerance, &QLineEdit::editingFinished, this, &NewtonPanel::editTolerance);
-
-    m_toleranceKind = new QComboBox;
-    m_toleranceKind->setObjectName(QStringLiteral("toleranceKindBox"));
-    m_toleranceKind->addItem(tr("absolute"), static_cast<int>(ToleranceKind::Absolute));
-    m_toleranceKind->addItem(tr("relative"), static_cast<int>(ToleranceKind::Relative));
-    m_toleranceKind->setToolTip(
-        tr("Absolute: mm and rad mixed, as in the report. Relative: lengths divided by a + b + |c|, the same at every "
-           "scale"));
-    connect(m_toleranceKind, &QComboBox::activated, this, [this](int index) {
-        SolverSettings solver = m_solver;
-        solver.newton.toleranceKind = static_cast<ToleranceKind>(m_toleranceKind->itemData(index).toInt());
-        edit(m_sampling, solver);
-    });
-
-    m_iterations = new QSpinBox;
-    m_iterations->setObjectName(QStringLiteral("iterationsBox"));
-    m_iterations->setRange(1, kMostIterations);
-    m_iterations->setKeyboardTracking(false);
-    m_iterations->setAlignment(Qt::AlignRight);
-    m_iterations->setToolTip(tr("At one instant"));
-    connect(m_iterations, &QSpinBox::valueChanged, this, [this](int iterations) {
-        SolverSettings solver = m_solver;
-        solver.newton.maxIterations = iterations;
-        edit(m_sampling, solver);
-    });
-
-    auto *settings = new QGridLayout;
-    settings->setHorizontalSpacing(8);
-    settings->setVerticalSpacing(4);
-    const auto add = [settings](const QString &name, QWidget *field, int row, int column) {
-        auto *label = new QLabel(name);
-        label->setBuddy(field);
-        field->setAccessibleName(name);
-        field->setMaximumWidth(130);
-        settings->addWidget(label, row, 2 * column);
-        settings->addWidget(field, row, 2 * column + 1);
-    };
-    add(tr("Method"), m_method, 0, 0);
-    add(tr("Tolerance"), m_tolerance, 1, 0);
-    add(tr("Kind of tolerance"), m_toleranceKind, 2, 0);
-    add(tr("Most iterations"), m_iterations, 3, 0);
-    add(tr("Steps"), m_steps, 0, 1);
-    add(tr("Duration"), m_duration, 1, 1);
-    add(tr("Start"), m_start, 2, 1);
-
-    m_iterationsDone = new QLabel;
-    m_iterationsDone->setObjectName(QStringLiteral("iterationsLabel"));
-    m_residual = new QLabel;
-    m_residual->setObjectName(QStringLiteral("residualLabel"));
-    m_instants = new QLabel;
-    m_instants->setObjectName(QStringLiteral("instantsLabel"));
-    m_explanation = new QLabel;
-    m_explanation->setObjectName(QStringLiteral("explanationLabel"));
-    auto *outcome = new QFormLayout;
-    outcome->setHorizontalSpacing(8);
-    outcome->setVerticalSpacing(4);
-    outcome->addRow(tr("Iterations"), m_iterationsDone);
-    outcome->addRow(tr("Largest residual ‖C‖"), m_residual);
-    outcome->addRow(tr("Instants"), m_instants);
-    for (QLabel *label : {m_iterationsDone, m_residual, m_instants, m_explanation}) {
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        label->setWordWrap(true);
+    auto *coordinates = new NumberTable(coordinateColumns());
+    coordinates->setObjectName(QStringLiteral("coordinateTable"));
+    coordinates->setAccessibleName(tr("Coordinates, a row each"));
+    coordinates->setColumnText(0, QStringLiteral("coordinate"));
+    coordinates->setColumnText(1, QStringLiteral("coupler"));
+    for (const int column : {2, 3, 4}) {
+        coordinates->setColumnText(column, QStringLiteral("-00000.00000"));
     }
-    m_residual->setToolTip(tr("Of the answers, as the tolerance measures it. It bounds the residual, not the error."));
+    addPage(Coordinates, tr("Coordinates"), coordinates, coordinates);
 
-    auto *beside = new QHBoxLayout;
-    beside->setSpacing(20);
-    beside->addLayout(settings);
-    beside->addLayout(outcome, 1);
-    auto *rows = new QVBoxLayout(this);
-    rows->addLayout(beside);
-    rows->addWidget(m_explanation);
-    rows->addStretch(1);
-    showSettings();
-    colourExplanation();
+    m_copy = new QToolButton;
+    m_copy->setObjectName(QStringLiteral("copyTableButton"));
+    m_copy->setText(tr("Copy as CSV"));
+    m_copy->setToolTip(tr("The table with every digit (Ctrl+C in the table)"));
+    connect(m_copy, &QToolButton::clicked, this, [this] {
+        if (const NumberTable *table = m_tables[static_cast<std::size_t>(m_pages->currentIndex())]) {
+            table->copy();
+        }
+    });
+    m_segments->addStretch(1);
+    m_segments->addWidget(m_copy);
+
+    m_remark = new QLabel;
+    m_remark->setObjectName(QStringLiteral("instantRemark"));
+    m_remark->setWordWrap(true);
+    m_remark->hide();
+
+    auto *column = new QVBoxLayout;
+    column->setSpacing(2);
+    column->addWidget(m_remark);
+    column->addWidget(m_pages, 1);
+    m_beside = new QBoxLayout(QBoxLayout::LeftToRight, this);
+    m_beside->setContentsMargins(4, 4, 4, 2);
+    m_beside->setSpacing(8);
+    m_beside->addLayout(m_segments);
+    m_beside->addLayout(column, 1);
+
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kBetweenInstants);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_stale) {
+            showLater();
+        }
+    });
+    connect(m_buttons, &QButtonGroup::idClicked, this, &NewtonPanel::showPage);
+    showPage(Settings);
+}
+
+void NewtonPanel::addPage(Page page, const QString &title, QWidget *widget, NumberTable *table)
+{
+    auto *button = new QToolButton;
+    button->setObjectName(QStringLiteral("segment%1").arg(page));
+    button->setText(title);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_buttons->addButton(button, page);
+    m_segments->addWidget(button);
+    m_pages->addWidget(widget);
+    m_tables.push_back(table);
+    if (table) {
+        connect(table, &NumberTable::partHovered, this, &NewtonPanel::partHovered);
+    }
+}
+
+QWidget *NewtonPanel::createJacobianPage()
+{
+    m_jacobian = new NumberTable(jacobianColumns());
+    m_jacobian->setObjectName(QStringLiteral("jacobianTable"));
+    m_jacobian->setAccessibleName(tr("Jacobian C_q, a row a constraint, a column a coordinate"));
+    m_jacobian->setRuled(true);
+    m_jacobian->setColumnText(0, QStringLiteral("pivot O₂, x"));
+    m_jacobianNote = new QLabel;
+    m_jacobianNote->setObjectName(QStringLiteral("jacobianNote"));
+    m_jacobianNote->setTextFormat(Qt::RichText);
+    m_jacobianNote->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_jacobianNote->setToolTip(
+        tr("κ: the largest singular value over the smallest, mm and rad mixed as in C_q. The larger it is, the more "
+           "digits are lost; it is infinite where the coupler stands square to the slider's line."));
+
+    auto *page = new QWidget;
+    auto *beside = new QHBoxLayout(page);
+    beside->setContentsMargins(0, 0, 0, 0);
+    beside->addWidget(m_jacobian, 1);
+    beside->addWidget(m_jacobianNote);
+    return page;
+}
+
+QWidget *NewtonPanel::createIterationPage()
+{
+    m_plot = new IterationPlot;
+    m_iterations = new NumberTable(iterationColumns());
+    m_iterations->setObjectName(QStringLiteral("iterationTable"));
+    m_iterations->setAccessibleName(tr("Iterations, a row each"));
+    m_iterations->setColumnText(0, QStringLiteral("00"));
+    for (const int column : {1, 3}) {
+        m_iterations->setColumnText(column, QStringLiteral("0.00·10⁻¹⁰"));
+        m_iterations->setColumnText(column + 1, QStringLiteral("-00.0000000000"));
+    }
+    auto *page = new QWidget;
+    auto *beside = new QHBoxLayout(page);
+    beside->setContentsMargins(0, 0, 0, 0);
+    beside->addWidget(m_plot, 1);
+    beside->addWidget(m_iterations, 1);
+    return page;
 }
 
 void NewtonPanel::setSettings(const Sampling &sampling, const SolverSettings &solver)
 {
-    m_sampling = sampling;
-    m_solver = solver;
-    showSettings();
+    m_form->setSettings(sampling, solver);
 }
 
 void NewtonPanel::setResult(const std::shared_ptr<const Result> &result)
 {
-    if (!result) {
-        return;
-    }
-    const QLocale locale;
-    const Trajectory &run = result->trajectory;
-    const std::size_t instants = run.status.size();
-    const bool newton = result->solver.method == Method::Newton;
-    if (newton) {
-        m_iterationsDone->setText(tr("%1 in all, at most %2 an instant")
-                                      .arg(locale.toString(run.iterations), locale.toString(run.mostIterations)));
-        m_residual->setText(shortNumber(run.largestResidual, 3, locale));
-    } else {
-        m_iterationsDone->setText(tr("none: the closed form needs none"));
-        m_residual->setText(tr("–"));
-    }
+    m_form->setResult(result);
+    m_result = result;
+    showLater();
+}
 
-    const auto countOf = [&run](Status status) { return run.count(status); };
-    const std::size_t solved = countOf(Status::Solved);
-    m_instants->setText(solved == instants ? tr("all %1 solved").arg(locale.toString(static_cast<qulonglong>(instants)))
-                                           : tr("%1 of %2 solved")
-                                                 .arg(locale.toString(static_cast<qulonglong>(solved)),
-                                                      locale.toString(static_cast<qulonglong>(instants))));
+void NewtonPanel::setPose(const Pose &pose)
+{
+    m_time = pose.time;
+    showLater();
+}
 
-    QStringList sentences;
-    const auto tell = [&](Status status, const QString &sentence) {
-        const std::size_t count = countOf(status);
-        if (count > 0) {
-            sentences << sentence.arg(locale.toString(static_cast<qulonglong>(count)),
-                                      locale.toString(static_cast<qulonglong>(instants)));
-        }
-    };
-    tell(Status::IterationLimit,
-         result->solver.newton.tolerance > 0.0
-             ? tr("%1 of %2 instants did not converge within %3 iterations: allow more iterations or a larger "
-                  "tolerance.")
-             : tr("%1 of %2 instants did not converge within %3 iterations: allow more iterations."));
-    for (QString &sentence : sentences) {
-        sentence = sentence.arg(locale.toString(result->solver.newton.maxIterations));
+void NewtonPanel::showEvent(QShowEvent *event)
+{
+    if (m_stale) {
+        showLater();
     }
-    tell(Status::NotAssemblable, tr("%1 of %2 instants cannot be assembled: the coupler is too short there."));
-    tell(Status::Singular,
-         tr("At %1 of %2 instants the coupler stands square to the slider's line: the position exists, "
-            "velocity and acceleration do not."));
-    tell(Status::NotFinite, tr("%1 of %2 instants gave no finite number: the numbers are too large."));
-    m_explanation->setText(sentences.isEmpty() ? QString() : tr("⚠ %1").arg(sentences.join(QLatin1Char(' '))));
-    m_explanation->setVisible(!sentences.isEmpty());
+    QWidget::showEvent(event);
+}
+
+void NewtonPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 void NewtonPanel::changeEvent(QEvent *event)
 {
-    if (event->type() == QEvent::PaletteChange) {
-        colourExplanation();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange) {
+        showLater();
     }
     QWidget::changeEvent(event);
 }
 
-void NewtonPanel::colourExplanation()
+void NewtonPanel::arrange()
 {
+    const bool wide = width() >= kWide;
+    m_beside->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_beside->setSpacing(wide ? 8 : 2);
+    m_segments->setDirection(wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void NewtonPanel::showPage(int page)
+{
+    m_buttons->button(page)->setChecked(true);
+    m_pages->setCurrentIndex(page);
+    m_copy->setVisible(m_tables[static_cast<std::size_t>(page)] != nullptr);
+    m_remark->hide();
+    showLater();
+}
+
+void NewtonPanel::showLater()
+{
+    m_stale = true;
+    const bool onShow = m_result && isVisible() && m_pages->currentIndex() != Settings;
+    if (onShow && !m_pause.isActive()) {
+        fill();
+        m_pause.start();
+    }
+}
+
+void NewtonPanel::fill()
+{
+    m_stale = false;
+    const Mechanism &mechanism = m_result->mechanism;
+    const Sampling &run = m_result->sampling;
+    const double step = run.duration / run.steps;
+    const InstantEquations equations = equationsAt(mechanism, m_time, step, m_result->solver);
+    explain(equations.state.status);
+    NumberTable *table = m_tables[static_cast<std::size_t>(m_pages->currentIndex())];
+    switch (static_cast<Page>(m_pages->currentIndex())) {
+    case Settings: break;
+    case Equations: table->setRows(equationRows(equations)); break;
+    case Jacobian: {
+        table->setRows(jacobianRows(mechanism, equations));
+        const QLocale locale;
+        const bool exists = equations.hasPosition();
+        const double condition = exists ? conditionNumber(equations.Cq) : std::numeric_limits<double>::quiet_NaN();
+        const QString kappa = std::isinf(condition) ? QStringLiteral("∞")
+                              : exists              ? shortNumber(condition, 4, locale)
+                                                    : QStringLiteral("–");
+        const QString determinant =
+            exists ? tr("%1 mm").arg(shortNumber(equations.Cq.determinant(), 4, locale)) : QStringLiteral("–");
+        const auto swatch = [this](double tint) { return tintColour(tint, palette()).name(); };
+        m_jacobianNote->setText(tr("κ(C_q) = %1<br>det C_q = −b cos θ³<br>= %2<br><br><span style='color:%3'>■</span> "
+                                   "positive<br><span style='color:%4'>■</span> negative<br>in mm below θ")
+                                    .arg(kappa, determinant, swatch(1.0), swatch(-1.0)));
+        break;
+    }
+    case Iterations: fillIterations(); break;
+    case Coordinates: table->setRows(coordinateRows(mechanism, equations.state)); break;
+    }
+}
+
+void NewtonPanel::fillIterations()
+{
+    const Mechanism &mechanism = m_result->mechanism;
+    const Sampling &run = m_result->sampling;
+    const NewtonOptions &options = m_result->solver.newton;
+    const IterationHistory fromAfar = iterationsFromAfar(mechanism, m_time, options);
+    const double step = run.duration / run.steps;
+    const NewtonResult before = assemble(mechanism, m_time - step, options);
+    const IterationHistory fromBefore =
+        before.status == Status::Solved ? iterationsFrom(mechanism, m_time, before.q, options) : IterationHistory();
+    m_plot->setHistories(fromAfar, fromBefore, options, step);
+    m_iterations->setRows(iterationRows(fromAfar, fromBefore));
+}
+
+void NewtonPanel::explain(Status status)
+{
+    QString text;
+    switch (status) {
+    case Status::Solved: break;
+    case Status::Singular:
+        text = tr("The coupler stands square to the slider's line: C_q is singular. The position exists, velocity and "
+                  "acceleration do not.");
+        break;
+    case Status::IterationLimit:
+        text = tr("Not converged within %1 iterations: what is shown is the last one. Allow more iterations or a "
+                  "larger tolerance.")
+                   .arg(QLocale().toString(m_result->solver.newton.maxIterations));
+        break;
+    case Status::NotAssemblable: text = tr("It cannot be assembled here: the coupler is too short."); break;
+    case Status::NotFinite: text = tr("No finite number comes out here: the numbers are too large."); break;
+    }
     QPalette warning = palette();
     warning.setColor(QPalette::WindowText, seriesColours(warning).warning);
-    m_explanation->setPalette(warning);
-}
-
-void NewtonPanel::showSettings()
-{
-    const QSignalBlocker quietSteps(m_steps);
-    const QSignalBlocker quietIterations(m_iterations);
-    m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_solver.method)));
-    m_steps->setValue(m_sampling.steps);
-    m_duration->setValue(m_sampling.duration);
-    m_start->setValue(m_sampling.start);
-    m_tolerance->setText(numberText(m_solver.newton.tolerance, QLocale::FloatingPointShortest));
-    m_toleranceKind->setCurrentIndex(m_toleranceKind->findData(static_cast<int>(m_solver.newton.toleranceKind)));
-    m_iterations->setValue(m_solver.newton.maxIterations);
-    const bool newton = m_solver.method == Method::Newton;
-    m_tolerance->setEnabled(newton);
-    m_toleranceKind->setEnabled(newton);
-    m_iterations->setEnabled(newton);
-}
-
-void NewtonPanel::edit(const Sampling &sampling, const SolverSettings &solver)
-{
-    // What the session will make of a run without length, or farther away than any parameter, helps nobody.
-    const bool usable = sampling.duration > 0.0 && sampling.duration <= kLargestParameter &&
-                        std::abs(sampling.start) <= kLargestParameter && solver.newton.tolerance >= 0.0;
-    const bool changed = sampling != m_sampling || solver != m_solver;
-    if (usable) {
-        m_sampling = sampling;
-        m_solver = solver;
-    }
-    showSettings();
-    if (usable && changed) {
-        // Copies: whoever listens may call setSettings() before it has read both.
-        const Sampling wantedSampling = m_sampling;
-        const SolverSettings wantedSolver = m_solver;
-        emit edited(wantedSampling, wantedSolver);
-    }
-}
-
-void NewtonPanel::editTolerance()
-{
-    if (!m_tolerance->isModified()) {
-        return;
-    }
-    m_tolerance->setModified(false);
-    SolverSettings solver = m_solver;
-    solver.newton.tolerance = readNumber(m_tolerance->text()).value_or(m_solver.newton.tolerance);
-    edit(m_sampling, solver);
+    m_remark->setPalette(warning);
+    m_remark->setText(text.isEmpty() ? text : tr("⚠ %1").arg(text));
+    m_remark->setVisible(!text.isEmpty());
 }
 
 } // namespace slidercrank

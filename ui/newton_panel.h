@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The solver's settings, and what came of them: iterations, residual, and the instants it could not solve.
+// Newton-Raphson: the solver's settings at first, and behind them, for the instant on show, what it works with: the
+// equations, their Jacobian, the iterations and the coordinates that come of them. Only what is on show is computed.
 
+#include "ui/mechanism_part.h"
 #include "ui/session.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
-class QComboBox;
+class QBoxLayout;
+class QButtonGroup;
 class QLabel;
-class QLineEdit;
-class QSpinBox;
+class QStackedWidget;
+class QToolButton;
 
 namespace slidercrank
 {
 
-class NumberBox;
+class IterationPlot;
+class NumberTable;
+class SolverForm;
 
 class NewtonPanel : public QWidget
 {
@@ -30,32 +37,49 @@ public slots:
     /// Shows them; emits nothing.
     void setSettings(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
+    void setPose(const slidercrank::Pose &pose);
 
 signals:
     void edited(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
 
+    /// What the row under the mouse, or the current one, is about; None: nothing is pointed at.
+    void partHovered(slidercrank::MechanismPart part);
+
 protected:
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:
-    void showSettings();
-    void colourExplanation();
-    void edit(const Sampling &sampling, const SolverSettings &solver);
-    void editTolerance();
+    enum Page { Settings, Equations, Jacobian, Iterations, Coordinates };
 
-    Sampling m_sampling;
-    SolverSettings m_solver;
-    QComboBox *m_method = nullptr;
-    QSpinBox *m_steps = nullptr;
-    NumberBox *m_duration = nullptr;
-    NumberBox *m_start = nullptr;
-    QLineEdit *m_tolerance = nullptr;
-    QComboBox *m_toleranceKind = nullptr;
-    QSpinBox *m_iterations = nullptr;
-    QLabel *m_iterationsDone = nullptr;
-    QLabel *m_residual = nullptr;
-    QLabel *m_instants = nullptr;
-    QLabel *m_explanation = nullptr;
+    void addPage(Page page, const QString &title, QWidget *widget, NumberTable *table);
+    QWidget *createJacobianPage();
+    QWidget *createIterationPage();
+    void showPage(int page);
+    void showLater(); ///< the instant, in a moment where the last one has only just been shown
+    void fill();
+    void fillIterations();
+    void explain(Status status);
+    void arrange();
+
+    std::shared_ptr<const Result> m_result;
+    double m_time = 0.0;
+    bool m_stale = false; ///< what is on show is of another instant
+    QTimer m_pause;       ///< runs while the last instant has only just been shown
+
+    SolverForm *m_form = nullptr;
+    QBoxLayout *m_beside = nullptr;
+    QBoxLayout *m_segments = nullptr;
+    QButtonGroup *m_buttons = nullptr;
+    QToolButton *m_copy = nullptr;
+    QLabel *m_remark = nullptr;
+    QStackedWidget *m_pages = nullptr;
+    std::vector<NumberTable *> m_tables; ///< a page; null: none
+    NumberTable *m_jacobian = nullptr;
+    QLabel *m_jacobianNote = nullptr;
+    IterationPlot *m_plot = nullptr;
+    NumberTable *m_iterations = nullptr;
 };
 
 } // namespace slidercrank
