@@ -414,6 +414,26 @@ private slots:
         QVERIFY(m_window->session().result()->trajectory.iterations > 0);
     }
 
+    void theJointOfTheEquationPointedAtLightsUp()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
+        const QImage before = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QTest::mouseClick(bar, Qt::LeftButton, Qt::NoModifier, bar->tabRect(2).center());
+        m_window->findChild<QAbstractButton *>(QStringLiteral("segment1"))->click(); // the equations
+        auto *table = m_window->findChild<QTableView *>(QStringLiteral("equationTable"));
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), before);
+        table->setFocus();
+        table->setCurrentIndex(table->model()->index(CrankPinX, 0));
+        const QImage lit = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QVERIFY(lit != before);
+        table->setCurrentIndex(table->model()->index(SliderPinX, 0));
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != lit);
+        bar->setCurrentIndex(0);
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), before);
+    }
+
     void exportsImagesOfTheRightSize_data()
     {
         QTest::addColumn<QString>("suffix");

@@ -453,6 +453,17 @@ private slots:
         QVERIFY(table->height() > 100);
     }
 
+    void whatCameOutIsReadWholeWhereItIsNarrow()
+    {
+        Shown shown(Settings);
+        shown.panel.resize(580, 200);
+        for (const QString name : {"iterationsLabel", "instantsLabel"}) {
+            const auto *label = child<QLabel>(shown.panel, name);
+            QTRY_VERIFY2(label->width() >= label->fontMetrics().horizontalAdvance(label->text()),
+                         qPrintable(QString("%1: %2").arg(label->text()).arg(label->width())));
+        }
+    }
+
     void everyControlHasANameForThoseWhoCannotSee()
     {
         NewtonPanel panel;

@@ -158,7 +158,7 @@ void IterationPlot::paintAxes(QPainter &painter, const Axes &axes, const SeriesC
         painter.setPen(QPen(colours.warning, 1.0, Qt::DashLine));
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
         painter.drawText(QRectF(area.left(), y, area.width() - 4.0, lineHeight), Qt::AlignRight | Qt::AlignTop,
-                         tr("tolerance %1").arg(numberText(m_options.tolerance)));
+                         tr("tolerance %1").arg(shortNumber(m_options.tolerance, 2, QLocale())));
     }
 }
 
@@ -167,13 +167,10 @@ void IterationPlot::paintLegend(QPainter &painter, const Axes &axes, const Serie
 {
     const QFontMetricsF metrics(font());
     double right = axes.area.right();
-    const auto add = [&](Mark mark, const QColor &colour, const QString &start, const std::vector<double> &residuals) {
+    const auto add = [&](Mark mark, const QColor &colour, const QString &text, const std::vector<double> &residuals) {
         if (residuals.empty()) {
             return;
         }
-        const auto steps = static_cast<int>(residuals.size()) - 1;
-        const QString text =
-            steps == 1 ? tr("%1: 1 step").arg(start) : tr("%1: %2 steps").arg(start, QLocale().toString(steps));
         const double width = metrics.horizontalAdvance(text);
         painter.setPen(colours.text);
         painter.drawText(QRectF(right - width, 1.0, width + 1.0, metrics.height()), Qt::AlignVCenter, text);

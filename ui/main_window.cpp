@@ -11,6 +11,7 @@
 #include "ui/message_bar.h"
 #include "ui/newton_panel.h"
 #include "ui/parameter_panel.h"
+#include "ui/part_highlight.h"
 #include "ui/plot_grid.h"
 #include "ui/reference_panel.h"
 #include "ui/scene_file.h"
@@ -391,6 +392,13 @@ QWidget *MainWindow::makeNewtonPanel()
     panel->setPose(m_session->pose());
     connect(m_session, &Session::resultChanged, panel, &NewtonPanel::setResult);
     connect(m_session, &Session::timeChanged, panel, &NewtonPanel::setPose);
+
+    auto *highlight = new PartHighlight(m_mechanismView);
+    highlight->setResult(m_session->result());
+    highlight->setPose(m_session->pose());
+    connect(panel, &NewtonPanel::partHovered, highlight, &PartHighlight::setPart);
+    connect(m_session, &Session::resultChanged, highlight, &PartHighlight::setResult);
+    connect(m_session, &Session::timeChanged, highlight, &PartHighlight::setPose);
     return panel;
 }
 

@@ -28,6 +28,7 @@ namespace
 /// With few steps a warm start is far away and with many iterations nothing more comes: beyond these nobody gains.
 constexpr int kMostSteps = 1'000'000;
 constexpr int kMostIterations = 1000;
+constexpr int kWideInLetters = 115; // from here on what came out has room beside the settings
 
 } // namespace
 
@@ -150,13 +151,12 @@ SolverForm::SolverForm(QWidget *parent)
     }
     m_residual->setToolTip(tr("Of the answers, as the tolerance measures it. It bounds the residual, not the error."));
 
-    auto *beside = new QHBoxLayout;
-    beside->setSpacing(20);
-    beside->addLayout(settings);
-    beside->addLayout(outcome, 1);
+    m_beside = new QHBoxLayout;
+    m_beside->addLayout(settings);
+    m_beside->addLayout(outcome, 1);
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
-    rows->addLayout(beside);
+    rows->addLayout(m_beside);
     rows->addWidget(m_explanation);
     rows->addStretch(1);
     showSettings();
@@ -218,6 +218,14 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
     tell(Status::NotFinite, tr("%1 of %2 instants gave no finite number: the numbers are too large."));
     m_explanation->setText(sentences.isEmpty() ? QString() : tr("⚠ %1").arg(sentences.join(QLatin1Char(' '))));
     m_explanation->setVisible(!sentences.isEmpty());
+}
+
+void SolverForm::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool wide = width() >= kWideInLetters * fontMetrics().averageCharWidth();
+    m_beside->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_beside->setSpacing(wide ? 20 : 6);
 }
 
 void SolverForm::changeEvent(QEvent *event)

@@ -9,6 +9,7 @@
 
 #include <memory>
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -35,6 +36,7 @@ signals:
     void edited(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:
@@ -45,6 +47,7 @@ private:
 
     Sampling m_sampling;
     SolverSettings m_solver;
+    QBoxLayout *m_beside = nullptr;
     QComboBox *m_method = nullptr;
     QSpinBox *m_steps = nullptr;
     NumberBox *m_duration = nullptr;
