@@ -10,6 +10,7 @@
 #include "app/render.h"
 #include "app/solve.h"
 #include "app/study.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/scene_file.h"
 
@@ -114,6 +115,7 @@ int main(int argc, char *argv[])
     if (argc > 1) {
         const QCoreApplication application(argc, argv);
         introduceApplication();
+        setLanguage(Language::System);
         command = parseCommandLine(QCoreApplication::arguments());
         if (const std::optional<ExitStatus> status = runWithoutPlatform(command)) {
             return static_cast<int>(*status);
@@ -137,6 +139,7 @@ int main(int argc, char *argv[])
     const QApplication application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion")); // the one whose palettes are ours to choose, on every platform
     introduceApplication();
+    setLanguage(picture ? Language::System : chosenLanguage());
     if (picture) {
         return static_cast<int>(render(*picture));
     }

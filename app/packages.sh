@@ -3,13 +3,13 @@
 # shellcheck shell=bash disable=SC2034
 
 programPackages=(g++ cmake ninja-build libeigen3-dev libhwy-dev libqcustomplot-dev qt6-base-dev qt6-svg-dev
-    libboost-dev fonts-dejavu-core)
+    qt6-tools-dev qt6-l10n-tools qt6-translations-l10n libboost-dev fonts-dejavu-core)
 
 # Own packages only in newer releases (Debian 13); before that, part of one of those above.
 packagesSplitOff=(qt6-svg-plugins)
 
 requirements="a C++20 compiler, CMake 3.25 or later, Ninja, Eigen 3.4 or later, Highway 1.0.3 or later, \
-Boost's headers, Qt 6.4 or later with its SVG and print modules, and QCustomPlot 2.1 built for Qt 6"
+Boost's headers, Qt 6.4 or later with its SVG and print modules and Linguist's tools, and QCustomPlot 2.1 built for Qt 6"
 
 # isInstalled PACKAGE
 isInstalled() {

@@ -63,6 +63,11 @@ EditCommand::EditCommand(const Choices &before, const Choices &after, const QStr
 {
 }
 
+void EditCommand::retranslate()
+{
+    setText(changeName(m_before, m_after));
+}
+
 void EditCommand::undo()
 {
     m_show(m_before);

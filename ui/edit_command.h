@@ -37,6 +37,9 @@ public:
     /// puts choices into force.
     EditCommand(const Choices &before, const Choices &after, const QString &text, int step, const Show &show);
 
+    /// Says in the language now in use what was done.
+    void retranslate();
+
     void undo() override;
     void redo() override;
     int id() const override;

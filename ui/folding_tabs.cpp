@@ -73,6 +73,21 @@ void FoldingTabs::showPage(QWidget *page)
     setFolded(false);
 }
 
+int FoldingTabs::indexOf(QWidget *page) const
+{
+    return m_pages->indexOf(page);
+}
+
+int FoldingTabs::current() const
+{
+    return m_bar->currentIndex();
+}
+
+void FoldingTabs::setCurrent(int index)
+{
+    m_bar->setCurrentIndex(index);
+}
+
 bool FoldingTabs::isFolded() const
 {
     return m_pages->isHidden();

@@ -30,6 +30,10 @@ public:
     /// Unfolds and shows it.
     void showPage(QWidget *page);
 
+    int indexOf(QWidget *page) const;
+    int current() const;
+    void setCurrent(int index); ///< folded away or not
+
     bool isFolded() const;
     void setFolded(bool folded);
 

@@ -3,9 +3,11 @@
 
 #include "ui/animation_export.h"
 #include "ui/column_mapping.h"
+#include "ui/control_states.h"
 #include "ui/error_panel.h"
 #include "ui/figure_export.h"
 #include "ui/folding_tabs.h"
+#include "ui/language.h"
 #include "ui/limits_panel.h"
 #include "ui/mechanism_view.h"
 #include "ui/message_bar.h"
@@ -34,6 +36,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QProgressBar>
 #include <QSettings>
 #include <QSplitter>
@@ -79,28 +82,45 @@ QString mobilityText(const MotionLimits &limits)
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
     , m_session(new Session(this))
-    , m_messageBar(new MessageBar(this))
-    , m_mechanismView(new MechanismView(this))
-    , m_timeline(new Timeline(this))
-    , m_parameterPanel(new ParameterPanel(this))
-    , m_plotGrid(new PlotGrid(this))
-    , m_scene(new SceneFile(m_session, m_plotGrid, this))
-    , m_tabs(new FoldingTabs(this))
-    , m_errorPanel(new ErrorPanel(this))
-    , m_progress(new QProgressBar(this))
-    , m_cancelButton(new QToolButton(this))
-    , m_busyTimer(new QTimer(this))
 {
     setWindowIcon(QIcon(QStringLiteral(":/slidercrank.svg")));
     setAcceptDrops(true);
     resize(1400, 900);
+    m_foundation = children();
+    makeRooms();
+    restoreLayout();
+    qApp->installEventFilter(this);
+    m_session->setTime(m_session->sampling().start);
+    if (QAbstractButton *play = m_timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
+        play->setFocus();
+    }
+}
+
+MainWindow::~MainWindow() = default;
+
+/// Everything but the session, whose state it shows, and the scene.
+void MainWindow::makeRooms()
+{
+    m_messageBar = new MessageBar(this);
+    m_mechanismView = new MechanismView(this);
+    m_timeline = new Timeline(this);
+    m_parameterPanel = new ParameterPanel(this);
+    m_plotGrid = new PlotGrid(this);
+    if (m_scene) {
+        m_scene->setPlots(m_plotGrid);
+    } else {
+        m_scene = new SceneFile(m_session, m_plotGrid, this);
+    }
+    m_tabs = new FoldingTabs(this);
+    m_errorPanel = new ErrorPanel(this);
+    m_progress = new QProgressBar(this);
+    m_cancelButton = new QToolButton(this);
+    m_busyTimer = new QTimer(this);
     buildLayout();
     buildMenus();
     buildStatusBar();
     connectRooms();
-    restoreLayout();
     showTitle();
-    qApp->installEventFilter(this);
 
     m_parameterPanel->setParameters(m_session->parameters());
     m_timeline->setParameters(m_session->parameters());
@@ -109,14 +129,77 @@ MainWindow::MainWindow(QWidget *parent)
     m_mechanismView->setResult(result);
     m_plotGrid->setResult(result);
     m_errorPanel->setResult(result);
+    m_errorPanel->setDiagnosis(m_session->diagnosis());
+    m_closeReferenceAction->setEnabled(m_session->reference() != nullptr);
+    m_ghostAction->setEnabled(m_session->reference() != nullptr);
+    showAgreement(result);
     showStatus(result);
-    m_session->setTime(m_session->sampling().start);
-    if (QAbstractButton *play = m_timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
-        play->setFocus();
-    }
 }
 
-MainWindow::~MainWindow() = default;
+/// In the language now in use; what a person made of the old rooms is made of the new ones.
+void MainWindow::remakeRooms()
+{
+    const ControlStates states = controlStatesOf(*this);
+    const PlotSettings plots = m_plotGrid->settings();
+    const PlotZoom zoom = m_plotGrid->zoom();
+    const QString maximized = m_plotGrid->maximized();
+    const auto measured = m_plotGrid->measured();
+    const bool isPlaying = m_timeline->isPlaying();
+    const bool isFolded = m_tabs->isFolded();
+    const bool wasFoldedByHand = m_foldedByHand;
+    const bool isBusy = m_busyTimer->isActive() || m_progress->isVisibleTo(this);
+    const bool hasMessage = m_messageBar->isVisibleTo(this);
+    const int tab = m_tabs->current();
+    auto *study = findChild<StudyPanel *>(); // made anew only where it has been opened
+    const int studyTab = study ? m_tabs->indexOf(study) : tab;
+    if (study) {
+        study->hide();
+        study->setParent(this);
+    }
+
+    m_session->disconnect(this);
+    m_session->undoStack().disconnect(this);
+    m_scene->disconnect(this);
+    QList<QPointer<QObject>> rooms; // one may be gone with another
+    for (QObject *child : children()) {
+        const auto *widget = qobject_cast<QWidget *>(child);
+        const bool isDialog = widget && widget->isWindow(); // stays open as it is
+        if (!m_foundation.contains(child) && child != m_scene && child != m_animation && child != study && !isDialog) {
+            rooms += child;
+        }
+    }
+    setUpdatesEnabled(false); // nobody sees the window without them
+    for (const QPointer<QObject> &room : rooms) {
+        delete room.data();
+    }
+    setLocale(QLocale());
+    m_session->retranslateEdits();
+    makeRooms();
+
+    m_plotGrid->setSettings(plots);
+    m_plotGrid->setZoom(zoom);
+    m_plotGrid->maximize(maximized);
+    m_plotGrid->setMeasured(measured);
+    if (study) {
+        m_tabs->setCurrent(studyTab);
+        findChild<StudyPanel *>()->takeOver(*study);
+        delete study;
+    }
+    m_tabs->setCurrent(tab);
+    m_tabs->setFolded(isFolded);
+    m_foldedByHand = wasFoldedByHand;
+    setControlStates(*this, states);
+    if (isBusy) {
+        m_busyTimer->start();
+    }
+    m_session->setTime(m_session->time());
+    if (isPlaying) {
+        m_timeline->play();
+    }
+    m_announceReference = hasMessage; // said again
+    announce(m_session->diagnosis());
+    setUpdatesEnabled(true);
+}
 
 void MainWindow::buildLayout()
 {
@@ -234,6 +317,21 @@ void MainWindow::buildMenus()
         action->setChecked(theme == chosen);
         themes->addAction(action);
         connect(action, &QAction::triggered, this, [this, value = theme] { setTheme(value); });
+    }
+    QMenu *languageMenu = view->addMenu(tr("Lan&guage"));
+    auto *languages = new QActionGroup(this);
+    const std::pair<Language, QString> languageNames[] = {{Language::System, tr("&System")},
+                                                          {Language::English, QStringLiteral("&English")},
+                                                          {Language::Spanish, QStringLiteral("E&spañol")}};
+    for (const auto &[language, text] : languageNames) { // each by its own name, for who does not read the other
+        QAction *action = languageMenu->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(language == chosenLanguage());
+        languages->addAction(action);
+        connect(action, &QAction::triggered, this, [value = language] {
+            rememberLanguage(value);
+            slidercrank::setLanguage(value);
+        });
     }
 
     QMenu *playback = menuBar()->addMenu(tr("&Playback"));
@@ -775,6 +873,14 @@ void MainWindow::resizeEvent(QResizeEvent *event)
         m_tabs->setFolded(height() < kFoldBelowHeight);
         m_foldedByHand = false;
     }
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::LanguageChange) {
+        remakeRooms();
+    }
+    QMainWindow::changeEvent(event);
 }
 
 /// The status line is the session's; menus do not clear it.

@@ -62,10 +62,13 @@ protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
     bool event(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void makeRooms();
+    void remakeRooms();
     void buildLayout();
     void buildMenus();
     void buildStatusBar();
@@ -95,17 +98,18 @@ private:
     void showAbout();
 
     Session *m_session;
-    MessageBar *m_messageBar;
-    MechanismView *m_mechanismView;
-    Timeline *m_timeline;
-    ParameterPanel *m_parameterPanel;
-    PlotGrid *m_plotGrid;
-    SceneFile *m_scene;
-    FoldingTabs *m_tabs;
-    ErrorPanel *m_errorPanel;
-    QProgressBar *m_progress;
-    QToolButton *m_cancelButton;
-    QTimer *m_busyTimer;
+    QObjectList m_foundation; ///< what was there before the rooms
+    MessageBar *m_messageBar = nullptr;
+    MechanismView *m_mechanismView = nullptr;
+    Timeline *m_timeline = nullptr;
+    ParameterPanel *m_parameterPanel = nullptr;
+    PlotGrid *m_plotGrid = nullptr;
+    SceneFile *m_scene = nullptr;
+    FoldingTabs *m_tabs = nullptr;
+    ErrorPanel *m_errorPanel = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QToolButton *m_cancelButton = nullptr;
+    QTimer *m_busyTimer = nullptr;
     AnimationExport *m_animation = nullptr; ///< while one is written
     QMenu *m_recentMenu = nullptr;
     QAction *m_closeReferenceAction = nullptr;

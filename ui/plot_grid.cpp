@@ -400,6 +400,13 @@ void PlotGrid::setMeasuring(bool measuring)
     }
 }
 
+void PlotGrid::setMeasured(const std::optional<std::array<double, 2>> &instants)
+{
+    setMeasuring(instants.has_value());
+    m_measured = instants;
+    updateOverlays();
+}
+
 QString PlotGrid::measuredText() const
 {
     if (!m_measured) {

@@ -50,6 +50,13 @@ public:
     PlotZoom zoom() const { return {m_figure.timeZoom, m_figure.valueZoom}; }
     void setZoom(const PlotZoom &zoom);
 
+    /// The plot that fills the figure, by name; empty: none.
+    QString maximized() const { return m_maximized ? plotName(*m_maximized) : QString(); }
+
+    /// Instants (s) of the measuring cursors, where there are any.
+    const std::optional<std::array<double, 2>> &measured() const { return m_measured; }
+    void setMeasured(const std::optional<std::array<double, 2>> &instants);
+
     /// An instant (s) to be marked by a line in what is painted from now on. The cursor on the screen is not.
     void markTime(double seconds) { m_markedTime = seconds; }
 

@@ -26,6 +26,9 @@ public:
     /// `window`: whose session and plots these are, and in front of which is asked.
     SceneFile(Session *session, PlotGrid *plots, QWidget *window);
 
+    /// Others in place of those before.
+    void setPlots(PlotGrid *plots) { m_plots = plots; }
+
     const QString &path() const { return m_path; } ///< empty: never saved
     bool isModified() const;
 

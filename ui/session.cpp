@@ -171,6 +171,14 @@ void Session::edit(const Choices &choices, const QString &text)
         new EditCommand(m_choices, choices, text, m_step, [this](const Choices &inForce) { putInForce(inForce); }));
 }
 
+void Session::retranslateEdits()
+{
+    for (int i = 0; i < m_undoStack.count(); ++i) { // the stack gives its commands for reading; these are ours
+        const_cast<EditCommand *>(static_cast<const EditCommand *>(m_undoStack.command(i)))->retranslate();
+    }
+    m_lastEdit.clear();
+}
+
 void Session::putInForce(const Choices &choices)
 {
     const Choices before = std::exchange(m_choices, choices);

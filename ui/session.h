@@ -79,6 +79,9 @@ public:
 
     QUndoStack &undoStack() { return m_undoStack; }
 
+    /// Names the edits that can be undone in the language now in use.
+    void retranslateEdits();
+
     /// Other choices and another time in place of all there was, which cannot be undone; the reference is read from
     /// `source` first, off the GUI thread, and what is on show stays until then. opened() follows.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);

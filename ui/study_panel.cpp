@@ -17,7 +17,6 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
@@ -310,7 +309,25 @@ StudyPanel::StudyPanel(QWidget *parent)
 
 StudyPanel::~StudyPanel()
 {
-    m_stop.request_stop();
+    if (m_listener && m_listener->panel == this) {
+        m_listener->panel = nullptr;
+        m_stop.request_stop();
+    }
+}
+
+void StudyPanel::takeOver(StudyPanel &other)
+{
+    m_result = other.m_result;
+    m_running = other.m_running;
+    m_stop = other.m_stop;
+    m_listener = other.m_listener;
+    if (m_listener) {
+        m_listener->panel = this;
+    }
+    m_progress->setValue(other.m_progress->value());
+    showResult();
+    m_cases->setCurrentIndex(other.m_cases->currentIndex());
+    updateButtons();
 }
 
 void StudyPanel::setParameters(const Parameters &parameters)
@@ -345,10 +362,11 @@ void StudyPanel::run(StudyRequest request)
     }
     m_running = true;
     m_stop = std::stop_source();
+    m_listener = std::make_shared<Listener>(Listener{this});
     m_progress->setValue(0);
     updateButtons();
     QThreadPool::globalInstance()->start(
-        [panel = QPointer<StudyPanel>(this), request = std::move(request), stop = m_stop.get_token()] {
+        [listener = m_listener, request = std::move(request), stop = m_stop.get_token()] {
             int told = 0;
             const auto tell = [&](double part) {
                 const int now = static_cast<int>(part * kProgressSteps);
@@ -358,9 +376,9 @@ void StudyPanel::run(StudyRequest request)
                 told = now;
                 QMetaObject::invokeMethod(
                     QCoreApplication::instance(),
-                    [panel, now] {
-                        if (panel) {
-                            panel->m_progress->setValue(now);
+                    [listener, now] {
+                        if (listener->panel) {
+                            listener->panel->m_progress->setValue(now);
                         }
                     },
                     Qt::QueuedConnection);
@@ -368,9 +386,9 @@ void StudyPanel::run(StudyRequest request)
             auto result = std::make_shared<const StudyResult>(runStudy(request, stop, tell));
             QMetaObject::invokeMethod(
                 QCoreApplication::instance(),
-                [panel, result = std::move(result)] {
-                    if (panel) {
-                        panel->finish(result);
+                [listener, result = std::move(result)] {
+                    if (listener->panel) {
+                        listener->panel->finish(result);
                     }
                 },
                 Qt::QueuedConnection);
@@ -382,15 +400,23 @@ void StudyPanel::finish(const std::shared_ptr<const StudyResult> &result)
     m_running = false;
     if (!result->cases.empty()) {
         m_result = result;
-        const QSignalBlocker quiet(m_cases);
-        m_cases->clear();
-        for (const CaseResult &which : result->cases) {
-            m_cases->addItem(toQString(which.name));
-        }
-        showCase();
+        showResult();
     }
     updateButtons();
     emit finished();
+}
+
+void StudyPanel::showResult()
+{
+    if (!m_result) {
+        return;
+    }
+    const QSignalBlocker quiet(m_cases);
+    m_cases->clear();
+    for (const CaseResult &which : m_result->cases) {
+        m_cases->addItem(toQString(which.name));
+    }
+    showCase();
 }
 
 const CaseResult *StudyPanel::shownCase() const

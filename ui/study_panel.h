@@ -36,6 +36,9 @@ public:
     /// Of the case on show, in light colours, by the file name's suffix; a sentence when it could not be written.
     std::optional<QString> exportPicture(const QString &path) const;
 
+    /// Goes on with what the other shows and runs, in its place.
+    void takeOver(StudyPanel &other);
+
     /// Every case: JSON where the name ends in .json, else CSV.
     std::optional<QString> exportNumbers(const QString &path) const;
 
@@ -52,7 +55,13 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    /// Whom a study under way tells.
+    struct Listener {
+        StudyPanel *panel = nullptr; ///< null: nobody any more
+    };
+
     void run(StudyRequest request);
+    void showResult();
     void finish(const std::shared_ptr<const StudyResult> &result);
     const CaseResult *shownCase() const;
     void showCase();
@@ -66,6 +75,7 @@ private:
     Parameters m_parameters;
     std::shared_ptr<const StudyResult> m_result;
     std::stop_source m_stop;
+    std::shared_ptr<Listener> m_listener; ///< read and written in the GUI thread only
     bool m_running = false;
 
     QPushButton *m_runThis = nullptr;
