@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/json_text.h"
 
+#include "ui/motion_csv.h"
+
 #include <charconv>
 #include <cmath>
 
 namespace slidercrank
 {
-
-void appendNumber(QByteArray &text, double value)
-{
-    if (std::isnan(value)) {
-        text.append("nan"); // never "-nan"
-        return;
-    }
-    constexpr int kDigits = 17;
-    char digits[32];
-    const double unsignedZero = value == 0.0 ? 0.0 : value;
-    const std::to_chars_result end =
-        std::to_chars(digits, digits + sizeof digits, unsignedZero, std::chars_format::general, kDigits);
-    text.append(digits, end.ptr - digits);
-}
 
 void appendJsonNumber(QByteArray &text, double value)
 {

@@ -14,10 +14,7 @@
 namespace slidercrank
 {
 
-/// 17 significant digits, enough to read the same double back; 0 without a sign; "nan" where there is none.
-void appendNumber(QByteArray &text, double value);
-
-/// The same for JSON, which knows no nan: null.
+/// 17 significant digits as in CSV, but null where there is none: JSON knows no nan.
 void appendJsonNumber(QByteArray &text, double value);
 
 /// The fewest digits that read back the same; null for what does not exist.

@@ -8,6 +8,7 @@
 #include "core/channel.h"
 #include "core/mechanism.h"
 #include "core/trajectory.h"
+#include "ui/motion_csv.h"
 #include "ui/plot_figure.h"
 #include "ui/reference_file.h"
 #include "ui/theme.h"
@@ -23,7 +24,6 @@
 namespace slidercrank
 {
 
-enum class AngleUnit { Degree, Radian };
 enum class Format { Text, Csv, Json };
 
 struct SolveOptions {

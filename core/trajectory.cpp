@@ -147,4 +147,24 @@ Trajectory sample(const Mechanism &mechanism, std::span<const double> instants, 
     return trajectory;
 }
 
+void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const ChannelSet &channels,
+                    const SolverSettings &settings, const std::function<bool(const Trajectory &)> &take,
+                    std::stop_token stop)
+{
+    constexpr int kPiece = 1 << 15; // all 36 channels in some 10 MB
+    const int count = sampling.steps + 1;
+    const int length = settings.method == Method::Newton ? count : std::min(count, kPiece);
+    for (int first = 0; first < count; first += length) {
+        std::vector<double> instants;
+        instants.reserve(static_cast<std::size_t>(length));
+        for (int i = first; i < std::min(first + length, count); ++i) {
+            instants.push_back(sampling.instant(i));
+        }
+        const Trajectory piece = sample(mechanism, instants, channels, settings, stop);
+        if (!piece.complete || !take(piece)) {
+            return;
+        }
+    }
+}
+
 } // namespace slidercrank

@@ -8,6 +8,7 @@
 #include "core/newton.h"
 
 #include <array>
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -62,5 +63,12 @@ struct Trajectory {
 /// Computes the instants in their order (Newton-Raphson starts each from the one before), watching `stop`.
 Trajectory sample(const Mechanism &mechanism, std::span<const double> instants, const ChannelSet &channels,
                   const SolverSettings &settings, std::stop_token stop = {});
+
+/// The whole run, piece after piece in their order, for who passes it on and does not keep it: a long one in closed
+/// form is never in memory as a whole; Newton-Raphson, which starts each instant from the one before, comes in one
+/// piece. Ends when stopped, or when take() returns false.
+void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const ChannelSet &channels,
+                    const SolverSettings &settings, const std::function<bool(const Trajectory &)> &take,
+                    std::stop_token stop = {});
 
 } // namespace slidercrank
