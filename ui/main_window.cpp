@@ -5,17 +5,18 @@
 #include "ui/column_mapping.h"
 #include "ui/control_states.h"
 #include "ui/error_panel.h"
-#include "ui/figure_export.h"
 #include "ui/folding_tabs.h"
 #include "ui/language.h"
 #include "ui/limits_panel.h"
 #include "ui/mechanism_view.h"
 #include "ui/message_bar.h"
+#include "ui/motion_csv.h"
 #include "ui/newton_panel.h"
 #include "ui/parameter_panel.h"
 #include "ui/part_highlight.h"
 #include "ui/plot_grid.h"
 #include "ui/reference_panel.h"
+#include "ui/report_pages.h"
 #include "ui/scene_file.h"
 #include "ui/study_panel.h"
 #include "ui/timeline.h"
@@ -58,6 +59,9 @@ constexpr int kRecentFiles = 8;
 constexpr int kFoldBelowHeight = 800; // px: under this the nine plots need all the room there is
 constexpr int kPanelHeight = 230;     // px: the table of six channels with its sentence
 constexpr int kBusyShownAfter = 250;  // ms: what is done sooner is not worth a flicker
+
+constexpr double kExportScale = 2.0; // of what is on screen, for documents
+constexpr QSize kPlotSize(900, 600);
 
 const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
 
@@ -267,14 +271,11 @@ void MainWindow::buildMenus()
     file->addSeparator();
     file->addAction(tr("Export &figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
                     [this] { exportFigureTo(chooseExportFile(QStringLiteral("figure.png"))); });
-    QMenu *plotMenu = file->addMenu(tr("Export &plot"));
-    for (const QString &name : m_plotGrid->plotNames()) {
-        const QWidget *plot = m_plotGrid->findChild<QWidget *>(name);
-        plotMenu->addAction(plot ? plot->accessibleName() : name, this,
-                            [this, name] { exportPlotTo(name, chooseExportFile(name + QStringLiteral(".png"))); });
-    }
+    QMenu *exportPlot = file->addMenu(tr("Export &plot"));
     file->addAction(tr("Export &mechanism…"), this,
                     [this] { exportMechanismTo(chooseExportFile(QStringLiteral("mechanism.png"))); });
+    file->addAction(tr("Export &data…"), this, &MainWindow::chooseData);
+    file->addAction(tr("Export repor&t…"), this, &MainWindow::chooseReport);
     file->addAction(tr("Export &animation…"), this, &MainWindow::chooseAnimation);
     file->addSeparator();
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
@@ -288,6 +289,16 @@ void MainWindow::buildMenus()
     edit->addAction(redo);
     edit->addSeparator();
     edit->addAction(tr("&Copy figure"), QKeySequence::Copy, this, &MainWindow::copyFigure);
+    QMenu *copyPlotMenu = edit->addMenu(tr("Copy &plot"));
+    for (const QString &name : m_plotGrid->plotNames()) {
+        const QWidget *plot = m_plotGrid->findChild<QWidget *>(name);
+        const QString title = plot ? plot->accessibleName() : name;
+        exportPlot->addAction(title, this,
+                              [this, name] { exportPlotTo(name, chooseExportFile(name + QStringLiteral(".png"))); });
+        copyPlotMenu->addAction(title, this, [this, name] { copyPlot(name); });
+    }
+    edit->addAction(tr("Copy &mechanism"), this, &MainWindow::copyMechanism);
+    edit->addSeparator();
     edit->addAction(tr("&Reset parameters to Table 1"), this, [this] { m_session->setParameters(Parameters()); });
 
     QMenu *view = menuBar()->addMenu(tr("&View"));
@@ -351,6 +362,7 @@ void MainWindow::buildStatusBar()
     m_progress->setMaximumWidth(140);
     m_progress->setAccessibleName(tr("Computing"));
     m_cancelButton->setText(tr("Cancel"));
+    m_cancelButton->setObjectName(QStringLiteral("cancelButton"));
     for (QWidget *busy : {static_cast<QWidget *>(m_progress), static_cast<QWidget *>(m_cancelButton)}) {
         statusBar()->addPermanentWidget(busy);
         busy->hide();
@@ -363,28 +375,37 @@ void MainWindow::buildStatusBar()
         m_progress->show();
         m_cancelButton->show();
     });
-    connect(m_session, &Session::busyChanged, this, [this](bool busy) {
-        if (busy) {
-            m_busyTimer->start();
-        } else {
-            m_busyTimer->stop();
-            m_progress->hide();
-            m_cancelButton->hide();
-            m_progress->setRange(0, 0);
-        }
-    });
+    connect(m_session, &Session::busyChanged, this, &MainWindow::setBusy);
     connect(m_session, &Session::readingProgressed, this, [this](double part) {
         m_progress->setRange(0, 100);
         m_progress->setValue(static_cast<int>(100.0 * part));
     });
     connect(m_session, &Session::referenceLoaded, this, [this] { m_progress->setRange(0, 0); }); // then it is compared
     connect(m_cancelButton, &QToolButton::clicked, this, [this] {
+        const bool writes = m_animation || m_export;
         m_session->cancel();
         if (m_animation) {
             m_animation->cancel();
         }
-        m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Cancelled: what is on show is from before."));
+        if (m_export) {
+            m_export->cancel();
+        }
+        m_messageBar->showMessage(MessageBar::Kind::Hint, writes ? tr("Cancelled: nothing was written.")
+                                                                 : tr("Cancelled: what is on show is from before."));
     });
+}
+
+void MainWindow::setBusy(bool busy)
+{
+    m_busy += busy ? 1 : -1;
+    if (busy && m_busy == 1) {
+        m_busyTimer->start();
+    } else if (m_busy == 0) {
+        m_busyTimer->stop();
+        m_progress->hide();
+        m_cancelButton->hide();
+        m_progress->setRange(0, 0);
+    }
 }
 
 void MainWindow::connectRooms()
@@ -420,6 +441,7 @@ void MainWindow::connectRooms()
     connect(m_plotGrid, &PlotGrid::exportPlotRequested, this, [this](const QString &plotName) {
         exportPlotTo(plotName, chooseExportFile(plotName + QStringLiteral(".png")));
     });
+    connect(m_plotGrid, &PlotGrid::copyPlotRequested, this, &MainWindow::copyPlot);
     connect(m_errorPanel, &ErrorPanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_errorPanel, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
     connect(m_session, &Session::problemFound, this,
@@ -604,7 +626,8 @@ void MainWindow::exportAnimationTo(const QString &path)
     animation.start = sampling.start;
     animation.duration = sampling.duration;
     animation.size.size = m_mechanismView->size();
-    animation.size.scale = 2.0;
+    animation.size.scale = kExportScale;
+    animation.speed = m_timeline->speed();
     const auto view = std::make_shared<MechanismView>();
     view->setResult(m_session->result());
     const auto draw = [view, parameters = m_session->parameters()](QPainter &painter, const QSize &size, double time) {
@@ -615,23 +638,125 @@ void MainWindow::exportAnimationTo(const QString &path)
     connect(m_animation, &AnimationExport::progressed, this, [this](int done, int all) {
         m_progress->setRange(0, all);
         m_progress->setValue(done);
-        m_progress->show();
-        m_cancelButton->show();
     });
     connect(m_animation, &AnimationExport::finished, this, [this, path](const QString &problem) {
         const bool complete = m_progress->value() == m_progress->maximum();
-        m_progress->setRange(0, 0);
-        m_progress->hide();
-        m_cancelButton->hide();
         m_animation->deleteLater();
         m_animation = nullptr;
-        if (!problem.isEmpty()) {
-            m_messageBar->showMessage(MessageBar::Kind::Problem, problem);
-        } else if (complete) {
-            m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+        setBusy(false);
+        if (complete || !problem.isEmpty()) {
+            tellWritten(path, problem);
         }
     });
+    setBusy(true);
     m_animation->start(path);
+}
+
+void MainWindow::exportAside(const QString &path, const ExportJob::Work &work,
+                             const std::function<std::optional<QString>()> &finish)
+{
+    if (m_export) {
+        m_messageBar->showMessage(MessageBar::Kind::Problem,
+                                  tr("Another file is still being written: wait for it, or cancel it below."));
+        return;
+    }
+    m_export = new ExportJob(this);
+    connect(m_export, &ExportJob::progressed, this, [this](double part) {
+        m_progress->setRange(0, 100);
+        m_progress->setValue(static_cast<int>(100.0 * part));
+    });
+    connect(m_export, &ExportJob::finished, this, [this, path, finish](const QString &problem) {
+        const bool isCancelled = m_export->isCancelled();
+        m_export->deleteLater();
+        m_export = nullptr;
+        setBusy(false);
+        if (!isCancelled) {
+            tellWritten(path, problem.isEmpty() && finish ? finish().value_or(QString()) : problem);
+        }
+    });
+    setBusy(true);
+    m_export->start(work);
+}
+
+void MainWindow::tellWritten(const QString &path, const QString &problem)
+{
+    if (problem.isEmpty()) {
+        m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    } else {
+        m_messageBar->showMessage(MessageBar::Kind::Problem, problem);
+    }
+}
+
+void MainWindow::chooseData()
+{
+    const QString plotted = tr("The six channels of the plots (*.csv)");
+    auto *dialog =
+        new QFileDialog(this, tr("Export data"), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({plotted, tr("All 36 channels (*.csv)")});
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    dialog->selectFile(QStringLiteral("motion.csv"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, plotted](const QString &path) {
+        exportDataTo(path, dialog->selectedNameFilter() == plotted ? plottedChannels() : allChannels());
+    });
+    dialog->open();
+}
+
+void MainWindow::exportDataTo(const QString &path, const ChannelSet &channels)
+{
+    exportAside(path, [path, channels, result = m_session->result()](const std::stop_token &stop,
+                                                                     const std::function<void(double)> &progress) {
+        return exportMotion(path, *result, channels, stop, progress);
+    });
+}
+
+void MainWindow::chooseReport()
+{
+    auto *dialog =
+        new QFileDialog(this, tr("Export report"), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
+                        tr("Reports (*.pdf)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("pdf"));
+    dialog->selectFile(QStringLiteral("report.pdf"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportReportTo);
+    dialog->open();
+}
+
+void MainWindow::exportReportTo(const QString &path)
+{
+    const auto content = std::make_shared<ReportContent>();
+    content->result = m_session->result();
+    const auto write = [this, path, content]() -> std::optional<QString> {
+        if (content->result != m_session->result()) {
+            return tr("No report was written: the mechanism was changed meanwhile. Export it again.");
+        }
+        content->hasGhost = m_mechanismView->hasGhost();
+        const QPalette palette = paletteFor(Theme::Light);
+        const ReportDrawings drawings{
+            [this, palette](QPainter &painter, const QSize &size) {
+                m_mechanismView->paintMechanism(painter, size, palette);
+            },
+            [this, palette](QPainter &painter, const QSize &size) { m_plotGrid->paintFigure(painter, size, palette); }};
+        return exportReport(path, *content, drawings);
+    };
+    const Result &result = *content->result;
+    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+    const bool isKnown =
+        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+    if (isKnown) {
+        content->interpretation = diagnosis->found;
+    }
+    if (isKnown || !result.reference) {
+        tellWritten(path, write().value_or(QString()));
+        return;
+    }
+    const auto interpretAside = [content](const std::stop_token &stop, const auto &) -> std::optional<QString> {
+        content->interpretation = interpret(content->result->reference->data, content->result->mechanism, stop);
+        return std::nullopt;
+    };
+    exportAside(path, interpretAside, write);
 }
 
 QString MainWindow::chooseExportFile(const QString &proposal)
@@ -641,21 +766,13 @@ QString MainWindow::chooseExportFile(const QString &proposal)
                                         tr("Images and drawings (*.png *.svg *.pdf)"));
 }
 
-void MainWindow::exportTo(const QString &path, const QSize &size,
-                          const std::function<void(QPainter &, const QSize &)> &draw)
+void MainWindow::exportTo(const QString &path, const QSize &size, const FigureDrawing &draw)
 {
     if (path.isEmpty()) {
         return; // the person changed their mind
     }
-    FigureSize figureSize;
-    figureSize.size = size;
-    figureSize.scale = 2.0;
-    if (const std::optional<QString> problem =
-            exportFigure(path, figureSize, tr("Motion of an offset slider-crank"), draw)) {
-        m_messageBar->showMessage(MessageBar::Kind::Problem, *problem);
-        return;
-    }
-    m_messageBar->showMessage(MessageBar::Kind::Hint, tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    const FigureSize figureSize{size, kExportScale};
+    tellWritten(path, exportFigure(path, figureSize, tr("Motion of an offset slider-crank"), draw).value_or(QString()));
 }
 
 void MainWindow::exportFigureTo(const QString &path)
@@ -667,7 +784,7 @@ void MainWindow::exportFigureTo(const QString &path)
 
 void MainWindow::exportPlotTo(const QString &plotName, const QString &path)
 {
-    exportTo(path, {900, 600}, [this, plotName](QPainter &painter, const QSize &size) {
+    exportTo(path, kPlotSize, [this, plotName](QPainter &painter, const QSize &size) {
         m_plotGrid->paintPlot(painter, plotName, size, paletteFor(Theme::Light));
     });
 }
@@ -679,15 +796,34 @@ void MainWindow::exportMechanismTo(const QString &path)
     });
 }
 
+void MainWindow::copy(const QSize &size, const FigureDrawing &draw, const QString &done)
+{
+    const std::optional<QString> problem = copyFigureToClipboard({size, kExportScale}, draw);
+    m_messageBar->showMessage(problem ? MessageBar::Kind::Problem : MessageBar::Kind::Hint, problem.value_or(done));
+}
+
 void MainWindow::copyFigure()
 {
-    FigureSize size;
-    size.size = m_plotGrid->size();
-    size.scale = 2.0;
-    copyFigureToClipboard(size, [this](QPainter &painter, const QSize &drawn) {
-        m_plotGrid->paintFigure(painter, drawn, paletteFor(Theme::Light));
-    });
-    m_messageBar->showMessage(MessageBar::Kind::Hint, tr("The figure is in the clipboard."));
+    const auto draw = [this](QPainter &painter, const QSize &size) {
+        m_plotGrid->paintFigure(painter, size, paletteFor(Theme::Light));
+    };
+    copy(m_plotGrid->size(), draw, tr("The figure is in the clipboard."));
+}
+
+void MainWindow::copyPlot(const QString &plotName)
+{
+    const auto draw = [this, plotName](QPainter &painter, const QSize &size) {
+        m_plotGrid->paintPlot(painter, plotName, size, paletteFor(Theme::Light));
+    };
+    copy(kPlotSize, draw, tr("The plot is in the clipboard."));
+}
+
+void MainWindow::copyMechanism()
+{
+    const auto draw = [this](QPainter &painter, const QSize &size) {
+        m_mechanismView->paintMechanism(painter, size, paletteFor(Theme::Light));
+    };
+    copy(m_mechanismView->size(), draw, tr("The mechanism is in the clipboard."));
 }
 
 void MainWindow::showTitle()

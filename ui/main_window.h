@@ -3,6 +3,8 @@
 
 // Constructs the rooms of the window, lays them out and connects them; no arithmetic.
 
+#include "ui/export_job.h"
+#include "ui/figure_export.h"
 #include "ui/findings.h"
 #include "ui/session.h"
 #include "ui/theme.h"
@@ -52,6 +54,12 @@ public slots:
     void exportPlotTo(const QString &plotName, const QString &path);
     void exportMechanismTo(const QString &path);
 
+    /// The run on show as CSV, off the GUI thread.
+    void exportDataTo(const QString &path, const slidercrank::ChannelSet &channels);
+
+    /// On A4, as PDF; whose motion the reference is, is worked out off the GUI thread first where it is not known yet.
+    void exportReportTo(const QString &path);
+
     /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed.
     void exportAnimationTo(const QString &path);
 
@@ -80,10 +88,21 @@ private:
 
     void chooseReference();
     void chooseColumns(const QString &path); ///< of that file
-    void exportTo(const QString &path, const QSize &size, const std::function<void(QPainter &, const QSize &)> &draw);
+    void exportTo(const QString &path, const QSize &size, const FigureDrawing &draw);
     QString chooseExportFile(const QString &proposal);
+    void chooseData();
+    void chooseReport();
     void chooseAnimation();
     void copyFigure();
+    void copyPlot(const QString &plotName);
+    void copyMechanism();
+    void copy(const QSize &size, const FigureDrawing &draw, const QString &done);
+
+    /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one.
+    void exportAside(const QString &path, const ExportJob::Work &work,
+                     const std::function<std::optional<QString>()> &finish = {});
+    void tellWritten(const QString &path, const QString &problem);
+    void setBusy(bool busy); ///< counts
 
     void showTitle();
     void showStatus(const std::shared_ptr<const Result> &result);
@@ -111,6 +130,8 @@ private:
     QToolButton *m_cancelButton = nullptr;
     QTimer *m_busyTimer = nullptr;
     AnimationExport *m_animation = nullptr; ///< while one is written
+    ExportJob *m_export = nullptr;          ///< while there is one
+    int m_busy = 0;                         ///< what is under way and can be cancelled
     QMenu *m_recentMenu = nullptr;
     QAction *m_closeReferenceAction = nullptr;
     QAction *m_ghostAction = nullptr;

@@ -34,6 +34,8 @@ public:
     /// Where a point of the model (mm) is in this widget.
     QPointF toPixels(QPointF model) const;
 
+    bool hasGhost() const { return m_ghost.exists; }
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

@@ -7,7 +7,6 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QLabel>
@@ -302,7 +301,8 @@ void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
             this, [this, plot] { toggleMaximized(plot); });
     connect(menu->addAction(tr("Show the &whole run")), &QAction::triggered, this, &PlotGrid::showAll);
     menu->addSeparator();
-    connect(menu->addAction(tr("&Copy this plot")), &QAction::triggered, this, [this, plot] { copyPlot(plot); });
+    connect(menu->addAction(tr("&Copy this plot")), &QAction::triggered, this,
+            [this, plot] { emit copyPlotRequested(plotName(plot)); });
     connect(menu->addAction(tr("&Export this plot…")), &QAction::triggered, this,
             [this, plot] { emit exportPlotRequested(plotName(plot)); });
     menu->addSeparator();
@@ -369,19 +369,6 @@ void PlotGrid::maximize(const QString &name)
 void PlotGrid::toggleMaximized(std::size_t plot)
 {
     maximize(m_maximized ? QString() : plotName(plot));
-}
-
-void PlotGrid::copyPlot(std::size_t plot)
-{
-    const QSize size = m_plots[plot]->size() + QSize(0, m_typography.legendHeight());
-    constexpr double kScale = 2.0; // for documents
-    QImage image(size * kScale, QImage::Format_RGB32);
-    image.setDevicePixelRatio(kScale);
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintPlot(painter, plotName(plot), size, palette());
-    painter.end();
-    QApplication::clipboard()->setImage(image);
 }
 
 void PlotGrid::setMeasuring(bool measuring)

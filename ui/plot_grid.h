@@ -82,6 +82,7 @@ signals:
     void timeRequested(double seconds);
     void openReferenceRequested();
     void exportPlotRequested(const QString &plotName);
+    void copyPlotRequested(const QString &plotName);
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:
@@ -114,7 +115,6 @@ private:
     void makeChoices();
     void choose(const std::function<void(PlotSettings &)> &change);
     void toggleMaximized(std::size_t plot);
-    void copyPlot(std::size_t plot);
     void hoverOver(std::optional<std::size_t> plot, double time);
     void updateOverlays();
     OverlayContent overlayOf(std::size_t plot);

@@ -29,6 +29,7 @@ public:
     explicit Timeline(QWidget *parent = nullptr);
 
     bool isPlaying() const { return m_frames.isActive(); }
+    double speed() const { return m_speed; } ///< model seconds a second of the clock
 
 public slots:
     void setSampling(const slidercrank::Sampling &sampling);
