@@ -99,7 +99,7 @@ constexpr OptionEntry kWindowOptions[] = {
     {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to open")},
     {"reset-settings", nullptr,
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "forget the window's layout, the recent files, the theme and the choices of columns")},
+                       "forget what the window remembers: layout, recent files, language, theme, choices of columns")},
 };
 
 constexpr OptionEntry kEverywhereOptions[] = {

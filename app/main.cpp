@@ -56,8 +56,7 @@ ExitStatus resetSettings()
         say(CommandLine::tr("The settings in %1 cannot be written: remove them there.").arg(settings.fileName()));
         return ExitStatus::FileFailed;
     }
-    return print(CommandLine::tr("Forgotten: the window's layout, the recent files, the theme and the choices of "
-                                 "columns.\n"));
+    return print(CommandLine::tr("Forgotten: layout, recent files, language, theme, choices of columns.") + u'\n');
 }
 
 /// None for what needs more than a QCoreApplication.

@@ -2,6 +2,7 @@
 
 // What leaves the window, as its user takes it: files and clipboard.
 
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/mechanism_view.h"
 #include "ui/message_bar.h"
@@ -187,6 +188,22 @@ private slots:
         QVERIFY2(m_said->text().contains(QStringLiteral("nothing was written")), qPrintable(m_said->text()));
         QCOMPARE(contentOf(path), QByteArray("older"));
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList(QStringLiteral("long.csv")));
+    }
+
+    void anotherLanguageMeanwhileDoesNoHarm()
+    {
+        Sampling sampling;
+        sampling.steps = 200000;
+        QSignalSpy computed(&m_window->session(), &Session::resultChanged);
+        m_window->session().setSampling(sampling);
+        QVERIFY(!computed.isEmpty() || computed.wait());
+        const QString path = m_folder->filePath(QStringLiteral("long.csv"));
+        m_window->exportDataTo(path, plottedChannels());
+        setLanguage(Language::Spanish);
+        QTRY_COMPARE(contentOf(path).count('\n'), qsizetype(200002));
+        setLanguage(Language::English);
+        const auto *cancel = m_window->findChild<QAbstractButton *>(QStringLiteral("cancelButton"));
+        QTRY_VERIFY(!cancel->isVisible());
     }
 
     void whatCannotBeWrittenIsSaid()

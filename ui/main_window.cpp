@@ -151,7 +151,6 @@ void MainWindow::remakeRooms()
     const bool isPlaying = m_timeline->isPlaying();
     const bool isFolded = m_tabs->isFolded();
     const bool wasFoldedByHand = m_foldedByHand;
-    const bool isBusy = m_busyTimer->isActive() || m_progress->isVisibleTo(this);
     const bool hasMessage = m_messageBar->isVisibleTo(this);
     const int tab = m_tabs->current();
     auto *study = findChild<StudyPanel *>(); // made anew only where it has been opened
@@ -168,7 +167,8 @@ void MainWindow::remakeRooms()
     for (QObject *child : children()) {
         const auto *widget = qobject_cast<QWidget *>(child);
         const bool isDialog = widget && widget->isWindow(); // stays open as it is
-        if (!m_foundation.contains(child) && child != m_scene && child != m_animation && child != study && !isDialog) {
+        const bool isWork = child == m_scene || child == m_animation || child == m_export || child == study;
+        if (!m_foundation.contains(child) && !isWork && !isDialog) {
             rooms += child;
         }
     }
@@ -193,7 +193,7 @@ void MainWindow::remakeRooms()
     m_tabs->setFolded(isFolded);
     m_foldedByHand = wasFoldedByHand;
     setControlStates(*this, states);
-    if (isBusy) {
+    if (m_busy > 0) {
         m_busyTimer->start();
     }
     m_session->setTime(m_session->time());
