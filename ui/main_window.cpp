@@ -333,7 +333,7 @@ void MainWindow::buildMenus()
     auto *languages = new QActionGroup(this);
     const std::pair<Language, QString> languageNames[] = {{Language::System, tr("&System")},
                                                           {Language::English, QStringLiteral("&English")},
-                                                          {Language::Spanish, QStringLiteral("E&spañol")}};
+                                                          {Language::Spanish, QStringLiteral("Es&pañol")}};
     for (const auto &[language, text] : languageNames) { // each by its own name, for who does not read the other
         QAction *action = languageMenu->addAction(text);
         action->setCheckable(true);

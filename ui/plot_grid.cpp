@@ -322,7 +322,7 @@ void PlotGrid::makeChoices()
     auto *measures = new QActionGroup(this);
     const std::array<std::pair<ErrorMeasure, QString>, 3> texts{
         {{ErrorMeasure::Percent, tr("Error in &% of the reference")},
-         {ErrorMeasure::Absolute, tr("Error in ° and &mm")},
+         {ErrorMeasure::Absolute, tr("Error &in ° and mm")},
          {ErrorMeasure::OfPeak, tr("Error in % of the &peak")}}};
     for (const auto &[measure, text] : texts) {
         QAction *action = measures->addAction(text);

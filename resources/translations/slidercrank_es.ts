@@ -5,593 +5,593 @@
     <name>slidercrank::AnimationExport</name>
     <message>
         <source>%1: a video needs the program ffmpeg, which is not installed; choose .png for frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: un vídeo necesita el programa ffmpeg, que no está instalado; elija .png para obtener fotogramas.</translation>
     </message>
     <message>
         <source>%1: an animation&apos;s name must end in .%2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: el nombre de una animación debe terminar en .%2.</translation>
     </message>
     <message>
         <source> or .</source>
         <comment>between the endings of file names</comment>
-        <translation type="unfinished"></translation>
+        <translation> o .</translation>
     </message>
     <message>
         <source>More than %1 frames: choose a shorter run or fewer frames a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Más de %1 fotogramas: elija un recorrido más corto o menos fotogramas por segundo.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1: %2.</translation>
     </message>
     <message>
         <source>ffmpeg could not be started: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudo iniciar ffmpeg: %1.</translation>
     </message>
     <message>
         <source>There is not enough memory for a frame of that size.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay memoria suficiente para un fotograma de ese tamaño.</translation>
     </message>
     <message>
         <source>%1 cannot be written: is the disk full?</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1: ¿está lleno el disco?</translation>
     </message>
     <message>
         <source>%1 cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1.</translation>
     </message>
     <message>
         <source>ffmpeg could not make the video: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ffmpeg no pudo hacer el vídeo: %1</translation>
     </message>
     <message>
         <source>it ended early.</source>
-        <translation type="unfinished"></translation>
+        <translation>terminó antes de tiempo.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::ColumnMapping</name>
     <message>
         <source>ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>tiempo</translation>
     </message>
     <message>
         <source>none given: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sin indicar: %1</translation>
     </message>
     <message>
         <source>as printed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>según el archivo: %1</translation>
     </message>
     <message>
         <source>Columns of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Columnas de %1</translation>
     </message>
     <message>
         <source>Say what the columns are; the choice is remembered for files with the same headings. Below is what would be read from the chosen column.</source>
-        <translation type="unfinished"></translation>
+        <translation>Indique qué es cada columna; la elección se recuerda para los archivos con los mismos encabezados. Debajo se ve lo que se leería de la columna elegida.</translation>
     </message>
     <message>
         <source>Preview of the chosen column</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista previa de la columna elegida</translation>
     </message>
     <message>
         <source>Use these columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar estas columnas</translation>
     </message>
     <message>
         <source>Guess anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a deducir</translation>
     </message>
     <message>
         <source>Forgets what was chosen for files with these headings</source>
-        <translation type="unfinished"></translation>
+        <translation>Olvida lo que se eligió para los archivos con estos encabezados</translation>
     </message>
     <message>
         <source>heading</source>
-        <translation type="unfinished"></translation>
+        <translation>encabezado</translation>
     </message>
     <message>
         <source>first values</source>
-        <translation type="unfinished"></translation>
+        <translation>primeros valores</translation>
     </message>
     <message>
         <source>read as</source>
-        <translation type="unfinished"></translation>
+        <translation>se lee como</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad</translation>
     </message>
     <message>
         <source>why</source>
-        <translation type="unfinished"></translation>
+        <translation>motivo</translation>
     </message>
     <message>
         <source>%1 is read as</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se lee como</translation>
     </message>
     <message>
         <source>Unit of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad de %1</translation>
     </message>
     <message>
         <source>Columns of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Columnas del archivo</translation>
     </message>
     <message>
         <source>chosen by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>elegido a mano</translation>
     </message>
     <message>
         <source>t = %1 … %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>t = %1 … %2 s</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 is ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no se usa</translation>
     </message>
     <message>
         <source>%1: %2 from %3 to %4 %5, %6</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 de %3 a %4 %5, %6</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::ColumnText</name>
     <message>
         <source>columns separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>columnas separadas por comas</translation>
     </message>
     <message>
         <source>columns separated by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>columnas separadas por punto y coma</translation>
     </message>
     <message>
         <source>columns separated by tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>columnas separadas por tabuladores</translation>
     </message>
     <message>
         <source>columns separated by spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>columnas separadas por espacios</translation>
     </message>
     <message>
         <source>columns separated by “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>columnas separadas por «%1»</translation>
     </message>
     <message>
         <source>column %1</source>
-        <translation type="unfinished"></translation>
+        <translation>columna %1</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>tiempo</translation>
     </message>
     <message>
         <source>s (none given)</source>
-        <translation type="unfinished"></translation>
+        <translation>s (sin indicar)</translation>
     </message>
     <message>
         <source>%1 (none given)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (sin indicar)</translation>
     </message>
     <message>
         <source>its name is known</source>
-        <translation type="unfinished"></translation>
+        <translation>su nombre es conocido</translation>
     </message>
     <message>
         <source>chosen by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>elegido a mano</translation>
     </message>
     <message>
         <source>guessed: its name says the quantity, and this is the body usually exported</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: su nombre indica la magnitud, y este es el eslabón que suele exportarse</translation>
     </message>
     <message>
         <source>guessed: P, V or A says the order, its unit says angle or length</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: P, V o A indica el orden; su unidad, si es ángulo o longitud</translation>
     </message>
     <message>
         <source>guessed: P, V or A says the order, its values tell an angle from a length</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: P, V o A indica el orden; sus valores distinguen un ángulo de una longitud</translation>
     </message>
     <message>
         <source>guessed: its values are the derivative of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: sus valores son la derivada de «%1»</translation>
     </message>
     <message>
         <source>guessed: an angle that grows at an even rate, as the crank&apos;s does</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: un ángulo que crece a ritmo constante, como el de la manivela</translation>
     </message>
     <message>
         <source>guessed: the first column whose values only rise</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: la primera columna cuyos valores solo crecen</translation>
     </message>
     <message>
         <source>ignored: its name means no channel</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar: su nombre no designa ningún canal</translation>
     </message>
     <message>
         <source>ignored: it has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar: no tiene nombre</translation>
     </message>
     <message>
         <source>ignored: it holds no number</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar: no contiene ningún número</translation>
     </message>
     <message>
         <source>ignored: its unit is not known or does not suit the quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar: su unidad es desconocida o no corresponde a la magnitud</translation>
     </message>
     <message>
         <source>ignored: “%1” could be the same quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar: «%1» podría ser la misma magnitud</translation>
     </message>
     <message>
         <source>ignored: its values are not the derivative of “%1” that its name says</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar: sus valores no son la derivada de «%1» que dice su nombre</translation>
     </message>
     <message>
         <source>ignored: neither its unit nor its values tell an angle from a length</source>
-        <translation type="unfinished"></translation>
+        <translation>sin usar: ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
     </message>
     <message>
         <source>name known</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre conocido</translation>
     </message>
     <message>
         <source>guessed by its name</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido por el nombre</translation>
     </message>
     <message>
         <source>guessed by its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido por la unidad</translation>
     </message>
     <message>
         <source>guessed by its values</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido por los valores</translation>
     </message>
     <message>
         <source>guessed: derivative of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: derivada de %1</translation>
     </message>
     <message>
         <source>guessed: even rate</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: ritmo constante</translation>
     </message>
     <message>
         <source>guessed: only rises</source>
-        <translation type="unfinished"></translation>
+        <translation>deducido: solo crece</translation>
     </message>
     <message>
         <source>name not known</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre desconocido</translation>
     </message>
     <message>
         <source>no name</source>
-        <translation type="unfinished"></translation>
+        <translation>sin nombre</translation>
     </message>
     <message>
         <source>no number in it</source>
-        <translation type="unfinished"></translation>
+        <translation>sin ningún número</translation>
     </message>
     <message>
         <source>unit not known</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad desconocida</translation>
     </message>
     <message>
         <source>as %1 could be</source>
-        <translation type="unfinished"></translation>
+        <translation>igual que %1</translation>
     </message>
     <message>
         <source>not the derivative of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no es la derivada de %1</translation>
     </message>
     <message>
         <source>angle or length?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿ángulo o longitud?</translation>
     </message>
     <message>
         <source>1 significant digit</source>
-        <translation type="unfinished"></translation>
+        <translation>1 cifra significativa</translation>
     </message>
     <message>
         <source>%1 significant digits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cifras significativas</translation>
     </message>
     <message>
         <source>whole multiples of 1e%1</source>
-        <translation type="unfinished"></translation>
+        <translation>múltiplos enteros de 1e%1</translation>
     </message>
     <message>
         <source>1 decimal</source>
-        <translation type="unfinished"></translation>
+        <translation>1 decimal</translation>
     </message>
     <message>
         <source>%1 decimals</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 decimales</translation>
     </message>
     <message>
         <source>decimal point</source>
-        <translation type="unfinished"></translation>
+        <translation>punto decimal</translation>
     </message>
     <message>
         <source>decimal comma</source>
-        <translation type="unfinished"></translation>
+        <translation>coma decimal</translation>
     </message>
     <message>
         <source>no names of columns</source>
-        <translation type="unfinished"></translation>
+        <translation>columnas sin nombres</translation>
     </message>
     <message>
         <source>names in line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nombres en la línea %1</translation>
     </message>
     <message>
         <source>units in line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>unidades en la línea %1</translation>
     </message>
     <message>
         <source>line %1 above them passed over</source>
-        <translation type="unfinished"></translation>
+        <translation>línea %1 por encima, pasada por alto</translation>
     </message>
     <message>
         <source>%1 lines above them passed over</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 líneas por encima, pasadas por alto</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
     <message>
         <source>Read so, it agrees with this mechanism.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leído así, coincide con este mecanismo.</translation>
     </message>
     <message>
         <source>The file&apos;s own mechanism: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>El mecanismo propio del archivo: %1</translation>
     </message>
     <message>
         <source>Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>abierta</translation>
     </message>
     <message>
         <source>crossed</source>
-        <translation type="unfinished"></translation>
+        <translation>cruzada</translation>
     </message>
     <message>
         <source>%1 files: %2 agree, %3 come close, %4 differ</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 archivos: %2 coinciden, %3 se aproximan, %4 difieren</translation>
     </message>
     <message>
         <source>, %1 could not be read</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 no se pudieron leer</translation>
     </message>
     <message>
         <source>%1: t = %3 s to %4 s, %2 instants</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: de t = %3 s a %4 s, %2 instantes</translation>
     </message>
     <message>
         <source>channel</source>
-        <translation type="unfinished"></translation>
+        <translation>canal</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad</translation>
     </message>
     <message>
         <source>largest error</source>
-        <translation type="unfinished"></translation>
+        <translation>error máximo</translation>
     </message>
     <message>
         <source>at t [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>en t [s]</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation type="unfinished"></translation>
+        <translation>rms</translation>
     </message>
     <message>
         <source>largest %</source>
-        <translation type="unfinished"></translation>
+        <translation>% máximo</translation>
     </message>
     <message>
         <source>zeros</source>
-        <translation type="unfinished"></translation>
+        <translation>ceros</translation>
     </message>
     <message>
         <source>% of peak</source>
-        <translation type="unfinished"></translation>
+        <translation>% del pico</translation>
     </message>
     <message>
         <source>rounding step</source>
-        <translation type="unfinished"></translation>
+        <translation>redondeo</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>veredicto</translation>
     </message>
     <message>
         <source>%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: filas que no se pudieron leer y se omitieron: %2; la primera, en la línea %3, columna %4 («%5»): %6.</translation>
     </message>
     <message>
         <source>%1: these columns are no channels and were ignored: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: estas columnas no son canales y no se usaron: %2.</translation>
     </message>
     <message>
         <source>crank length O2-A, &gt; 0 (20)</source>
-        <translation type="unfinished"></translation>
+        <translation>longitud de la manivela O2-A, &gt; 0 (20)</translation>
     </message>
     <message>
         <source>coupler length A-B, &gt; 0 (65)</source>
-        <translation type="unfinished"></translation>
+        <translation>longitud de la biela A-B, &gt; 0 (65)</translation>
     </message>
     <message>
         <source>offset of the slider&apos;s line from O2 (25)</source>
-        <translation type="unfinished"></translation>
+        <translation>excentricidad: de O2 a la línea de la corredera (25)</translation>
     </message>
     <message>
         <source>crank speed, constant (2π)</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad de la manivela, constante (2π)</translation>
     </message>
     <message>
         <source>crank angle at t = 0 (0)</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo de la manivela en t = 0 (0)</translation>
     </message>
     <message>
         <source>assembly: slider to the right of A, or to the left (open)</source>
-        <translation type="unfinished"></translation>
+        <translation>configuración: la corredera a la derecha de A, o a la izquierda (open)</translation>
     </message>
     <message>
         <source>a saved scene that gives these and whatever else it knows; an option beside it wins</source>
-        <translation type="unfinished"></translation>
+        <translation>una escena guardada que da estos valores y los demás que conozca; una opción escrita junto a ella prevalece</translation>
     </message>
     <message>
         <source>intervals; N + 1 instants, both ends (200)</source>
-        <translation type="unfinished"></translation>
+        <translation>intervalos; N + 1 instantes, con ambos extremos (200)</translation>
     </message>
     <message>
         <source>length of the run, &gt; 0 (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>duración del recorrido, &gt; 0 (1)</translation>
     </message>
     <message>
         <source>first instant (0)</source>
-        <translation type="unfinished"></translation>
+        <translation>primer instante (0)</translation>
     </message>
     <message>
         <source>one instant instead of a run: the first from --start at which θ2 is this angle, whole turns apart</source>
-        <translation type="unfinished"></translation>
+        <translation>un instante en vez de un recorrido: el primero desde --start en que θ2 es este ángulo, salvo vueltas enteras</translation>
     </message>
     <message>
         <source>how the motion is computed (newton)</source>
-        <translation type="unfinished"></translation>
+        <translation>cómo se calcula el movimiento (newton)</translation>
     </message>
     <message>
         <source>of Newton-Raphson, an instant, &gt;= 1 (10)</source>
-        <translation type="unfinished"></translation>
+        <translation>de Newton-Raphson, por instante, &gt;= 1 (10)</translation>
     </message>
     <message>
         <source>residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)</source>
-        <translation type="unfinished"></translation>
+        <translation>residuo ‖C‖ con el que Newton-Raphson se detiene; 0: cuando deja de disminuir (1e-8)</translation>
     </message>
     <message>
         <source>relative: the length rows of C divided by a + b + |c| (absolute: mm and rad as they are)</source>
-        <translation type="unfinished"></translation>
+        <translation>relative: las filas de longitud de C divididas entre a + b + |c| (absolute: mm y rad tal cual)</translation>
     </message>
     <message>
         <source>all, or names with commas: theta3,R4_x_diff (all)</source>
-        <translation type="unfinished"></translation>
+        <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
     </message>
     <message>
         <source>unit of the angles written (deg)</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad de los ángulos que se escriben (deg)</translation>
     </message>
     <message>
         <source>what to write (csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>qué se escribe (csv)</translation>
     </message>
     <message>
         <source>write there, not to standard output</source>
-        <translation type="unfinished"></translation>
+        <translation>escribe ahí, y no en la salida estándar</translation>
     </message>
     <message>
         <source>what to write (text: a table)</source>
-        <translation type="unfinished"></translation>
+        <translation>qué se escribe (text: una tabla)</translation>
     </message>
     <message>
         <source>exit status 1 when a channel differs</source>
-        <translation type="unfinished"></translation>
+        <translation>estado de salida 1 cuando un canal difiere</translation>
     </message>
     <message>
         <source>what to write (text)</source>
-        <translation type="unfinished"></translation>
+        <translation>qué se escribe (text)</translation>
     </message>
     <message>
         <source>nominal: the mechanism of these options; hard: the named hard cases, behind the mechanism if one is given; all: the named nominal and hard cases (nominal)</source>
-        <translation type="unfinished"></translation>
+        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles con nombre, después del mecanismo si se da uno; all: los casos con nombre, nominales y difíciles (nominal)</translation>
     </message>
     <message>
         <source>figure (the nine plots), mechanism, report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation type="unfinished"></translation>
+        <translation>figure (las nueve gráficas), mechanism (el mecanismo), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
         <source>a name that ends in .png, .svg or .pdf; needed</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre que termine en .png, .svg o .pdf; obligatorio</translation>
     </message>
     <message>
         <source>a simulation&apos;s CSV file to draw beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>un archivo CSV de una simulación, para dibujarlo al lado</translation>
     </message>
     <message>
         <source>pixels (figure 1400x1800, mechanism 900x700, plot 900x600)</source>
-        <translation type="unfinished"></translation>
+        <translation>píxeles (figure 1400x1800, mechanism 900x700, una gráfica 900x600)</translation>
     </message>
     <message>
         <source>of a PNG&apos;s pixels, 0.1 to 10 (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>de los píxeles de un PNG, de 0.1 a 10 (1)</translation>
     </message>
     <message>
         <source>colours (light)</source>
-        <translation type="unfinished"></translation>
+        <translation>colores (light)</translation>
     </message>
     <message>
         <source>instant of the pose, marked in the plots (--start)</source>
-        <translation type="unfinished"></translation>
+        <translation>instante de la posición dibujada, marcado en las gráficas (--start)</translation>
     </message>
     <message>
         <source>the same by crank angle: the first instant from --start at which θ2 is this angle</source>
-        <translation type="unfinished"></translation>
+        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start en que θ2 es este ángulo</translation>
     </message>
     <message>
         <source>a simulation&apos;s CSV file to open</source>
-        <translation type="unfinished"></translation>
+        <translation>un archivo CSV de una simulación, para abrirlo</translation>
     </message>
     <message>
         <source>forget the window&apos;s layout, the recent files, the theme and the choices of columns</source>
-        <translation type="unfinished"></translation>
+        <translation>olvida la disposición de la ventana, los archivos recientes, el tema y las elecciones de columnas</translation>
     </message>
     <message>
         <source>this text</source>
-        <translation type="unfinished"></translation>
+        <translation>este texto</translation>
     </message>
     <message>
         <source>name and version of the program</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre y versión del programa</translation>
     </message>
     <message>
         <source>Mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>Mecanismo</translation>
     </message>
     <message>
         <source>Instants</source>
-        <translation type="unfinished"></translation>
+        <translation>Instantes</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Método</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Otras</translation>
     </message>
     <message>
         <source>Usage: slidercrank [SCENE.json] [options]      opens the window
@@ -603,7 +603,15 @@
 
 Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Uso: slidercrank [ESCENA.json] [opciones]     abre la ventana
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
     </message>
     <message>
         <source>Usage: slidercrank solve [options]
@@ -612,7 +620,12 @@ Computes the motion and writes a row an instant: time (s), then the channels ask
 (R1_x, R1_y, theta1, R2_x … theta4; mm, °), their first derivatives (theta3_diff) and their
 second (theta3_diff2), 17 significant digits, nan where a value does not exist.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Uso: slidercrank solve [opciones]
+
+Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canales pedidos: posiciones
+(R1_x, R1_y, theta1, R2_x … theta4; mm, °), sus primeras derivadas (theta3_diff) y las segundas
+(theta3_diff2), con 17 cifras significativas; nan donde no existe un valor.
+</translation>
     </message>
     <message>
         <source>Usage: slidercrank compare FILE… [options]
@@ -623,7 +636,14 @@ columns is from the exact motion of the mechanism at the file&apos;s own instant
 is beyond a hundred halves, and differs otherwise. Where one differs, the text says what explains it. A file that
 cannot be read is told on standard error, and the others are still compared.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Una columna coincide cuando al menos
+el 95 % de sus valores está a menos de medio paso de redondeo del archivo y ninguno pasa de diez medios; se aproxima
+cuando ninguno pasa de cien medios, y en otro caso difiere. Donde una difiere, el texto dice qué lo explica. De un
+archivo que no se puede leer se informa en la salida de errores, y los demás se comparan igualmente.
+</translation>
     </message>
     <message>
         <source>Usage: slidercrank identify FILE [options]
@@ -633,7 +653,13 @@ derivatives, and how certain each of its parameters is. Where the file means som
 heading says (radians, the textbook&apos;s angle, another sign, …), that is said, and the file is read so. The options
 of the mechanism give what the file cannot fix.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Uso: slidercrank identify ARCHIVO [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de cualquiera de las columnas theta3, R4_x
+y sus derivadas, y la certeza de cada parámetro. Si el archivo entiende por una columna algo distinto de lo que dice su
+encabezado (radianes, el ángulo de los libros de texto, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar.
+</translation>
     </message>
     <message>
         <source>Usage: slidercrank study [options]
@@ -645,14 +671,25 @@ report&apos;s way, with its absolute tolerance; the others measure the residual 
 finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps N harmonics.
 Times depend on the machine: compare them within one run.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Uso: slidercrank study [opciones]
+
+Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
+peor de los seis canales graficados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
+lado, la cota κ·u: el error que causa por sí solo redondear los datos. newton-dense es el procedimiento del informe,
+con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
+muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
+Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
+</translation>
     </message>
     <message>
         <source>Usage: slidercrank render --output FILE.png|.svg|.pdf [options]
 
 Draws what the window shows into a file, or writes a report of it. Needs no display.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Uso: slidercrank render --output ARCHIVO.png|.svg|.pdf [opciones]
+
+Dibuja en un archivo lo que muestra la ventana, o escribe un informe de ello. No necesita pantalla.
+</translation>
     </message>
     <message>
         <source>A header name stands alone for mm, ° and s; any other unit stands behind it: theta3_diff [rad/s].
@@ -661,7 +698,12 @@ JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;om
        &quot;units&quot;:{&quot;length&quot;:&quot;mm&quot;,&quot;angle&quot;:&quot;deg&quot;|&quot;rad&quot;,&quot;time&quot;:&quot;s&quot;}, &quot;time&quot;:[…], &quot;channels&quot;:{&quot;theta3&quot;:[…],…}};
       the mechanism in mm and rad as in the options, null where a value does not exist.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Un encabezado va solo para mm, ° y s; cualquier otra unidad se escribe detrás: theta3_diff [rad/s].
+
+JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;method&quot;:&quot;newton&quot;|&quot;closed-form&quot;,
+       &quot;units&quot;:{&quot;length&quot;:&quot;mm&quot;,&quot;angle&quot;:&quot;deg&quot;|&quot;rad&quot;,&quot;time&quot;:&quot;s&quot;}, &quot;time&quot;:[…], &quot;channels&quot;:{&quot;theta3&quot;:[…],…}};
+      el mecanismo en mm y rad como en las opciones; null donde no existe un valor.
+</translation>
     </message>
     <message>
         <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;channels&quot;:[…],
@@ -670,7 +712,12 @@ JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;om
        &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
 CSV: the file&apos;s name, then the same columns.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;channels&quot;:[…],
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
+CSV: el nombre del archivo y las mismas columnas.
+</translation>
     </message>
     <message>
         <source>JSON: {&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…},
@@ -678,7 +725,11 @@ CSV: the file&apos;s name, then the same columns.
        &quot;conventions&quot;:[{&quot;name&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;}; in mm and rad as the options;
       before, after: largest error, % of peak; null where there is none.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>JSON: {&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…},
+       &quot;identifiable&quot;:{&quot;a&quot;:true,…}, &quot;iterations&quot;, &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;}; en mm y rad como las opciones;
+      before, after: error máximo, % del pico; null donde no lo hay.
+</translation>
     </message>
     <message>
         <source>JSON: {&quot;machine&quot;, &quot;cases&quot;:[{&quot;name&quot;, &quot;methods&quot;:[…]}]}; a method is
@@ -687,7 +738,12 @@ CSV: the file&apos;s name, then the same columns.
        counts: instants by status; silentFailures: instants called solved and wrong; null where there is none.
 CSV: the case&apos;s name, then the same columns, a column a status.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>JSON: {&quot;machine&quot;, &quot;cases&quot;:[{&quot;name&quot;, &quot;methods&quot;:[…]}]}; un método es
+      {&quot;method&quot;,&quot;tolerance&quot;,&quot;channels&quot;,&quot;nsPerState&quot;,&quot;spread&quot;,&quot;iterationsPerState&quot;,&quot;maxError&quot;,
+       &quot;errorBound&quot;,&quot;status&quot;,&quot;counts&quot;,&quot;silentFailures&quot;}; spread: entre los cuartiles, en ns; status: el peor;
+       counts: instantes por estado; silentFailures: instantes dados por resueltos y erróneos; null donde no lo hay.
+CSV: el nombre del caso y las mismas columnas, una por estado.
+</translation>
     </message>
     <message>
         <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
@@ -695,2977 +751,3342 @@ standard output cannot be read or written, or a file is not what it should be; 4
 assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
 acceleration do not exist, somewhere, or no mechanism was found for a file. Of several, 3, 4, 5, 1 in this order.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Estado de salida: 0 hecho; 1 --fail-on-difference y un canal difiere; 2 la línea de órdenes es incorrecta; 3 un archivo
+o la salida estándar no se puede leer o escribir, o un archivo no es lo que debería; 4 el mecanismo no se puede
+ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
+aceleración no existen, en algún instante, o no se halló mecanismo para un archivo. De varios: 3, 4, 5, 1, en ese orden.
+</translation>
     </message>
     <message>
         <source>± one standard deviation; %1 iterations, condition number %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>± una desviación estándar; %1 iteraciones, número de condición %2.</translation>
     </message>
     <message>
         <source>To go on with it: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Para seguir con él: %1</translation>
     </message>
     <message>
         <source>The settings in %1 cannot be written: remove them there.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pueden escribir los ajustes de %1: elimínelos allí.</translation>
     </message>
     <message>
         <source>Forgotten: the window&apos;s layout, the recent files, the theme and the choices of columns.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Olvidados: la disposición de la ventana, los archivos recientes, el tema y las elecciones de columnas.
+</translation>
     </message>
     <message>
         <source>There is no display to open the window on: set DISPLAY, or use solve, compare, identify, study or render, which need none.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay pantalla en la que abrir la ventana: defina DISPLAY, o use solve, compare, identify, study o render, que no la necesitan.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 o %2</translation>
     </message>
     <message>
         <source>&quot;slidercrank --help&quot; lists them.</source>
-        <translation type="unfinished"></translation>
+        <translation>«slidercrank --help» las enumera.</translation>
     </message>
     <message>
         <source>&quot;slidercrank %1 --help&quot; lists them.</source>
-        <translation type="unfinished"></translation>
+        <translation>«slidercrank %1 --help» las enumera.</translation>
     </message>
     <message>
         <source>--%1 must be a number with a decimal point, such as 60 or -0.5, not &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 debe ser un número con punto decimal, como 60 o -0.5, y no «%2».</translation>
     </message>
     <message>
         <source>--%1 must be a whole number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 debe ser un número entero de %2 a %3, y no «%4».</translation>
     </message>
     <message>
         <source>--%1 must be %2, not &quot;%3&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 debe ser %2, y no «%3».</translation>
     </message>
     <message>
         <source>--%1 needs the name of a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 necesita el nombre de un archivo.</translation>
     </message>
     <message>
         <source>--%1 must not exceed 1e12 in magnitude.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 no debe superar 1e12 en magnitud.</translation>
     </message>
     <message>
         <source>--%1 must be greater than 0, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 debe ser mayor que 0, y no %2.</translation>
     </message>
     <message>
         <source>--duration must be greater than 0, not %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>--duration debe ser mayor que 0, y no %1.</translation>
     </message>
     <message>
         <source>The instants lie too close together to be told apart: choose fewer --steps, a longer --duration or a --start nearer to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los instantes están demasiado juntos para distinguirlos: elija menos --steps, una --duration mayor o un --start más cercano a 0.</translation>
     </message>
     <message>
         <source>--tolerance must be 0 or more, not %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>--tolerance debe ser 0 o más, y no %1.</translation>
     </message>
     <message>
         <source>The crank stands still (--omega2 0) and never comes to %1°: choose another --omega2, or set its angle with --theta20.</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela está quieta (--omega2 0) y nunca llega a %1°: elija otro --omega2, o fije su ángulo con --theta20.</translation>
     </message>
     <message>
         <source>The crank turns too slowly to come to %1° within 1e12 s: choose a larger --omega2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela gira demasiado despacio para llegar a %1° en 1e12 s: elija un --omega2 mayor.</translation>
     </message>
     <message>
         <source>--channels: there is no channel &quot;%1&quot;; there are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>--channels: no hay ningún canal «%1»; hay %2.</translation>
     </message>
     <message>
         <source>--channels: there is no channel &quot;%1&quot;; did you mean %2?</source>
-        <translation type="unfinished"></translation>
+        <translation>--channels: no hay ningún canal «%1»; ¿quiso decir %2?</translation>
     </message>
     <message>
         <source>&quot;slidercrank %1&quot; takes options only: remove &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>«slidercrank %1» solo admite opciones: quite «%2».</translation>
     </message>
     <message>
         <source>--output would overwrite %1, which is to be read: choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>--output sobrescribiría %1, que se va a leer: elija otro nombre.</translation>
     </message>
     <message>
         <source>--at-angle asks for one instant and --%1 for a run: remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>--at-angle pide un instante y --%1 un recorrido: quite uno de los dos.</translation>
     </message>
     <message>
         <source>&quot;slidercrank compare&quot; needs a file: slidercrank compare FILE…</source>
-        <translation type="unfinished"></translation>
+        <translation>«slidercrank compare» necesita un archivo: slidercrank compare ARCHIVO…</translation>
     </message>
     <message>
         <source>&quot;slidercrank identify&quot; needs a file: slidercrank identify FILE.</source>
-        <translation type="unfinished"></translation>
+        <translation>«slidercrank identify» necesita un archivo: slidercrank identify ARCHIVO.</translation>
     </message>
     <message>
         <source>&quot;slidercrank identify&quot; takes one file, not %1: remove &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>«slidercrank identify» admite un archivo, no %1: quite «%2».</translation>
     </message>
     <message>
         <source>--what must be figure, mechanism, report or one of the plots %1, not &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>--what debe ser figure, mechanism, report o una de las gráficas %1, y no «%2».</translation>
     </message>
     <message>
         <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
-        <translation type="unfinished"></translation>
+        <translation>«slidercrank render» necesita --output con un nombre que termine en .png, .svg o .pdf.</translation>
     </message>
     <message>
         <source>A report is a PDF: --output must end in .pdf, not be &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un informe es un PDF: --output debe terminar en .pdf, y no ser «%1».</translation>
     </message>
     <message>
         <source>--output must end in .png, .svg or .pdf, not be &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>--output debe terminar en .png, .svg o .pdf, y no ser «%1».</translation>
     </message>
     <message>
         <source>A report is always on A4, black on white: remove --%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un informe va siempre en A4, negro sobre blanco: quite --%1.</translation>
     </message>
     <message>
         <source>--size must be width x height in pixels, each from 100 to %1, such as 900x600, not &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>--size debe ser ancho x alto en píxeles, cada uno de 100 a %1, como 900x600, y no «%2».</translation>
     </message>
     <message>
         <source>--scale must be from 0.1 to 10, not %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>--scale debe estar entre 0.1 y 10, y no ser %1.</translation>
     </message>
     <message>
         <source>The picture would be larger than %1 pixels: choose a smaller --size or --scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen tendría más de %1 píxeles: elija un --size o una --scale menor.</translation>
     </message>
     <message>
         <source>--at and --at-angle both choose the instant: remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>--at y --at-angle eligen ambos el instante: quite uno de los dos.</translation>
     </message>
     <message>
         <source>The cursor&apos;s instant, t = %1 s, lies outside the run from %2 s to %3 s: choose another instant, or another --start or --duration.</source>
-        <translation type="unfinished"></translation>
+        <translation>El instante del cursor, t = %1 s, queda fuera del recorrido de %2 s a %3 s: elija otro instante, u otro --start u otra --duration.</translation>
     </message>
     <message>
         <source>--reset-settings opens no window: remove what stands beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>--reset-settings no abre ninguna ventana: quite lo que hay junto a ella.</translation>
     </message>
     <message>
         <source>The command must come first: slidercrank %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>La orden debe ir primero: slidercrank %1 …</translation>
     </message>
     <message>
         <source>There is no command &quot;%1&quot;: use solve, compare, identify, study or render, or no word at all, or a scene&apos;s file, for the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>No existe la orden «%1»: use solve, compare, identify, study o render; para la ventana, ninguna palabra o el archivo de una escena.</translation>
     </message>
     <message>
         <source>The window opens one scene, not %1: remove &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ventana abre una escena, no %1: quite «%2».</translation>
     </message>
     <message>
         <source>There is no option %1 here</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí no existe la opción %1</translation>
     </message>
     <message>
         <source>%1; did you mean %2?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; ¿quiso decir %2?</translation>
     </message>
     <message>
         <source>--%1 is given more than once: keep one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 se da más de una vez: deje una sola.</translation>
     </message>
     <message>
         <source>--%1 needs a value: --%1 %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 necesita un valor: --%1 %2.</translation>
     </message>
     <message>
         <source>Standard output cannot be written: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir en la salida estándar: %1.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another file or folder with --output.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1: %2. Elija otro archivo u otra carpeta con --output.</translation>
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
     <message>
         <source>%1 of %2 instants, first at t = %3 s (θ2 = %4°)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 instantes, el primero en t = %3 s (θ2 = %4°)</translation>
     </message>
     <message>
         <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to turn round (--b).</source>
-        <translation type="unfinished"></translation>
+        <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé la vuelta completa (--b).</translation>
     </message>
     <message>
         <source>Newton-Raphson did not converge at %1: allow more iterations than %2 (--max-iterations), or a larger residual (--tolerance).</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton-Raphson no convergió en %1: permita más de %2 iteraciones (--max-iterations), o un residuo mayor (--tolerance).</translation>
     </message>
     <message>
         <source>Velocity and acceleration do not exist at %1: the coupler stands square to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
     </message>
     <message>
         <source>The motion is too large to be a number at %1: choose a smaller --omega2, or instants nearer to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>El movimiento es demasiado grande para ser un número en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
     </message>
     <message>
         <source>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, configuración %7; %8 instantes</translation>
     </message>
     <message>
         <source>method</source>
-        <translation type="unfinished"></translation>
+        <translation>método</translation>
     </message>
     <message>
         <source>tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>tolerancia</translation>
     </message>
     <message>
         <source>channels</source>
-        <translation type="unfinished"></translation>
+        <translation>canales</translation>
     </message>
     <message>
         <source>ns/state</source>
-        <translation type="unfinished"></translation>
+        <translation>ns/estado</translation>
     </message>
     <message>
         <source>spread</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersión</translation>
     </message>
     <message>
         <source>iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>iteraciones</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>error</translation>
     </message>
     <message>
         <source>bound κu</source>
-        <translation type="unfinished"></translation>
+        <translation>cota κu</translation>
     </message>
     <message>
         <source>outcome</source>
-        <translation type="unfinished"></translation>
+        <translation>resultado</translation>
     </message>
     <message>
         <source>, %1 of them silently wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 de ellos erróneos sin aviso</translation>
     </message>
     <message>
         <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
 instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 s.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Los errores son los del peor de los seis canales graficados, relativos al pico del canal, frente a 50 a 100 cifras, en
+los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1. Máquina: %2. Hecho en %3 s.
+</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::EditCommandText</name>
     <message>
         <source>the assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>la configuración</translation>
     </message>
     <message>
         <source>change of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>cambio de %1</translation>
     </message>
     <message>
         <source>change of the mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>cambio del mecanismo</translation>
     </message>
     <message>
         <source>closing of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>cierre de %1</translation>
     </message>
     <message>
         <source>other reading of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>otra lectura de %1</translation>
     </message>
     <message>
         <source>opening of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>apertura de %1</translation>
     </message>
     <message>
         <source>change of the sampling</source>
-        <translation type="unfinished"></translation>
+        <translation>cambio del muestreo</translation>
     </message>
     <message>
         <source>change of the method</source>
-        <translation type="unfinished"></translation>
+        <translation>cambio del método</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::ErrorPanel</name>
     <message>
         <source>agrees</source>
-        <translation type="unfinished"></translation>
+        <translation>coincide</translation>
     </message>
     <message>
         <source>close</source>
-        <translation type="unfinished"></translation>
+        <translation>próximo</translation>
     </message>
     <message>
         <source>differs</source>
-        <translation type="unfinished"></translation>
+        <translation>difiere</translation>
     </message>
     <message>
         <source>1 row of the file was skipped (line %1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitió 1 fila del archivo (línea %1)</translation>
     </message>
     <message>
         <source>%1 rows of the file were skipped</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitieron %1 filas del archivo</translation>
     </message>
     <message>
         <source>Line %1, column %2: “%3” %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea %1, columna %2: «%3» %4</translation>
     </message>
     <message>
         <source>… and %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>… y %1 más</translation>
     </message>
     <message>
         <source>1 column was ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>1 columna no se usó</translation>
     </message>
     <message>
         <source>%1 columns were ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 columnas no se usaron</translation>
     </message>
     <message>
         <source>Ignored: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin usar: %1</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>; </source>
-        <translation type="unfinished"></translation>
+        <translation>; </translation>
     </message>
     <message>
         <source>.</source>
-        <translation type="unfinished"></translation>
+        <translation>.</translation>
     </message>
     <message>
         <source>Errors against the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores frente a la referencia</translation>
     </message>
     <message>
         <source>Load a simulation&apos;s exported motion (CSV) to see how far it is from this mechanism: the largest error of each channel, where it is, and whether it is more than the file&apos;s own rounding.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargue el movimiento exportado de una simulación (CSV) para ver cuánto se aparta de este mecanismo: el error máximo de cada canal, dónde está, y si es más que el redondeo del propio archivo.</translation>
     </message>
     <message>
         <source>Open reference…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir referencia…</translation>
     </message>
     <message>
         <source>Open the sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el ejemplo</translation>
     </message>
     <message>
         <source>The motion that the report&apos;s author exported from Inventor</source>
-        <translation type="unfinished"></translation>
+        <translation>El movimiento que el autor del informe exportó de Inventor</translation>
     </message>
     <message>
         <source>channel</source>
-        <translation type="unfinished"></translation>
+        <translation>canal</translation>
     </message>
     <message>
         <source>What is compared, and its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se compara, y su unidad</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>veredicto</translation>
     </message>
     <message>
         <source>agrees: at least 95 % of the values within half a step of the file, none beyond ten halves
 close: none beyond a hundred halves
 differs: anything else</source>
-        <translation type="unfinished"></translation>
+        <translation>coincide: al menos el 95 % de los valores a menos de medio paso del archivo, ninguno más allá de diez medios
+próximo: ninguno más allá de cien medios
+difiere: todo lo demás</translation>
     </message>
     <message>
         <source>max error</source>
-        <translation type="unfinished"></translation>
+        <translation>error máx.</translation>
     </message>
     <message>
         <source>max |model − reference|, in the channel&apos;s unit</source>
-        <translation type="unfinished"></translation>
+        <translation>máx. |modelo − referencia|, en la unidad del canal</translation>
     </message>
     <message>
         <source>at [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>en [s]</translation>
     </message>
     <message>
         <source>Instant of the largest error</source>
-        <translation type="unfinished"></translation>
+        <translation>Instante del error máximo</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation type="unfinished"></translation>
+        <translation>rms</translation>
     </message>
     <message>
         <source>√( mean of (model − reference)² ), in the channel&apos;s unit</source>
-        <translation type="unfinished"></translation>
+        <translation>√( media de (modelo − referencia)² ), en la unidad del canal</translation>
     </message>
     <message>
         <source>max %</source>
-        <translation type="unfinished"></translation>
+        <translation>% máx.</translation>
     </message>
     <message>
         <source>max |model − reference| / |reference| · 100, as in the report, over the instants where the reference is not zero</source>
-        <translation type="unfinished"></translation>
+        <translation>máx. |modelo − referencia| / |referencia| · 100, como en el informe, en los instantes en que la referencia no es cero</translation>
     </message>
     <message>
         <source>Instant of the largest percentage</source>
-        <translation type="unfinished"></translation>
+        <translation>Instante del porcentaje máximo</translation>
     </message>
     <message>
         <source>% of peak</source>
-        <translation type="unfinished"></translation>
+        <translation>% del pico</translation>
     </message>
     <message>
         <source>max |model − reference| / max |reference| · 100</source>
-        <translation type="unfinished"></translation>
+        <translation>máx. |modelo − referencia| / máx. |referencia| · 100</translation>
     </message>
     <message>
         <source>step</source>
-        <translation type="unfinished"></translation>
+        <translation>paso</translation>
     </message>
     <message>
         <source>Distance between neighbouring numbers that the file can write, where it is largest, in the channel&apos;s unit. Rounding alone makes an error of half of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia entre números vecinos que el archivo puede escribir, donde es mayor, en la unidad del canal. El redondeo por sí solo causa un error de la mitad.</translation>
     </message>
     <message>
         <source>Errors, a row a channel</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores, una fila por canal</translation>
     </message>
     <message>
         <source>%1%2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1%2: %3</translation>
     </message>
     <message>
         <source>Click to go to the instant of the largest error</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic para ir al instante del error máximo</translation>
     </message>
     <message>
         <source>%1 in the file, %2 instants</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 en el archivo, %2 instantes</translation>
     </message>
     <message>
         <source>; at %1 more there is no motion to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>; en otros %1 no hay movimiento con el que comparar</translation>
     </message>
     <message>
         <source>%1 [%2]</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 [%2]</translation>
     </message>
     <message>
         <source>max |model − reference| = %1
 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>máx. |modelo − referencia| = %1
+%2</translation>
     </message>
     <message>
         <source>√( mean of (model − reference)² ) = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>√( media de (modelo − referencia)² ) = %1</translation>
     </message>
     <message>
         <source>max |model − reference| / |reference| · 100</source>
-        <translation type="unfinished"></translation>
+        <translation>máx. |modelo − referencia| / |referencia| · 100</translation>
     </message>
     <message>
         <source>
 Infinite at %1 instants where the reference is zero; they are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>
+Infinito en %1 instantes en que la referencia es cero; no se cuentan</translation>
     </message>
     <message>
         <source> (%1×∞)</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1×∞)</translation>
     </message>
     <message>
         <source>Click to go to the instant of the largest percentage</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic para ir al instante del porcentaje máximo</translation>
     </message>
     <message>
         <source>The file writes this channel in steps of %1 at most</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo escribe este canal en pasos de %1 como máximo</translation>
     </message>
     <message>
         <source>The file does not show how it was rounded</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo no deja ver cómo se redondeó</translation>
     </message>
     <message>
         <source>%1
 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+%2</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::FigureExportText</name>
     <message>
         <source>A figure must be at least 1 pixel wide and high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una figura debe medir al menos 1 píxel de ancho y de alto.</translation>
     </message>
     <message>
         <source>The scale of a figure must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>La escala de una figura debe ser mayor que 0.</translation>
     </message>
     <message>
         <source>A figure of %1 × %2 pixels is too large: choose a smaller size or scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una figura de %1 × %2 píxeles es demasiado grande: elija un tamaño o una escala menor.</translation>
     </message>
     <message>
         <source>%1: a figure&apos;s name must end in .png, .svg or .pdf.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: el nombre de una figura debe terminar en .png, .svg o .pdf.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1: %2.</translation>
     </message>
     <message>
         <source>There is not enough memory for a figure of that size.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay memoria suficiente para una figura de ese tamaño.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::FindingList</name>
     <message>
         <source>kept</source>
-        <translation type="unfinished"></translation>
+        <translation>se conserva</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>abierta</translation>
     </message>
     <message>
         <source>crossed</source>
-        <translation type="unfinished"></translation>
+        <translation>cruzada</translation>
     </message>
     <message>
         <source>assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>configuración</translation>
     </message>
     <message>
         <source>Now → as the file has it ± standard error</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahora → según el archivo ± error estándar</translation>
     </message>
     <message>
         <source>%1 Largest error: %2 → %3 % of peak.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Error máximo: %2 → %3 % del pico.</translation>
     </message>
     <message>
         <source>Take this mechanism over</source>
-        <translation type="unfinished"></translation>
+        <translation>Adoptar este mecanismo</translation>
     </message>
     <message>
         <source>The file fits %1</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo corresponde a %1</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar</translation>
     </message>
     <message>
         <source>Not read as printed: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No leído tal como está escrito: %1.</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Read as printed</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer como está escrito</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::FindingText</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation> rad/s</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>open assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>configuración abierta</translation>
     </message>
     <message>
         <source>crossed assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>configuración cruzada</translation>
     </message>
     <message>
         <source>%1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 y %2</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>%1/a = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1/a = %2</translation>
     </message>
     <message>
         <source>%1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2</translation>
     </message>
     <message>
         <source>%1: in %2, but read as %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: en %2, pero leído como %3.</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>grados</translation>
     </message>
     <message>
         <source>radians</source>
-        <translation type="unfinished"></translation>
+        <translation>radianes</translation>
     </message>
     <message>
         <source>turns</source>
-        <translation type="unfinished"></translation>
+        <translation>vueltas</translation>
     </message>
     <message>
         <source>%1: in a unit of angle %2 times as large as the one read.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: en una unidad de ángulo %2 veces mayor que la leída.</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>milímetros</translation>
     </message>
     <message>
         <source>centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>centímetros</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>metros</translation>
     </message>
     <message>
         <source>inches</source>
-        <translation type="unfinished"></translation>
+        <translation>pulgadas</translation>
     </message>
     <message>
         <source>%1: in a unit of length %2 times as large as the one read.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: en una unidad de longitud %2 veces mayor que la leída.</translation>
     </message>
     <message>
         <source>The time is in milliseconds, but was read as seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>El tiempo está en milisegundos, pero se leyó como segundos</translation>
     </message>
     <message>
         <source>The time is in seconds, but was read as milliseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>El tiempo está en segundos, pero se leyó como milisegundos</translation>
     </message>
     <message>
         <source>The time is in minutes, but was read as seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>El tiempo está en minutos, pero se leyó como segundos</translation>
     </message>
     <message>
         <source>The unit of the time is %1 times as large as the one read</source>
-        <translation type="unfinished"></translation>
+        <translation>La unidad del tiempo es %1 veces mayor que la leída</translation>
     </message>
     <message>
         <source>; so are the derivatives %1</source>
-        <translation type="unfinished"></translation>
+        <translation>; también las derivadas %1</translation>
     </message>
     <message>
         <source> − %1°</source>
-        <translation type="unfinished"></translation>
+        <translation> − %1°</translation>
     </message>
     <message>
         <source> + %1°</source>
-        <translation type="unfinished"></translation>
+        <translation> + %1°</translation>
     </message>
     <message>
         <source>Multiplies %1 by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiplica %1 por %2</translation>
     </message>
     <message>
         <source>Multiplies the instants by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiplica los instantes por %1</translation>
     </message>
     <message>
         <source>Multiplies the instants by %1, and brings %2 to the same unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiplica los instantes por %1 y lleva %2 a la misma unidad</translation>
     </message>
     <message>
         <source>Changes the sign of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambia el signo de %1</translation>
     </message>
     <message>
         <source>Makes %1 continuous</source>
-        <translation type="unfinished"></translation>
+        <translation>Hace continuo %1</translation>
     </message>
     <message>
         <source>Adds %1° to %2, made continuous</source>
-        <translation type="unfinished"></translation>
+        <translation>Suma %1° a %2, hecho continuo</translation>
     </message>
     <message>
         <source>Exchanges %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Intercambia %1</translation>
     </message>
     <message>
         <source>Takes the other assembly for the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Toma para el modelo la otra configuración</translation>
     </message>
     <message>
         <source>Adds %1 s to the instants</source>
-        <translation type="unfinished"></translation>
+        <translation>Suma %1 s a los instantes</translation>
     </message>
     <message>
         <source>Leaves %1 out</source>
-        <translation type="unfinished"></translation>
+        <translation>Deja fuera %1</translation>
     </message>
     <message>
         <source>%1 ± %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ± %2</translation>
     </message>
     <message>
         <source>%1 a</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a</translation>
     </message>
     <message>
         <source>θ³ alone fixes only b/a and c/a; a = %1 is taken as given.</source>
-        <translation type="unfinished"></translation>
+        <translation>θ³ por sí solo únicamente determina b/a y c/a; se toma a = %1 como dado.</translation>
     </message>
     <message>
         <source>θ³ alone cannot tell it from one that turns the other way, from 180° − θ₂₀.</source>
-        <translation type="unfinished"></translation>
+        <translation>θ³ por sí solo no lo distingue de uno que gira en sentido contrario, desde 180° − θ₂₀.</translation>
     </message>
     <message>
         <source>The derivatives of θ³ alone cannot tell it from the other assembly with c negated and θ₂₀ half a turn on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las derivadas de θ³ por sí solas no lo distinguen de la otra configuración con c cambiado de signo y θ₂₀ media vuelta más allá.</translation>
     </message>
     <message>
         <source>Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ negated).</source>
-        <translation type="unfinished"></translation>
+        <translation>Rₓ⁴ por sí solo no distingue este mecanismo de su imagen especular (c, ω₂ y θ₂₀ cambiados de signo).</translation>
     </message>
     <message>
         <source>The data do not fix %1: kept as given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
     </message>
     <message>
         <source>It comes nearest of all, but the data are still off by %1 × the file&apos;s rounding step (rms).</source>
-        <translation type="unfinished"></translation>
+        <translation>Es el que más se acerca, pero los datos aún se apartan %1 × el paso de redondeo del archivo (rms).</translation>
     </message>
     <message>
         <source>There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hay muy pocos valores de θ³, Rₓ⁴ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
     </message>
     <message>
         <source>No slider-crank moves as these data do: check which column is which, and their units.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún mecanismo manivela-corredera se mueve como estos datos: revise qué columna es cuál, y sus unidades.</translation>
     </message>
     <message>
         <source>The search was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>La búsqueda se detuvo.</translation>
     </message>
     <message>
         <source>This error looks like %1: %2 instead of %3%4 explains %5 % of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este error parece de %1: %2 en vez de %3%4 explica el %5 % de él.</translation>
     </message>
     <message>
         <source>angle unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad de ángulo</translation>
     </message>
     <message>
         <source>length unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad de longitud</translation>
     </message>
     <message>
         <source>time unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad de tiempo</translation>
     </message>
     <message>
         <source>sign</source>
-        <translation type="unfinished"></translation>
+        <translation>signo</translation>
     </message>
     <message>
         <source>half a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>media vuelta</translation>
     </message>
     <message>
         <source>whole turns</source>
-        <translation type="unfinished"></translation>
+        <translation>vueltas enteras</translation>
     </message>
     <message>
         <source>swapped columns</source>
-        <translation type="unfinished"></translation>
+        <translation>columnas intercambiadas</translation>
     </message>
     <message>
         <source>assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>configuración</translation>
     </message>
     <message>
         <source>time shift</source>
-        <translation type="unfinished"></translation>
+        <translation>desfase de tiempo</translation>
     </message>
     <message>
         <source>no derivative</source>
-        <translation type="unfinished"></translation>
+        <translation>no es derivada</translation>
     </message>
     <message>
         <source>%1: counted clockwise, against the sense of the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
     </message>
     <message>
         <source>%1: along an axis that points the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: a lo largo de un eje que apunta al revés.</translation>
     </message>
     <message>
         <source>%1: of the opposite sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: de signo contrario.</translation>
     </message>
     <message>
         <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; θ³ is %1%2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; θ³ es %1%2.</translation>
     </message>
     <message>
         <source>%1: jumps by whole turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: salta vueltas enteras.</translation>
     </message>
     <message>
         <source>%1: off by whole turns; θ³ is %1%2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
     </message>
     <message>
         <source>%1: each stands under the other&apos;s name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: cada una está bajo el nombre de la otra.</translation>
     </message>
     <message>
         <source>The file moves as the other assembly: the slider on the other side of A.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo se mueve en la otra configuración: la corredera al otro lado de A.</translation>
     </message>
     <message>
         <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
-        <translation type="unfinished"></translation>
+        <translation>El reloj del archivo va %1 s adelantado: lo que tiene en t ocurre ese tiempo antes.</translation>
     </message>
     <message>
         <source>The file&apos;s clock is %1 s behind: what it has at t happens that much later.</source>
-        <translation type="unfinished"></translation>
+        <translation>El reloj del archivo va %1 s atrasado: lo que tiene en t ocurre ese tiempo después.</translation>
     </message>
     <message>
         <source>%1: not the time derivative of its position column.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: no es la derivada temporal de su columna de posición.</translation>
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: su error máximo es el %2 % del pico.</translation>
     </message>
     <message>
         <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
     </message>
     <message>
         <source>agrees to the last printed digit</source>
-        <translation type="unfinished"></translation>
+        <translation>coincide hasta la última cifra escrita</translation>
     </message>
     <message>
         <source>agrees within %1 × the file&apos;s rounding</source>
-        <translation type="unfinished"></translation>
+        <translation>coincide dentro de %1 × el redondeo del archivo</translation>
     </message>
     <message>
         <source>differs: nothing to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>difiere: nada con qué comparar</translation>
     </message>
     <message>
         <source>differs</source>
-        <translation type="unfinished"></translation>
+        <translation>difiere</translation>
     </message>
     <message>
         <source>|model − reference| ≤ ½ step for at least %1 % of the values, ≤ %2 · ½ step for all; the step is that of each value&apos;s last printed digit.</source>
-        <translation type="unfinished"></translation>
+        <translation>|modelo − referencia| ≤ ½ paso para al menos el %1 % de los valores, ≤ %2 · ½ paso para todos; el paso es el de la última cifra escrita de cada valor.</translation>
     </message>
     <message>
         <source>|model − reference| ≤ %1 · ½ step for all values; the step is that of each value&apos;s last printed digit.</source>
-        <translation type="unfinished"></translation>
+        <translation>|modelo − referencia| ≤ %1 · ½ paso para todos los valores; el paso es el de la última cifra escrita de cada valor.</translation>
     </message>
     <message>
         <source>|model − reference| &gt; %1 · ½ step somewhere; the step is that of each value&apos;s last printed digit.</source>
-        <translation type="unfinished"></translation>
+        <translation>|modelo − referencia| &gt; %1 · ½ paso en alguna parte; el paso es el de la última cifra escrita de cada valor.</translation>
     </message>
     <message>
         <source>At no instant of the file do both the model and the file have a value.</source>
-        <translation type="unfinished"></translation>
+        <translation>En ningún instante del archivo tienen valor a la vez el modelo y el archivo.</translation>
     </message>
     <message>
         <source> At %1 instants the model has no value to compare with.</source>
-        <translation type="unfinished"></translation>
+        <translation> En %1 instantes el modelo no tiene valor con el que comparar.</translation>
     </message>
     <message>
         <source>Here: %1 of %2 within ½ step, the worst %3 · ½ step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí: %1 de %2 a menos de ½ paso, el peor a %3 · ½ paso.</translation>
     </message>
     <message>
         <source>The file has no column that this program knows.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo no tiene ninguna columna que este programa conozca.</translation>
     </message>
     <message>
         <source>in its one channel</source>
-        <translation type="unfinished"></translation>
+        <translation>en su único canal</translation>
     </message>
     <message>
         <source>in %1 of %2 channels</source>
-        <translation type="unfinished"></translation>
+        <translation>en %1 de %2 canales</translation>
     </message>
     <message>
         <source>Comes close to this mechanism in every channel, a little beyond the rounding of the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se aproxima a este mecanismo en todos los canales, algo más allá del redondeo del archivo.</translation>
     </message>
     <message>
         <source>Agrees with this mechanism %1, within the rounding of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Coincide con este mecanismo %1, dentro del redondeo del archivo</translation>
     </message>
     <message>
         <source>%1; close in the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; se aproxima en los demás.</translation>
     </message>
     <message>
         <source>Differs from this mechanism %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Difiere de este mecanismo %1</translation>
     </message>
     <message>
         <source>, most in %1: by up to %2 % of its peak</source>
-        <translation type="unfinished"></translation>
+        <translation>, sobre todo en %1: hasta un %2 % de su pico</translation>
     </message>
     <message>
         <source>At %1 of the file&apos;s instants the mechanism cannot be assembled, or has no derivatives.</source>
-        <translation type="unfinished"></translation>
+        <translation>En %1 de los instantes del archivo el mecanismo no se puede ensamblar, o no tiene derivadas.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::FoldingTabs</name>
     <message>
         <source>Panels; choosing the current one again folds it away</source>
-        <translation type="unfinished"></translation>
+        <translation>Paneles; elegir de nuevo el actual lo pliega</translation>
     </message>
     <message>
         <source>Click the current tab to fold it away or out</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la pestaña actual para plegarla o desplegarla</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::IterationPlot</name>
+    <message>
+        <source>Residual ‖C‖ over the iterations</source>
+        <translation>Residuo ‖C‖ a lo largo de las iteraciones</translation>
+    </message>
+    <message>
+        <source>Near the answer each step doubles the right digits: on this axis the line bends down</source>
+        <translation>Cerca de la solución cada paso duplica las cifras correctas: en este eje la línea se curva hacia abajo</translation>
+    </message>
+    <message>
+        <source>From afar</source>
+        <translation>Desde lejos</translation>
+    </message>
+    <message>
+        <source>From %1 s earlier</source>
+        <translation>Desde %1 s antes</translation>
+    </message>
+    <message>
+        <source>tolerance %1</source>
+        <translation>tolerancia %1</translation>
+    </message>
+    <message>
+        <source>from %1 s earlier</source>
+        <translation>desde %1 s antes</translation>
+    </message>
+    <message>
+        <source>from afar</source>
+        <translation>desde lejos</translation>
+    </message>
+    <message>
+        <source>‖C‖, relative</source>
+        <translation>‖C‖, relativo</translation>
+    </message>
+    <message>
+        <source>‖C‖</source>
+        <translation>‖C‖</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::LimitsPanel</name>
     <message>
         <source>Click or press Enter to go there</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic o pulse Intro para ir allí</translation>
     </message>
     <message>
         <source>The run does not come there</source>
-        <translation type="unfinished"></translation>
+        <translation>El recorrido no llega hasta allí</translation>
     </message>
     <message>
         <source>Motion limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Límites del movimiento</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>valor</translation>
     </message>
     <message>
         <source>Positions are Rₓ⁴, those of the slider</source>
-        <translation type="unfinished"></translation>
+        <translation>Las posiciones son Rₓ⁴, las de la corredera</translation>
     </message>
     <message>
         <source>θ₂ [°]</source>
-        <translation type="unfinished"></translation>
+        <translation>θ₂ [°]</translation>
     </message>
     <message>
         <source>Crank angle, 0 to 360°</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la manivela, de 0 a 360°</translation>
     </message>
     <message>
         <source>t [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>t [s]</translation>
     </message>
     <message>
         <source>The first instant of the run with the crank there</source>
-        <translation type="unfinished"></translation>
+        <translation>El primer instante del recorrido con la manivela allí</translation>
     </message>
     <message>
         <source>limit</source>
-        <translation type="unfinished"></translation>
+        <translation>límite</translation>
     </message>
     <message>
         <source>Where slider and crank turn back, and how long the strokes take</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde se invierten la corredera y la manivela, y cuánto duran las carreras</translation>
     </message>
     <message>
         <source>peak of a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>pico en una vuelta</translation>
     </message>
     <message>
         <source>The largest speeds and accelerations over a whole turn of the crank, whatever part of it is sampled</source>
-        <translation type="unfinished"></translation>
+        <translation>Las velocidades y aceleraciones máximas en una vuelta completa de la manivela, se muestree la parte que se muestree</translation>
     </message>
     <message>
         <source>With its sign: x to the right, angles counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Con su signo: x hacia la derecha, ángulos en sentido antihorario</translation>
     </message>
     <message>
         <source>Limits of the motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Límites del movimiento</translation>
     </message>
     <message>
         <source>Peaks of speed and acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>Picos de velocidad y aceleración</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::MainWindow</name>
     <message>
         <source>crank turns round</source>
-        <translation type="unfinished"></translation>
+        <translation>la manivela da la vuelta completa</translation>
     </message>
     <message>
         <source>crank rocks</source>
-        <translation type="unfinished"></translation>
+        <translation>la manivela oscila</translation>
     </message>
     <message>
         <source>locked in one pose</source>
-        <translation type="unfinished"></translation>
+        <translation>bloqueado en una posición</translation>
     </message>
     <message>
         <source>cannot be assembled</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede ensamblar</translation>
     </message>
     <message>
         <source>Errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Referencia</translation>
     </message>
     <message>
         <source>Newton-Raphson</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton-Raphson</translation>
     </message>
     <message>
         <source>Speed and accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad y exactitud</translation>
     </message>
     <message>
         <source>Motion limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Límites del movimiento</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
         <source>&amp;Open reference…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abrir referencia…</translation>
     </message>
     <message>
         <source>Open s&amp;cene…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir es&amp;cena…</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir &amp;reciente</translation>
     </message>
     <message>
         <source>Open the &amp;sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el e&amp;jemplo</translation>
     </message>
     <message>
         <source>&amp;Close reference</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;errar referencia</translation>
     </message>
     <message>
         <source>&amp;Save scene</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guardar escena</translation>
     </message>
     <message>
         <source>Save scene &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>G&amp;uardar escena como…</translation>
     </message>
     <message>
         <source>Export &amp;figure…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar &amp;figura…</translation>
     </message>
     <message>
         <source>Export &amp;plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar gráf&amp;ica</translation>
     </message>
     <message>
         <source>Export &amp;mechanism…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar &amp;mecanismo…</translation>
     </message>
     <message>
         <source>Export &amp;animation…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar a&amp;nimación…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Editar</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Deshacer</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rehacer</translation>
     </message>
     <message>
         <source>&amp;Copy figure</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copiar la figura</translation>
     </message>
     <message>
         <source>&amp;Reset parameters to Table 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer los &amp;parámetros de la tabla 1</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ver</translation>
     </message>
     <message>
         <source>Show &amp;all of the plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar &amp;todo en las gráficas</translation>
     </message>
     <message>
         <source>P&amp;lots</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gráficas</translation>
     </message>
     <message>
         <source>Show the &amp;panels below</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar los &amp;paneles de abajo</translation>
     </message>
     <message>
         <source>Show the file&apos;s &amp;motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el &amp;movimiento del archivo</translation>
     </message>
     <message>
         <source>&amp;System colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Colores del &amp;sistema</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Claro</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oscuro</translation>
     </message>
     <message>
         <source>&amp;Playback</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Reproducción</translation>
     </message>
     <message>
         <source>&amp;Play or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;producir o pausar</translation>
     </message>
     <message>
         <source>Step &amp;forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Un paso &amp;adelante</translation>
     </message>
     <message>
         <source>Step &amp;back</source>
-        <translation type="unfinished"></translation>
+        <translation>Un paso a&amp;trás</translation>
     </message>
     <message>
         <source>To the &amp;start</source>
-        <translation type="unfinished"></translation>
+        <translation>Al &amp;inicio</translation>
     </message>
     <message>
         <source>To the &amp;end</source>
-        <translation type="unfinished"></translation>
+        <translation>Al &amp;final</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>&amp;About</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Acerca de</translation>
     </message>
     <message>
         <source>Computing</source>
-        <translation type="unfinished"></translation>
+        <translation>Calculando</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Cancelled: what is on show is from before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelado: lo que se muestra es de antes.</translation>
     </message>
     <message>
         <source>Choose columns…</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir columnas…</translation>
     </message>
     <message>
         <source>The names in %1 do not tell what all of its columns are: some are guessed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardado: %1</translation>
     </message>
     <message>
         <source>The scene is open without its reference. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>La escena está abierta sin su referencia. %1</translation>
     </message>
     <message>
         <source>Open reference…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir referencia…</translation>
     </message>
     <message>
         <source>Open reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir referencia</translation>
     </message>
     <message>
         <source>Simulation results (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados de simulación (*.csv *.txt *.tsv);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>No file yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Todavía ninguno</translation>
     </message>
     <message>
         <source>Export animation</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar animación</translation>
     </message>
     <message>
         <source>Numbered frames, videos (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotogramas numerados, vídeos (%1)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Escrito: %1</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar</translation>
     </message>
     <message>
         <source>Images and drawings (*.png *.svg *.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
     <message>
         <source>The figure is in the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>La figura está en el portapapeles.</translation>
     </message>
     <message>
         <source>Slider-crank[*]</source>
-        <translation type="unfinished"></translation>
+        <translation>Manivela-corredera[*]</translation>
     </message>
     <message>
         <source>%1[*] – Slider-crank</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Manivela-corredera</translation>
     </message>
     <message>
         <source>Open assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>Configuración abierta</translation>
     </message>
     <message>
         <source>Crossed assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>Configuración cruzada</translation>
     </message>
     <message>
         <source>, no pose at %1 of %2 instants</source>
-        <translation type="unfinished"></translation>
+        <translation>, sin posición en %1 de %2 instantes</translation>
     </message>
     <message>
         <source>closed form (exact)</source>
-        <translation type="unfinished"></translation>
+        <translation>forma cerrada (exacta)</translation>
     </message>
     <message>
         <source>Newton-Raphson, at most %1 iterations, residual %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton-Raphson, como máximo %1 iteraciones, residuo %2</translation>
     </message>
     <message>
         <source>%1 samples in %2 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muestras en %2 ms</translation>
     </message>
     <message>
         <source>Errors ⚠</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores ⚠</translation>
     </message>
     <message>
         <source>%1 differs from this mechanism. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 difiere de este mecanismo. %2</translation>
     </message>
     <message>
         <source>Show the errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar los errores</translation>
     </message>
     <message>
         <source>About</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca de</translation>
     </message>
     <message>
         <source>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;The motion of an offset slider-crank: computed, shown, and compared with a simulation.&lt;/p&gt;&lt;p&gt;Formulation after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo manivela-corredera excéntrico: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>Del &amp;sistema</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::MechanismView</name>
     <message>
         <source>Mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>Mecanismo</translation>
     </message>
     <message>
         <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. Drag the crank pin A to move through time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Arrastre el pasador A de la manivela para recorrer el tiempo.</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>O₂</source>
-        <translation type="unfinished"></translation>
+        <translation>O₂</translation>
     </message>
     <message>
         <source>A</source>
-        <translation type="unfinished"></translation>
+        <translation>A</translation>
     </message>
     <message>
         <source>B</source>
-        <translation type="unfinished"></translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>There is no pose at this instant: the crank angle is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay posición en este instante: el ángulo de la manivela no es un número finito.</translation>
     </message>
     <message>
         <source>Cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. b must be more than %1 mm for any pose; the crank turns round when b is at least %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Para que haya alguna posición, b debe ser mayor que %1 mm; la manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
     </message>
     <message>
         <source>Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at least %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede ensamblar en θ₂ = %1°: la biela es demasiado corta. La manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
     <message>
         <source>Dismiss</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::MotionFacts</name>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 %2 %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 %3 mm</translation>
     </message>
     <message>
         <source>%1 or %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 o %2</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>It would turn round with %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Daría la vuelta completa con %1.</translation>
     </message>
     <message>
         <source>There is a pose with %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hay una posición con %1.</translation>
     </message>
     <message>
         <source>outer dead centre</source>
-        <translation type="unfinished"></translation>
+        <translation>punto muerto exterior</translation>
     </message>
     <message>
         <source>Where the slider (Rₓ⁴) turns back with crank and coupler stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>Donde la corredera (Rₓ⁴) se invierte con manivela y biela extendidas</translation>
     </message>
     <message>
         <source>inner dead centre</source>
-        <translation type="unfinished"></translation>
+        <translation>punto muerto interior</translation>
     </message>
     <message>
         <source>Where the slider (Rₓ⁴) turns back with crank and coupler folded</source>
-        <translation type="unfinished"></translation>
+        <translation>Donde la corredera (Rₓ⁴) se invierte con manivela y biela superpuestas</translation>
     </message>
     <message>
         <source>The crank can go no further: the coupler stands square to the slider&apos;s line. The value is the slider&apos;s position Rₓ⁴.</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela no puede ir más allá: la biela está perpendicular a la línea de la corredera. El valor es la posición Rₓ⁴ de la corredera.</translation>
     </message>
     <message>
         <source>only pose</source>
-        <translation type="unfinished"></translation>
+        <translation>única posición</translation>
     </message>
     <message>
         <source>crank from</source>
-        <translation type="unfinished"></translation>
+        <translation>manivela desde</translation>
     </message>
     <message>
         <source>crank to</source>
-        <translation type="unfinished"></translation>
+        <translation>manivela hasta</translation>
     </message>
     <message>
         <source>in %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>en %1 s</translation>
     </message>
     <message>
         <source>forward stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>carrera de ida</translation>
     </message>
     <message>
         <source>The crank&apos;s turn from the inner to the outer dead centre</source>
-        <translation type="unfinished"></translation>
+        <translation>El giro de la manivela del punto muerto interior al exterior</translation>
     </message>
     <message>
         <source>return stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>carrera de vuelta</translation>
     </message>
     <message>
         <source>The crank&apos;s turn from the outer to the inner dead centre</source>
-        <translation type="unfinished"></translation>
+        <translation>El giro de la manivela del punto muerto exterior al interior</translation>
     </message>
     <message>
         <source>time ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>relación de tiempos</translation>
     </message>
     <message>
         <source>The slower stroke&apos;s time over the faster one&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>El tiempo de la carrera más lenta dividido entre el de la más rápida</translation>
     </message>
     <message>
         <source>slider speed</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad de la corredera</translation>
     </message>
     <message>
         <source>slider acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>aceleración de la corredera</translation>
     </message>
     <message>
         <source>coupler speed</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad de la biela</translation>
     </message>
     <message>
         <source>coupler acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>aceleración de la biela</translation>
     </message>
     <message>
         <source>The largest over a whole turn: where its own derivative vanishes</source>
-        <translation type="unfinished"></translation>
+        <translation>La máxima en una vuelta completa: donde se anula su propia derivada</translation>
     </message>
     <message>
         <source>throughout</source>
-        <translation type="unfinished"></translation>
+        <translation>siempre</translation>
     </message>
     <message>
         <source>crank at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>manivela quieta</translation>
     </message>
     <message>
         <source>The crank turns round: b = %1 ≥ a + |c| = %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela da la vuelta completa: b = %1 ≥ a + |c| = %2.</translation>
     </message>
     <message>
         <source>The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° the coupler stands square to the slider&apos;s line, and the speeds jump.</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela da justo la vuelta completa: b = a = %1, c = 0, un punto de cambio. En θ₂ = 90° y 270° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
     </message>
     <message>
         <source>The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler stands square to the slider&apos;s line, and the speeds jump.</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela da justo la vuelta completa: b = a + |c| = %1. En θ₂ = %2° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
     </message>
     <message>
         <source>The crank rocks within one of two arcs: b = %1 &lt; a + |c| = %2, and less than a − |c| = %3 mm too. %4</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela oscila dentro de uno de dos arcos: b = %1 &lt; a + |c| = %2, y también menor que a − |c| = %3 mm. %4</translation>
     </message>
     <message>
         <source>The crank rocks: b = %1 &lt; a + |c| = %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela oscila: b = %1 &lt; a + |c| = %2. %3</translation>
     </message>
     <message>
         <source>The crank is locked in one pose: b = |c| − a = %1. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>La manivela está bloqueada en una posición: b = |c| − a = %1. %2</translation>
     </message>
     <message>
         <source>It cannot be assembled: b = %1 &lt; |c| − a = %2. %3 %4</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede ensamblar: b = %1 &lt; |c| − a = %2. %3 %4</translation>
     </message>
     <message>
         <source>stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>carrera</translation>
     </message>
     <message>
         <source>How far the slider goes: its largest position less its smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto se desplaza la corredera: su posición máxima menos la mínima</translation>
     </message>
     <message>
         <source>least transmission angle</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo de transmisión mínimo</translation>
     </message>
     <message>
         <source>Between the coupler and the normal to the slider&apos;s line: 90° − |θ³| at its least. Mechanisms with less than 40° or so tend to jam.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entre la biela y la normal a la línea de la corredera: 90° − |θ³| en su mínimo. Los mecanismos con menos de unos 40° tienden a trabarse.</translation>
     </message>
     <message>
         <source>accelerations</source>
-        <translation type="unfinished"></translation>
+        <translation>aceleraciones</translation>
     </message>
     <message>
         <source>speeds, accelerations</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidades, aceleraciones</translation>
     </message>
     <message>
         <source>unbounded</source>
-        <translation type="unfinished"></translation>
+        <translation>sin cota</translation>
     </message>
     <message>
         <source>The coupler stands square to the slider&apos;s line and the speeds jump</source>
-        <translation type="unfinished"></translation>
+        <translation>La biela está perpendicular a la línea de la corredera y las velocidades saltan</translation>
     </message>
     <message>
         <source>Towards the crank&apos;s limit slider and coupler get ever faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacia el límite de la manivela, corredera y biela van cada vez más rápido</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::NewtonPanel</name>
     <message>
-        <source>Newton-Raphson: settings and outcome</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Newton-Raphson</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>closed form, exact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How the curves are computed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Intervals; one instant more is computed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the first instant to the last</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The first instant</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Iterates until ‖C‖ is at most this; 0: until it no longer falls</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>absolute</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>relative</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Absolute: mm and rad mixed, as in the report. Relative: lengths divided by a + b + |c|, the same at every scale</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At one instant</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Kind of tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Most iterations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton-Raphson</translation>
     </message>
     <message>
         <source>Iterations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest residual ‖C‖</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Instants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the answers, as the tolerance measures it. It bounds the residual, not the error.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 in all, at most %2 an instant</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none: the closed form needs none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>–</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>all %1 solved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 solved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants did not converge within %3 iterations: allow more iterations or a larger tolerance.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants did not converge within %3 iterations: allow more iterations.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants cannot be assembled: the coupler is too short there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At %1 of %2 instants the coupler stands square to the slider&apos;s line: the position exists, velocity and acceleration do not.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants gave no finite number: the numbers are too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Iteraciones</translation>
     </message>
     <message>
         <source>⚠ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Equations, a row a constraint</source>
+        <translation>Ecuaciones, una fila por restricción</translation>
+    </message>
+    <message>
+        <source>Equations</source>
+        <translation>Ecuaciones</translation>
+    </message>
+    <message>
+        <source>Jacobian</source>
+        <translation>Jacobiano</translation>
+    </message>
+    <message>
+        <source>Coordinates, a row each</source>
+        <translation>Coordenadas, una por fila</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordenadas</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copiar como CSV</translation>
+    </message>
+    <message>
+        <source>The table with every digit (Ctrl+C in the table)</source>
+        <translation>La tabla con todas las cifras (Ctrl+C en la tabla)</translation>
+    </message>
+    <message>
+        <source>Jacobian C_q, a row a constraint, a column a coordinate</source>
+        <translation>Jacobiano C_q, una fila por restricción, una columna por coordenada</translation>
+    </message>
+    <message>
+        <source>κ: the largest singular value over the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler stands square to the slider&apos;s line.</source>
+        <translation>κ: el valor singular máximo dividido entre el mínimo, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela está perpendicular a la línea de la corredera.</translation>
+    </message>
+    <message>
+        <source>Iterations, a row each</source>
+        <translation>Iteraciones, una por fila</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>κ(C_q) = %1&lt;br&gt;det C_q = −b cos θ³&lt;br&gt;= %2&lt;br&gt;&lt;br&gt;&lt;span style=&apos;color:%3&apos;&gt;■&lt;/span&gt; positive&lt;br&gt;&lt;span style=&apos;color:%4&apos;&gt;■&lt;/span&gt; negative&lt;br&gt;in mm below θ</source>
+        <translation>κ(C_q) = %1&lt;br&gt;det C_q = −b cos θ³&lt;br&gt;= %2&lt;br&gt;&lt;br&gt;&lt;span style=&apos;color:%3&apos;&gt;■&lt;/span&gt; positivo&lt;br&gt;&lt;span style=&apos;color:%4&apos;&gt;■&lt;/span&gt; negativo&lt;br&gt;en mm bajo θ</translation>
+    </message>
+    <message>
+        <source>The coupler stands square to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
+        <translation>La biela está perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
+    </message>
+    <message>
+        <source>Not converged within %1 iterations: what is shown is the last one. Allow more iterations or a larger tolerance.</source>
+        <translation>No convergió en %1 iteraciones: se muestra la última. Permita más iteraciones o una tolerancia mayor.</translation>
+    </message>
+    <message>
+        <source>It cannot be assembled here: the coupler is too short.</source>
+        <translation>Aquí no se puede ensamblar: la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>No finite number comes out here: the numbers are too large.</source>
+        <translation>Aquí no resulta ningún número finito: los números son demasiado grandes.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::NewtonTables</name>
+    <message>
+        <source>ground</source>
+        <translation>bancada</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>pivot O₂</source>
+        <translation>pivote O₂</translation>
+    </message>
+    <message>
+        <source>pin A</source>
+        <translation>pasador A</translation>
+    </message>
+    <message>
+        <source>pin B</source>
+        <translation>pasador B</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>guía</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>gobierno</translation>
+    </message>
+    <message>
+        <source>%1 does not exist here</source>
+        <translation>%1 no existe aquí</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 %3</source>
+        <translation>%1 = %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, x</source>
+        <translation>%1, x</translation>
+    </message>
+    <message>
+        <source>%1, y</source>
+        <translation>%1, y</translation>
+    </message>
+    <message>
+        <source>%1, θ</source>
+        <translation>%1, θ</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>junta</translation>
+    </message>
+    <message>
+        <source>What the equation holds together</source>
+        <translation>Lo que la ecuación mantiene unido</translation>
+    </message>
+    <message>
+        <source>equation</source>
+        <translation>ecuación</translation>
+    </message>
+    <message>
+        <source>C(q, t) = 0, the bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider</source>
+        <translation>C(q, t) = 0, los eslabones como superíndices: 1 bancada, 2 manivela, 3 biela, 4 corredera</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>What is left of the equation now, in mm or rad</source>
+        <translation>Lo que queda ahora de la ecuación, en mm o rad</translation>
+    </message>
+    <message>
+        <source>Cₜ, per s</source>
+        <translation>Cₜ, por s</translation>
+    </message>
+    <message>
+        <source>∂C/∂t, in mm/s or rad/s: velocities follow from C_q q̇ = −Cₜ</source>
+        <translation>∂C/∂t, en mm/s o rad/s: las velocidades salen de C_q q̇ = −Cₜ</translation>
+    </message>
+    <message>
+        <source>Q_d, per s²</source>
+        <translation>Q_d, por s²</translation>
+    </message>
+    <message>
+        <source>−(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in mm/s² or rad/s²: accelerations follow from C_q q̈ = Q_d</source>
+        <translation>−(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, en mm/s² o rad/s²: las aceleraciones salen de C_q q̈ = Q_d</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>Of C; of Cₜ per s, of Q_d per s²</source>
+        <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
+    </message>
+    <message>
+        <source>Equation %1</source>
+        <translation>Ecuación %1</translation>
+    </message>
+    <message>
+        <source>C, row %1</source>
+        <translation>C, fila %1</translation>
+    </message>
+    <message>
+        <source>Cₜ, row %1</source>
+        <translation>Cₜ, fila %1</translation>
+    </message>
+    <message>
+        <source>Q_d, row %1</source>
+        <translation>Q_d, fila %1</translation>
+    </message>
+    <message>
+        <source>C_q</source>
+        <translation>C_q</translation>
+    </message>
+    <message>
+        <source>∂C/∂q: a row a constraint, a column a coordinate</source>
+        <translation>∂C/∂q: una fila por restricción, una columna por coordenada</translation>
+    </message>
+    <message>
+        <source>Angle of the %1</source>
+        <translation>Ángulo: %1</translation>
+    </message>
+    <message>
+        <source>Centre of mass of the %1</source>
+        <translation>Centro de masa: %1</translation>
+    </message>
+    <message>
+        <source>∂(%1)/∂%2</source>
+        <translation>∂(%1)/∂%2</translation>
+    </message>
+    <message>
+        <source>coordinate</source>
+        <translation>coordenada</translation>
+    </message>
+    <message>
+        <source>Centre of mass and angle of each body</source>
+        <translation>Centro de masa y ángulo de cada eslabón</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>eslabón</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>q, in mm or °</source>
+        <translation>q, en mm o °</translation>
+    </message>
+    <message>
+        <source>velocity, per s</source>
+        <translation>velocidad, por s</translation>
+    </message>
+    <message>
+        <source>dq/dt, in mm/s or °/s</source>
+        <translation>dq/dt, en mm/s o °/s</translation>
+    </message>
+    <message>
+        <source>acceleration, per s²</source>
+        <translation>aceleración, por s²</translation>
+    </message>
+    <message>
+        <source>d²q/dt², in mm/s² or °/s²</source>
+        <translation>d²q/dt², en mm/s² o °/s²</translation>
+    </message>
+    <message>
+        <source>Of the position; of the velocity per s, of the acceleration per s²</source>
+        <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>paso</translation>
+    </message>
+    <message>
+        <source>0: the start</source>
+        <translation>0: el comienzo</translation>
+    </message>
+    <message>
+        <source>● ‖C‖</source>
+        <translation>● ‖C‖</translation>
+    </message>
+    <message>
+        <source>From afar: θ² exact, θ³ = 0 (crossed: 180°)</source>
+        <translation>Desde lejos: θ² exacto, θ³ = 0 (cruzada: 180°)</translation>
+    </message>
+    <message>
+        <source>● θ³ [°]</source>
+        <translation>● θ³ [°]</translation>
+    </message>
+    <message>
+        <source>□ ‖C‖</source>
+        <translation>□ ‖C‖</translation>
+    </message>
+    <message>
+        <source>From the position one step of the run before</source>
+        <translation>Desde la posición un paso del recorrido antes</translation>
+    </message>
+    <message>
+        <source>□ θ³ [°]</source>
+        <translation>□ θ³ [°]</translation>
+    </message>
+    <message>
+        <source>‖C‖</source>
+        <translation>‖C‖</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::ParameterPanel</name>
     <message>
         <source>rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation>rad/s</translation>
     </message>
     <message>
         <source>°/s</source>
-        <translation type="unfinished"></translation>
+        <translation>°/s</translation>
     </message>
     <message>
         <source>rpm</source>
-        <translation type="unfinished"></translation>
+        <translation>rpm</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>rad</source>
-        <translation type="unfinished"></translation>
+        <translation>rad</translation>
     </message>
     <message>
         <source>crank</source>
-        <translation type="unfinished"></translation>
+        <translation>manivela</translation>
     </message>
     <message>
         <source>Length of the crank, O₂ to A</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de la manivela, de O₂ a A</translation>
     </message>
     <message>
         <source>coupler</source>
-        <translation type="unfinished"></translation>
+        <translation>biela</translation>
     </message>
     <message>
         <source>Length of the coupler, A to B</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de la biela, de A a B</translation>
     </message>
     <message>
         <source>offset</source>
-        <translation type="unfinished"></translation>
+        <translation>excentr.</translation>
     </message>
     <message>
         <source>Height of the slider&apos;s line above O₂; may be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>Excentricidad: altura de la línea de la corredera sobre O₂; puede ser negativa</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad</translation>
     </message>
     <message>
         <source>Speed of the crank, counter-clockwise positive</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad de la manivela, positiva en sentido antihorario</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>inicio</translation>
     </message>
     <message>
         <source>Angle of the crank at t = 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la manivela en t = 0</translation>
     </message>
     <message>
         <source>Parameters of the mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros del mecanismo</translation>
     </message>
     <message>
         <source>assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>config.</translation>
     </message>
     <message>
         <source>Assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>Configuración</translation>
     </message>
     <message>
         <source>open: slider to the right of A</source>
-        <translation type="unfinished"></translation>
+        <translation>abierta: corredera a la derecha de A</translation>
     </message>
     <message>
         <source>crossed: slider to the left of A</source>
-        <translation type="unfinished"></translation>
+        <translation>cruzada: corredera a la izquierda de A</translation>
     </message>
     <message>
         <source>The two ways to put the same parts together</source>
-        <translation type="unfinished"></translation>
+        <translation>Las dos maneras de ensamblar las mismas piezas</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt; %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt; %2</translation>
     </message>
     <message>
         <source>%1, slider</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, deslizador</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Unit of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad de %1</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Reset %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer %1</translation>
     </message>
     <message>
         <source>Back to the report&apos;s Table 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a la tabla 1 del informe</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Shaded: above %1 the crank cannot turn round</source>
-        <translation type="unfinished"></translation>
+        <translation>Sombreado: por encima de %1 la manivela no puede dar la vuelta completa</translation>
     </message>
     <message>
         <source>Shaded: with this coupler and offset no crank can turn round</source>
-        <translation type="unfinished"></translation>
+        <translation>Sombreado: con esta biela y esta excentricidad ninguna manivela puede dar la vuelta completa</translation>
     </message>
     <message>
         <source>Shaded: below %1 the crank cannot turn round</source>
-        <translation type="unfinished"></translation>
+        <translation>Sombreado: por debajo de %1 la manivela no puede dar la vuelta completa</translation>
     </message>
     <message>
         <source>Shaded: beyond ±%1 the crank cannot turn round</source>
-        <translation type="unfinished"></translation>
+        <translation>Sombreado: más allá de ±%1 la manivela no puede dar la vuelta completa</translation>
     </message>
     <message>
         <source>Shaded: with a crank longer than the coupler no offset lets it turn round</source>
-        <translation type="unfinished"></translation>
+        <translation>Sombreado: con una manivela más larga que la biela, ninguna excentricidad permite la vuelta completa</translation>
     </message>
     <message>
         <source>Shaded: with the crank there the mechanism cannot be assembled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sombreado: con la manivela ahí el mecanismo no se puede ensamblar</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::PlotFigure</name>
     <message>
         <source>does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>no existe</translation>
     </message>
     <message>
         <source>% of peak</source>
-        <translation type="unfinished"></translation>
+        <translation>% del pico</translation>
     </message>
     <message>
         <source>%1; %2</source>
         <comment>units of the left and of the right axis</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1; %2</translation>
     </message>
     <message>
         <source>not in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>no está en el archivo</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>error</translation>
     </message>
     <message>
         <source>no reference data</source>
-        <translation type="unfinished"></translation>
+        <translation>sin datos de referencia</translation>
     </message>
     <message>
         <source>%1 %2</source>
         <comment>largest error: number with unit, quantity</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>max </source>
         <comment>largest error, before the numbers</comment>
-        <translation type="unfinished"></translation>
+        <translation>máx. </translation>
     </message>
     <message>
         <source>nothing to compare</source>
-        <translation type="unfinished"></translation>
+        <translation>nada que comparar</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>modelo</translation>
     </message>
     <message>
         <source>error of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>error de %1</translation>
     </message>
     <message>
         <source>file&apos;s rounding</source>
-        <translation type="unfinished"></translation>
+        <translation>redondeo del archivo</translation>
     </message>
     <message>
         <source>reference is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>la referencia es 0</translation>
     </message>
     <message>
         <source>no percentage, the reference is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>sin porcentaje: la referencia es 0</translation>
     </message>
     <message>
         <source>error of %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>error de %1: %2</translation>
     </message>
     <message>
         <source>%1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2</translation>
     </message>
     <message>
         <source>textbook&apos;s θ₃ = θ³ + 180° = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>θ₃ de los libros de texto = θ³ + 180° = %1</translation>
     </message>
     <message>
         <source>reference: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>referencia: %1</translation>
     </message>
     <message>
         <source>reference: %1 at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>referencia: %1 en %2</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
     <message>
         <source>Plots of the motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficas del movimiento</translation>
     </message>
     <message>
         <source>Coupler angle θ³ over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la biela θ³ en el tiempo</translation>
     </message>
     <message>
         <source>Slider position R_x⁴ over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición de la corredera R_x⁴ en el tiempo</translation>
     </message>
     <message>
         <source>Error of the positions over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Error de las posiciones en el tiempo</translation>
     </message>
     <message>
         <source>Coupler angular velocity dθ³/dt over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad angular de la biela dθ³/dt en el tiempo</translation>
     </message>
     <message>
         <source>Slider velocity dR_x⁴/dt over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad de la corredera dR_x⁴/dt en el tiempo</translation>
     </message>
     <message>
         <source>Error of the velocities over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Error de las velocidades en el tiempo</translation>
     </message>
     <message>
         <source>Coupler angular acceleration d²θ³/dt² over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceleración angular de la biela d²θ³/dt² en el tiempo</translation>
     </message>
     <message>
         <source>Slider acceleration d²R_x⁴/dt² over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceleración de la corredera d²R_x⁴/dt² en el tiempo</translation>
     </message>
     <message>
         <source>Error of the accelerations over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Error de las aceleraciones en el tiempo</translation>
     </message>
     <message>
         <source>No reference data.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Open a reference…&lt;/a&gt;&lt;br&gt;or drop a CSV here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin datos de referencia.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Abra una referencia…&lt;/a&gt;&lt;br&gt;o suelte aquí un CSV.</translation>
     </message>
     <message>
         <source>Show all &amp;nine plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar las &amp;nueve gráficas</translation>
     </message>
     <message>
         <source>&amp;Maximize this plot</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Maximizar esta gráfica</translation>
     </message>
     <message>
         <source>Show the &amp;whole run</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el &amp;recorrido completo</translation>
     </message>
     <message>
         <source>&amp;Copy this plot</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copiar esta gráfica</translation>
     </message>
     <message>
         <source>&amp;Export this plot…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportar esta gráfica…</translation>
     </message>
     <message>
         <source>Error in &amp;% of the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Error en &amp;% de la referencia</translation>
     </message>
     <message>
         <source>Error in ° and &amp;mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Error en ° &amp;y mm</translation>
     </message>
     <message>
         <source>Error in % of the &amp;peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Error en % del &amp;pico</translation>
     </message>
     <message>
         <source>&amp;Logarithmic errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores &amp;logarítmicos</translation>
     </message>
     <message>
         <source>File&apos;s &amp;rounding as a band</source>
-        <translation type="unfinished"></translation>
+        <translation>Redondeo del archivo como &amp;banda</translation>
     </message>
     <message>
         <source>Over the crank &amp;angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobre el án&amp;gulo de la manivela</translation>
     </message>
     <message>
         <source>Mea&amp;suring cursors</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;ursores de medida</translation>
     </message>
     <message>
         <source>A %1 s · B %2 s · B − A = %3 s</source>
         <comment>instants of the measuring cursors</comment>
-        <translation type="unfinished"></translation>
+        <translation>A %1 s · B %2 s · B − A = %3 s</translation>
     </message>
     <message>
         <source> = %1° of the crank</source>
-        <translation type="unfinished"></translation>
+        <translation> = %1° de la manivela</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
     <message>
         <source>%1, line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, línea %2: %3</translation>
     </message>
     <message>
         <source>%1, line %2, column %3 (&quot;%4&quot;): %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, línea %2, columna %3 («%4»): %5</translation>
     </message>
     <message>
         <source>%1 is a folder: choose a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una carpeta: elija un archivo CSV.</translation>
     </message>
     <message>
         <source>%1 cannot be opened: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede abrir %1: %2.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede leer %1: %2.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::ReferencePanel</name>
     <message>
         <source>Reference: what was read, and how</source>
-        <translation type="unfinished"></translation>
+        <translation>Referencia: qué se leyó, y cómo</translation>
     </message>
     <message>
         <source>Load a simulation&apos;s exported motion (CSV): here it says what was read from the file and how, which mechanism the motion belongs to, and by which other reading it would come nearer. A file can also be dropped anywhere in the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargue el movimiento exportado de una simulación (CSV): aquí se dice qué se leyó del archivo y cómo, a qué mecanismo pertenece el movimiento, y con qué otra lectura se acercaría más. También se puede soltar un archivo en cualquier parte de la ventana.</translation>
     </message>
     <message>
         <source>Open reference…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir referencia…</translation>
     </message>
     <message>
         <source>Open the sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el ejemplo</translation>
     </message>
     <message>
         <source>The motion that the report&apos;s author exported from Inventor</source>
-        <translation type="unfinished"></translation>
+        <translation>El movimiento que el autor del informe exportó de Inventor</translation>
     </message>
     <message>
         <source>Choose columns…</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir columnas…</translation>
     </message>
     <message>
         <source>Say what the columns of the file are</source>
-        <translation type="unfinished"></translation>
+        <translation>Indicar qué son las columnas del archivo</translation>
     </message>
     <message>
         <source>Whose motion the file is, and how else it may be read</source>
-        <translation type="unfinished"></translation>
+        <translation>De qué mecanismo es el movimiento del archivo, y de qué otro modo puede leerse</translation>
     </message>
     <message>
         <source>heading</source>
-        <translation type="unfinished"></translation>
+        <translation>encabezado</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>unidad</translation>
     </message>
     <message>
         <source>read as</source>
-        <translation type="unfinished"></translation>
+        <translation>se lee como</translation>
     </message>
     <message>
         <source>rounded to</source>
-        <translation type="unfinished"></translation>
+        <translation>redondeo</translation>
     </message>
     <message>
         <source>values</source>
-        <translation type="unfinished"></translation>
+        <translation>valores</translation>
     </message>
     <message>
         <source>why</source>
-        <translation type="unfinished"></translation>
+        <translation>motivo</translation>
     </message>
     <message>
         <source>Columns of the file, a row a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Columnas del archivo, una por fila</translation>
     </message>
     <message>
         <source>How the file rounded this column, inferred from all its values</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo redondeó el archivo esta columna, deducido de todos sus valores</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>línea</translation>
     </message>
     <message>
         <source>column</source>
-        <translation type="unfinished"></translation>
+        <translation>columna</translation>
     </message>
     <message>
         <source>text</source>
-        <translation type="unfinished"></translation>
+        <translation>texto</translation>
     </message>
     <message>
         <source>why it was left out</source>
-        <translation type="unfinished"></translation>
+        <translation>por qué se omitió</translation>
     </message>
     <message>
         <source>Rows of the file that were left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Filas del archivo que se omitieron</translation>
     </message>
     <message>
         <source>Columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Columnas</translation>
     </message>
     <message>
         <source>Whose motion</source>
-        <translation type="unfinished"></translation>
+        <translation>De qué mecanismo</translation>
     </message>
     <message>
         <source>%1 rows read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 filas leídas</translation>
     </message>
     <message>
         <source>, t = %1 … %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>, t = %1 … %2 s</translation>
     </message>
     <message>
         <source>%1. %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. %2.</translation>
     </message>
     <message>
         <source>, 1 gap</source>
-        <translation type="unfinished"></translation>
+        <translation>, 1 hueco</translation>
     </message>
     <message>
         <source>, %1 gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 huecos</translation>
     </message>
     <message>
         <source>Rows left out (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Filas omitidas (%1)</translation>
     </message>
     <message>
         <source>Read otherwise than printed</source>
-        <translation type="unfinished"></translation>
+        <translation>Leído de otro modo que el escrito</translation>
     </message>
     <message>
         <source>Read as printed again</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a leer como está escrito</translation>
     </message>
     <message>
         <source>How else it may be read</source>
-        <translation type="unfinished"></translation>
+        <translation>De qué otro modo puede leerse</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar</translation>
     </message>
     <message>
         <source>Apply: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar: %1</translation>
     </message>
     <message>
         <source>Whose motion it is</source>
-        <translation type="unfinished"></translation>
+        <translation>De qué mecanismo es el movimiento</translation>
     </message>
     <message>
         <source>Being found out…</source>
-        <translation type="unfinished"></translation>
+        <translation>Averiguándolo…</translation>
     </message>
     <message>
         <source>Take over</source>
-        <translation type="unfinished"></translation>
+        <translation>Adoptar</translation>
     </message>
     <message>
         <source>Makes this mechanism the one on show; can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Hace de este mecanismo el que se muestra; se puede deshacer</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::Report</name>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>abierta</translation>
     </message>
     <message>
         <source>crossed</source>
-        <translation type="unfinished"></translation>
+        <translation>cruzada</translation>
     </message>
     <message>
         <source>crank</source>
-        <translation type="unfinished"></translation>
+        <translation>manivela</translation>
     </message>
     <message>
         <source>coupler</source>
-        <translation type="unfinished"></translation>
+        <translation>biela</translation>
     </message>
     <message>
         <source>offset</source>
-        <translation type="unfinished"></translation>
+        <translation>excentricidad</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>inicio</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>modelo</translation>
     </message>
     <message>
         <source>Thin: the linkage as the file has it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trazo fino: el mecanismo según el archivo.</translation>
     </message>
     <message>
         <source>the file&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>el propio del archivo</translation>
     </message>
     <message>
         <source>assembly</source>
-        <translation type="unfinished"></translation>
+        <translation>configuración</translation>
     </message>
     <message>
         <source>Reference: %1, t = %2 s to %3 s, %4 instants.</source>
-        <translation type="unfinished"></translation>
+        <translation>Referencia: %1, de t = %2 s a %3 s, %4 instantes.</translation>
     </message>
     <message>
         <source>%1 rows, the first in line %2 (&quot;%3&quot;: %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 filas, la primera en la línea %2 («%3»: %4)</translation>
     </message>
     <message>
         <source>the columns %1</source>
-        <translation type="unfinished"></translation>
+        <translation>las columnas %1</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Left out of the file: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Omitido del archivo: %1.</translation>
     </message>
     <message>
         <source>; </source>
-        <translation type="unfinished"></translation>
+        <translation>; </translation>
     </message>
     <message>
         <source>channel</source>
-        <translation type="unfinished"></translation>
+        <translation>canal</translation>
     </message>
     <message>
         <source>largest error</source>
-        <translation type="unfinished"></translation>
+        <translation>error máximo</translation>
     </message>
     <message>
         <source>at [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>en [s]</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation type="unfinished"></translation>
+        <translation>rms</translation>
     </message>
     <message>
         <source>largest %</source>
-        <translation type="unfinished"></translation>
+        <translation>% máximo</translation>
     </message>
     <message>
         <source>% of peak</source>
-        <translation type="unfinished"></translation>
+        <translation>% del pico</translation>
     </message>
     <message>
         <source>file&apos;s step</source>
-        <translation type="unfinished"></translation>
+        <translation>paso archivo</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>veredicto</translation>
     </message>
     <message>
         <source>%1 instants from t = %2 s to %3 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 instantes de t = %2 s a %3 s.</translation>
     </message>
     <message>
         <source>Closed form, exact to rounding. </source>
-        <translation type="unfinished"></translation>
+        <translation>Forma cerrada, exacta salvo redondeo. </translation>
     </message>
     <message>
         <source>until the residual ‖C‖ no longer falls</source>
-        <translation type="unfinished"></translation>
+        <translation>hasta que el residuo ‖C‖ deja de disminuir</translation>
     </message>
     <message>
         <source>until ‖C‖ ≤ %1 (absolute, mm and rad as they are)</source>
-        <translation type="unfinished"></translation>
+        <translation>hasta ‖C‖ ≤ %1 (absoluto, mm y rad tal cual)</translation>
     </message>
     <message>
         <source>until ‖C‖ ≤ %1 (relative, lengths divided by a + b + |c|)</source>
-        <translation type="unfinished"></translation>
+        <translation>hasta ‖C‖ ≤ %1 (relativo, longitudes divididas entre a + b + |c|)</translation>
     </message>
     <message>
         <source>Newton-Raphson in the 12 absolute coordinates, %1, at most %2 iterations an instant. </source>
-        <translation type="unfinished"></translation>
+        <translation>Newton-Raphson en las 12 coordenadas absolutas, %1, como máximo %2 iteraciones por instante. </translation>
     </message>
     <message>
         <source>It took %1 iterations in all, %2 an instant at most; the largest residual is %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Necesitó %1 iteraciones en total, %2 por instante como máximo; el residuo máximo es %3.</translation>
     </message>
     <message>
         <source> %1 of %2 instants are solved.</source>
-        <translation type="unfinished"></translation>
+        <translation> %1 de %2 instantes están resueltos.</translation>
     </message>
     <message>
         <source>Against its own mechanism the file agrees in %1 of %2 channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frente a su propio mecanismo, el archivo coincide en %1 de %2 canales.</translation>
     </message>
     <message>
         <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2); ± is one standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2); ± es una desviación estándar.</translation>
     </message>
     <message>
         <source>The file was read with the conventions named above.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo se leyó con las convenciones indicadas arriba.</translation>
     </message>
     <message>
         <source>Errors: model against reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores: modelo frente a referencia</translation>
     </message>
     <message>
         <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. To the last printed digit: at least %1 % of the values within half a step, none beyond %2 halves. Within n × the file&apos;s rounding: none beyond n half steps, n ≤ %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Hasta la última cifra escrita: al menos el %1 % de los valores a menos de medio paso, ninguno más allá de %2 medios. Dentro de n × el redondeo del archivo: ninguno más allá de n medios pasos, n ≤ %3.</translation>
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
     <message>
         <source>Mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>Mecanismo</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Método</translation>
     </message>
     <message>
         <source>Motion and errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimiento y errores</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimiento</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
     <message>
         <source>%1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1: %2.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::SceneFile</name>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambios sin guardar</translation>
     </message>
     <message>
         <source>Save what you changed as a scene?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Guardar lo que ha cambiado como escena?</translation>
     </message>
     <message>
         <source>Save the changes to %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Guardar los cambios en %1?</translation>
     </message>
     <message>
         <source>Otherwise they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si no, se perderán.</translation>
     </message>
     <message>
         <source>Open scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir escena</translation>
     </message>
     <message>
         <source>Scenes (*.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenas (*.json);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Save scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar escena</translation>
     </message>
     <message>
         <source>Scenes (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenas (*.json)</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::SceneText</name>
     <message>
         <source>%1: &quot;%2&quot; must be %3. Correct it there, or open another scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: «%2» debe ser %3. Corríjalo allí, o abra otra escena.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is missing. Add it there, or open another scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta «%2». Añádalo allí, o abra otra escena.</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>un número</translation>
     </message>
     <message>
         <source>a number of a magnitude up to 1e12</source>
-        <translation type="unfinished"></translation>
+        <translation>un número de magnitud hasta 1e12</translation>
     </message>
     <message>
         <source>a number greater than 0 and at most 1e12</source>
-        <translation type="unfinished"></translation>
+        <translation>un número mayor que 0 y a lo sumo 1e12</translation>
     </message>
     <message>
         <source>a number not less than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>un número no menor que 0</translation>
     </message>
     <message>
         <source>a whole number from 1 to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>un número entero de 1 a %1</translation>
     </message>
     <message>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>true o false</translation>
     </message>
     <message>
         <source>a text in quotation marks</source>
-        <translation type="unfinished"></translation>
+        <translation>un texto entre comillas</translation>
     </message>
     <message>
         <source>one of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>uno de %1</translation>
     </message>
     <message>
         <source>an object in braces</source>
-        <translation type="unfinished"></translation>
+        <translation>un objeto entre llaves</translation>
     </message>
     <message>
         <source>a list in brackets</source>
-        <translation type="unfinished"></translation>
+        <translation>una lista entre corchetes</translation>
     </message>
     <message>
         <source>two numbers in brackets, the smaller one first</source>
-        <translation type="unfinished"></translation>
+        <translation>dos números entre corchetes, primero el menor</translation>
     </message>
     <message>
         <source>&quot;time&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;time&quot;, &quot;ignored&quot; o un canal como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
     </message>
     <message>
         <source>a list of channels such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>una lista de canales como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
     </message>
     <message>
         <source>a list of two channels</source>
-        <translation type="unfinished"></translation>
+        <translation>una lista de dos canales</translation>
     </message>
     <message>
         <source>the name of a file</source>
-        <translation type="unfinished"></translation>
+        <translation>el nombre de un archivo</translation>
     </message>
     <message>
         <source>%1, line %2: this is not JSON (%3). Correct it there, or open another scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, línea %2: esto no es JSON (%3). Corríjalo allí, o abra otra escena.</translation>
     </message>
     <message>
         <source>%1 is no scene: it has no &quot;version&quot; that is a number. Open a file that this program saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es una escena: no tiene un &quot;version&quot; que sea un número. Abra un archivo guardado por este programa.</translation>
     </message>
     <message>
         <source>%1 was saved by a newer slidercrank (scene version %2, this one reads up to %3). Open it with that.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se guardó con un slidercrank más nuevo (versión de escena %2; este lee hasta la %3). Ábrala con aquel.</translation>
     </message>
     <message>
         <source>%1 is a folder: choose a scene&apos;s file.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una carpeta: elija el archivo de una escena.</translation>
     </message>
     <message>
         <source>%1 cannot be opened: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede abrir %1: %2.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede leer %1: %2.</translation>
     </message>
     <message>
         <source>%1 is no scene: it is too large. Open a file that this program saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no es una escena: es demasiado grande. Abra un archivo guardado por este programa.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another name or folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
     <message>
         <source>%1 must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser un número.</translation>
     </message>
     <message>
         <source>%1 must not exceed %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no debe superar %2.</translation>
     </message>
     <message>
         <source>%1 must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser mayor que 0.</translation>
     </message>
     <message>
         <source>taking over the file&apos;s mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>adopción del mecanismo del archivo</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::SolverForm</name>
+    <message>
+        <source>Settings and outcome</source>
+        <translation>Ajustes y resultado</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson</source>
+        <translation>Newton-Raphson</translation>
+    </message>
+    <message>
+        <source>closed form, exact</source>
+        <translation>forma cerrada, exacta</translation>
+    </message>
+    <message>
+        <source>How the curves are computed</source>
+        <translation>Cómo se calculan las curvas</translation>
+    </message>
+    <message>
+        <source>Intervals; one instant more is computed</source>
+        <translation>Intervalos; se calcula un instante más</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>From the first instant to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>The first instant</source>
+        <translation>El primer instante</translation>
+    </message>
+    <message>
+        <source>Iterates until ‖C‖ is at most this; 0: until it no longer falls</source>
+        <translation>Itera hasta que ‖C‖ sea a lo sumo esto; 0: hasta que deje de disminuir</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absoluta</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>relativa</translation>
+    </message>
+    <message>
+        <source>Absolute: mm and rad mixed, as in the report. Relative: lengths divided by a + b + |c|, the same at every scale</source>
+        <translation>Absoluta: mm y rad mezclados, como en el informe. Relativa: longitudes divididas entre a + b + |c|, igual a cualquier escala</translation>
+    </message>
+    <message>
+        <source>At one instant</source>
+        <translation>En un instante</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Kind of tolerance</source>
+        <translation>Tipo de tolerancia</translation>
+    </message>
+    <message>
+        <source>Most iterations</source>
+        <translation>Máx. iteraciones</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iteraciones</translation>
+    </message>
+    <message>
+        <source>Largest residual ‖C‖</source>
+        <translation>Residuo ‖C‖ máximo</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>Instantes</translation>
+    </message>
+    <message>
+        <source>Of the answers, as the tolerance measures it. It bounds the residual, not the error.</source>
+        <translation>De las soluciones, tal como lo mide la tolerancia. Acota el residuo, no el error.</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 an instant</source>
+        <translation>%1 en total, máx. %2 por instante</translation>
+    </message>
+    <message>
+        <source>none: the closed form needs none</source>
+        <translation>ninguna: la forma cerrada no las necesita</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>all %1 solved</source>
+        <translation>los %1 resueltos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 solved</source>
+        <translation>%1 de %2 resueltos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants did not converge within %3 iterations: allow more iterations or a larger tolerance.</source>
+        <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones o una tolerancia mayor.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants did not converge within %3 iterations: allow more iterations.</source>
+        <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants cannot be assembled: the coupler is too short there.</source>
+        <translation>%1 de %2 instantes no se pueden ensamblar: allí la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 instants the coupler stands square to the slider&apos;s line: the position exists, velocity and acceleration do not.</source>
+        <translation>En %1 de %2 instantes la biela está perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants gave no finite number: the numbers are too large.</source>
+        <translation>%1 de %2 instantes no dieron ningún número finito: los números son demasiado grandes.</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::StudyFigureText</name>
     <message>
         <source>time per state [ns]</source>
-        <translation type="unfinished"></translation>
+        <translation>tiempo por estado [ns]</translation>
     </message>
     <message>
         <source>largest error / peak</source>
-        <translation type="unfinished"></translation>
+        <translation>error máximo / pico</translation>
     </message>
     <message>
         <source>Newton dense (report)</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton denso (informe)</translation>
     </message>
     <message>
         <source>Newton dense, Taylor</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton denso, Taylor</translation>
     </message>
     <message>
         <source>Newton structured</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton estructurado</translation>
     </message>
     <message>
         <source>Newton structured, Taylor</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton estruct., Taylor</translation>
     </message>
     <message>
         <source>closed form</source>
-        <translation type="unfinished"></translation>
+        <translation>forma cerrada</translation>
     </message>
     <message>
         <source>closed form, batch</source>
-        <translation type="unfinished"></translation>
+        <translation>forma cerrada, en lote</translation>
     </message>
     <message>
         <source>differences</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencias</translation>
     </message>
     <message>
         <source>%1 harmonics</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 armónicos</translation>
     </message>
     <message>
         <source>, tolerance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, tolerancia %1</translation>
     </message>
     <message>
         <source>%1 ns per state (± %2), %3 channels</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ns por estado (± %2), %3 canales</translation>
     </message>
     <message>
         <source>%1 iterations per state</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 iteraciones por estado</translation>
     </message>
     <message>
         <source>largest error %1 of the peak</source>
-        <translation type="unfinished"></translation>
+        <translation>error máximo %1 del pico</translation>
     </message>
     <message>
         <source>no instant solved</source>
-        <translation type="unfinished"></translation>
+        <translation>ningún instante resuelto</translation>
     </message>
     <message>
         <source>rounded input alone makes κ·u = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>los datos redondeados por sí solos causan κ·u = %1</translation>
     </message>
     <message>
         <source>κ·u</source>
-        <translation type="unfinished"></translation>
+        <translation>κ·u</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::StudyPanel</name>
     <message>
         <source>solved</source>
-        <translation type="unfinished"></translation>
+        <translation>resueltos</translation>
     </message>
     <message>
         <source>singular</source>
-        <translation type="unfinished"></translation>
+        <translation>singulares</translation>
     </message>
     <message>
         <source>not converged</source>
-        <translation type="unfinished"></translation>
+        <translation>no convergen</translation>
     </message>
     <message>
         <source>not assemblable</source>
-        <translation type="unfinished"></translation>
+        <translation>no ensamblables</translation>
     </message>
     <message>
         <source>not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>no finitos</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>, %1 silently wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 erróneos sin aviso</translation>
     </message>
     <message>
         <source>a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6</source>
-        <translation type="unfinished"></translation>
+        <translation>a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>abierta</translation>
     </message>
     <message>
         <source>crossed</source>
-        <translation type="unfinished"></translation>
+        <translation>cruzada</translation>
     </message>
     <message>
         <source>Speed and accuracy of the methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad y exactitud de los métodos</translation>
     </message>
     <message>
         <source>Run (this mechanism)</source>
-        <translation type="unfinished"></translation>
+        <translation>Medir (este mecanismo)</translation>
     </message>
     <message>
         <source>Times every method on one turn of this mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>Cronometra cada método en una vuelta de este mecanismo</translation>
     </message>
     <message>
         <source>Run hard cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Medir casos difíciles</translation>
     </message>
     <message>
         <source>Toggles, rockers, other scales, far times: takes some ten seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones singulares, balancines, otras escalas, tiempos lejanos: tarda unos diez segundos</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Progress of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Progreso del estudio</translation>
     </message>
     <message>
         <source>Case on show</source>
-        <translation type="unfinished"></translation>
+        <translation>Caso que se muestra</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar</translation>
     </message>
     <message>
         <source>The picture as PNG, SVG or PDF, the numbers as CSV or JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen como PNG, SVG o PDF, los números como CSV o JSON</translation>
     </message>
     <message>
         <source>Picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen…</translation>
     </message>
     <message>
         <source>Numbers…</source>
-        <translation type="unfinished"></translation>
+        <translation>Números…</translation>
     </message>
     <message>
         <source>Methods, a row a method and tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Métodos, una fila por método y tolerancia</translation>
     </message>
     <message>
         <source>method</source>
-        <translation type="unfinished"></translation>
+        <translation>método</translation>
     </message>
     <message>
         <source>How the motion is computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se calcula el movimiento</translation>
     </message>
     <message>
         <source>tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>tolerancia</translation>
     </message>
     <message>
         <source>Of Newton-Raphson: absolute as in the report for its own way, relative for the others</source>
-        <translation type="unfinished"></translation>
+        <translation>De Newton-Raphson: absoluta como en el informe para su propio procedimiento, relativa para los demás</translation>
     </message>
     <message>
         <source>ns</source>
-        <translation type="unfinished"></translation>
+        <translation>ns</translation>
     </message>
     <message>
         <source>Time per state: median over interleaved rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo por estado: mediana de rondas intercaladas</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>error</translation>
     </message>
     <message>
         <source>The worst of the six plotted channels, relative to the channel&apos;s peak, over solved instants</source>
-        <translation type="unfinished"></translation>
+        <translation>El peor de los seis canales graficados, relativo al pico del canal, en los instantes resueltos</translation>
     </message>
     <message>
         <source>κ·u</source>
-        <translation type="unfinished"></translation>
+        <translation>κ·u</translation>
     </message>
     <message>
         <source>The error that rounding the given numbers makes by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>El error que causa por sí solo redondear los datos</translation>
     </message>
     <message>
         <source>iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>iteraciones</translation>
     </message>
     <message>
         <source>Per state</source>
-        <translation type="unfinished"></translation>
+        <translation>Por estado</translation>
     </message>
     <message>
         <source>instants</source>
-        <translation type="unfinished"></translation>
+        <translation>instantes</translation>
     </message>
     <message>
         <source>What the method says of them</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que el método dice de ellos</translation>
     </message>
     <message>
         <source>1 case</source>
-        <translation type="unfinished"></translation>
+        <translation>1 caso</translation>
     </message>
     <message>
         <source>%1 cases</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 casos</translation>
     </message>
     <message>
         <source>, nothing silently wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>, nada erróneo sin aviso</translation>
     </message>
     <message>
         <source>, ⚠ %1 instants silently wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>, ⚠ %1 instantes erróneos sin aviso</translation>
     </message>
     <message>
         <source>, done in %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>, hecho en %1 s</translation>
     </message>
     <message>
         <source> (cancelled)</source>
-        <translation type="unfinished"></translation>
+        <translation> (cancelado)</translation>
     </message>
     <message>
         <source>. The mechanism has changed since: run again</source>
-        <translation type="unfinished"></translation>
+        <translation>. El mecanismo ha cambiado desde entonces: mida de nuevo</translation>
     </message>
     <message>
         <source>. Times of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>. Tiempos de %1</translation>
     </message>
     <message>
         <source>There is nothing to export yet: run the study first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
     </message>
     <message>
         <source>Speed and accuracy: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad y exactitud: %1</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir %1: %2.</translation>
     </message>
     <message>
         <source>speed.png</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad.png</translation>
     </message>
     <message>
         <source>Images and drawings (*.png *.svg *.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
     </message>
     <message>
         <source>speed.csv</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad.csv</translation>
     </message>
     <message>
         <source>Tables (*.csv *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tablas (*.csv *.json)</translation>
     </message>
     <message>
         <source>⚠ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ %1</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::StudyPicture</name>
     <message>
         <source>Error against time per state</source>
-        <translation type="unfinished"></translation>
+        <translation>Error frente a tiempo por estado</translation>
     </message>
     <message>
         <source>Best in speed and error: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mejores en velocidad y error: %1</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>How fast is each method, and how exact? Run the study: every method is timed on the same instants and its error measured against 50 digits and more.</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Cuán rápido es cada método, y cuán exacto? Haga la medición: cada método se cronometra en los mismos instantes y su error se mide frente a 50 cifras o más.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::Timeline</name>
     <message>
         <source>%1×</source>
-        <translation type="unfinished"></translation>
+        <translation>%1×</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea de tiempo</translation>
     </message>
     <message>
         <source>Instant in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Instante en segundos</translation>
     </message>
     <message>
         <source>Instant</source>
-        <translation type="unfinished"></translation>
+        <translation>Instante</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>Crank angle in degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la manivela en grados</translation>
     </message>
     <message>
         <source>Crank angle: type one to go where the crank first passes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la manivela: escriba uno para ir a donde la manivela pasa por él la primera vez</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Instant, slider</source>
-        <translation type="unfinished"></translation>
+        <translation>Instante, deslizador</translation>
     </message>
     <message>
         <source>t</source>
-        <translation type="unfinished"></translation>
+        <translation>t</translation>
     </message>
     <message>
         <source>θ₂</source>
-        <translation type="unfinished"></translation>
+        <translation>θ₂</translation>
     </message>
     <message>
         <source>To the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Al inicio</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicio</translation>
     </message>
     <message>
         <source>One step back</source>
-        <translation type="unfinished"></translation>
+        <translation>Un paso atrás</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Izquierda</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Reproducir</translation>
     </message>
     <message>
         <source>One step forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Un paso adelante</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Derecha</translation>
     </message>
     <message>
         <source>To the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Al final</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished"></translation>
+        <translation>Fin</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Repetir</translation>
     </message>
     <message>
         <source>Play or pause (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
         <source>Start again at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a empezar al llegar al final</translation>
     </message>
     <message>
         <source>Playing speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad de reproducción</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausar</translation>
     </message>
 </context>
 </TS>
