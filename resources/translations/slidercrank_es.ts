@@ -2140,6 +2140,62 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>&amp;System</source>
         <translation>Del &amp;sistema</translation>
     </message>
+    <message>
+        <source>Export &amp;data…</source>
+        <translation>Exportar &amp;datos…</translation>
+    </message>
+    <message>
+        <source>Export repor&amp;t…</source>
+        <translation>Exportar inf&amp;orme…</translation>
+    </message>
+    <message>
+        <source>Copy &amp;plot</source>
+        <translation>Copiar la &amp;gráfica</translation>
+    </message>
+    <message>
+        <source>Copy &amp;mechanism</source>
+        <translation>Copiar el &amp;mecanismo</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was written.</source>
+        <translation>Cancelado: no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Another file is still being written: wait for it, or cancel it below.</source>
+        <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
+    </message>
+    <message>
+        <source>The six channels of the plots (*.csv)</source>
+        <translation>Los seis canales de las gráficas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export data</source>
+        <translation>Exportar datos</translation>
+    </message>
+    <message>
+        <source>All 36 channels (*.csv)</source>
+        <translation>Los 36 canales (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Exportar informe</translation>
+    </message>
+    <message>
+        <source>Reports (*.pdf)</source>
+        <translation>Informes (*.pdf)</translation>
+    </message>
+    <message>
+        <source>No report was written: the mechanism was changed meanwhile. Export it again.</source>
+        <translation>No se escribió ningún informe: entretanto cambió el mecanismo. Expórtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The plot is in the clipboard.</source>
+        <translation>La gráfica está en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>The mechanism is in the clipboard.</source>
+        <translation>El mecanismo está en el portapapeles.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismView</name>
@@ -2185,6 +2241,13 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Dismiss</source>
         <translation>Descartar</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MotionCsvText</name>
+    <message>
+        <source>%1 cannot be written: %2. Choose another name or folder.</source>
+        <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
 </context>
 <context>
@@ -2976,10 +3039,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Error en &amp;% de la referencia</translation>
     </message>
     <message>
-        <source>Error in ° and &amp;mm</source>
-        <translation>Error en ° &amp;y mm</translation>
-    </message>
-    <message>
         <source>Error in % of the &amp;peak</source>
         <translation>Error en % del &amp;pico</translation>
     </message>
@@ -3007,6 +3066,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source> = %1° of the crank</source>
         <translation> = %1° de la manivela</translation>
+    </message>
+    <message>
+        <source>Error &amp;in ° and mm</source>
+        <translation>Error en ° &amp;y mm</translation>
     </message>
 </context>
 <context>
