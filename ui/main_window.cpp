@@ -630,8 +630,10 @@ void MainWindow::exportAnimationTo(const QString &path)
     animation.speed = m_timeline->speed();
     const auto view = std::make_shared<MechanismView>();
     view->setResult(m_session->result());
-    const auto draw = [view, parameters = m_session->parameters()](QPainter &painter, const QSize &size, double time) {
+    const auto draw = [view, parameters = m_session->parameters(), ghostAt = ghost()](QPainter &painter,
+                                                                                      const QSize &size, double time) {
         view->setPose(poseAt(parameters, time));
+        view->setGhost(ghostAt(time));
         view->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
     m_animation = new AnimationExport(animation, draw, this);
@@ -943,21 +945,27 @@ void MainWindow::remedy(const Finding &finding)
     }
 }
 
-/// The linkage as the file has it, where that is another one; its lengths, which the file does not tell, those of the
-/// mechanism found for it.
-void MainWindow::showGhost()
+/// The linkage as the file has it at any instant, where that is another one; its lengths, which the file does not tell,
+/// those of the mechanism found for it.
+std::function<ReferencePose(double)> MainWindow::ghost() const
 {
     const Result &result = *m_session->result();
     const bool differs = std::ranges::any_of(
         result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
     if (!differs || !m_ghostAction->isChecked()) {
-        m_mechanismView->setGhost({});
-        return;
+        return [](double) { return ReferencePose(); };
     }
     const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
     const bool found = diagnosis && diagnosis->found.identification.status == Identification::Status::Found;
     const Mechanism lengths(found ? diagnosis->found.identification.parameters : m_session->parameters());
-    m_mechanismView->setGhost(referencePoseAt(result.reference->data, lengths, m_session->time()));
+    return [lengths, reference = result.reference](double time) {
+        return referencePoseAt(reference->data, lengths, time);
+    };
+}
+
+void MainWindow::showGhost()
+{
+    m_mechanismView->setGhost(ghost()(m_session->time()));
 }
 
 void MainWindow::showAbout()

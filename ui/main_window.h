@@ -3,6 +3,7 @@
 
 // Constructs the rooms of the window, lays them out and connects them; no arithmetic.
 
+#include "core/reference_pose.h"
 #include "ui/export_job.h"
 #include "ui/figure_export.h"
 #include "ui/findings.h"
@@ -109,6 +110,7 @@ private:
     void showAgreement(const std::shared_ptr<const Result> &result);
     void announce(const std::shared_ptr<const Diagnosis> &diagnosis);
     void remedy(const Finding &finding);
+    std::function<ReferencePose(double)> ghost() const;
     void showGhost();
     void rememberReference(const QString &path);
     void rememberLayout() const;
