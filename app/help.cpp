@@ -80,12 +80,18 @@ constexpr OptionEntry kRenderOptions[] = {
     {"what", "WHAT",
      QT_TRANSLATE_NOOP(
          "slidercrank::CommandLine",
-         "figure (the nine plots), mechanism, report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, "
-         "theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)")},
-    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a name that ends in .png, .svg or .pdf; needed")},
+         "figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: "
+         "theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
+         "error_acceleration (figure)")},
+    {"output", "FILE",
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered), or, a video "
+         "by ffmpeg, in .mp4, .webm or .gif; needed")},
     {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to draw beside it")},
     {"size", "WxH",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "pixels (figure 1400x1800, mechanism 900x700, plot 900x600)")},
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)")},
     {"scale", "FACTOR", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "of a PNG's pixels, 0.1 to 10 (1)")},
     {"theme", "light|dark", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "colours (light)")},
     {"at", "SECONDS",
@@ -93,6 +99,9 @@ constexpr OptionEntry kRenderOptions[] = {
     {"at-angle", "DEGREES",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "the same by crank angle: the first instant from --start at which θ2 is this angle")},
+    {"speed", "FACTOR",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "of frames, 30 a second: seconds of the motion in a second of the film (1)")},
 };
 
 constexpr OptionEntry kWindowOptions[] = {

@@ -5,6 +5,7 @@
 #include "app/help.h"
 #include "core/crank_instant.h"
 #include "core/study.h"
+#include "ui/animation_export.h"
 #include "ui/figure_export.h"
 #include "ui/scene.h"
 
@@ -468,16 +469,69 @@ void readSubject(OptionReader &reader, RenderOptions &options)
         options.size = QSize(1400, 1800);
     } else if (what == u"report") {
         options.subject = Subject::Report;
-    } else if (what == u"mechanism") {
-        options.subject = Subject::Mechanism;
+    } else if (what == u"mechanism" || what == u"frames") {
+        options.subject = what == u"frames" ? Subject::Frames : Subject::Mechanism;
         options.size = QSize(900, 700);
     } else if (plots.contains(what)) {
         options.subject = Subject::Plot;
         options.plot = what;
         options.size = QSize(900, 600);
     } else {
-        reader.refuse(CommandLine::tr("--what must be figure, mechanism, report or one of the plots %1, not \"%2\".")
+        reader.refuse(CommandLine::tr("--what must be figure, mechanism, frames, report or one of the plots %1, not "
+                                      "\"%2\".")
                           .arg(alternatives(plots), what));
+    }
+}
+
+/// Where --output names no file that the subject can be written to.
+void refuseOutput(OptionReader &reader, const RenderOptions &options)
+{
+    using Subject = RenderOptions::Subject;
+    const QStringList films{QStringLiteral("png"), QStringLiteral("mp4"), QStringLiteral("webm"),
+                            QStringLiteral("gif")};
+    const std::optional<FigureFormat> format = figureFormatOf(options.output);
+    if (options.output.isEmpty()) {
+        reader.refuse(
+            CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf."));
+    } else if (options.subject == Subject::Frames) {
+        if (!films.contains(QFileInfo(options.output).suffix().toLower())) {
+            reader.refuse(CommandLine::tr("Frames are numbered pictures or a video: --output must end in .png, .mp4, "
+                                          ".webm or .gif, not be \"%1\".")
+                              .arg(options.output));
+        }
+    } else if (options.subject == Subject::Report && format != FigureFormat::Pdf) {
+        reader.refuse(
+            CommandLine::tr("A report is a PDF: --output must end in .pdf, not be \"%1\".").arg(options.output));
+    } else if (!format) {
+        reader.refuse(CommandLine::tr("--output must end in .png, .svg or .pdf, not be \"%1\".").arg(options.output));
+    }
+}
+
+/// Frames show the run at its own pace; everything else one instant.
+void readPace(OptionReader &reader, RenderOptions &options)
+{
+    const bool hasFrames = options.subject == RenderOptions::Subject::Frames;
+    if (reader.has("speed") && !hasFrames) {
+        reader.refuse(CommandLine::tr("--speed is of --what frames: remove it."));
+    }
+    for (const char *name : {"at", "at-angle"}) {
+        if (reader.has(name) && hasFrames) {
+            reader.refuse(CommandLine::tr("Frames show the whole run: remove --%1, or choose the run with --start and "
+                                          "--duration.")
+                              .arg(QLatin1String(name)));
+        }
+    }
+    options.speed = reader.number("speed", options.speed);
+    if (!(options.speed > 0.0)) {
+        reader.refuse(CommandLine::tr("--speed must be greater than 0, not %1.").arg(reader.text("speed")));
+    }
+    Animation animation;
+    animation.duration = options.sampling.duration;
+    animation.speed = options.speed;
+    if (hasFrames && animation.frameCount() > Animation::kMostFrames) {
+        reader.refuse(CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater "
+                                      "--speed.")
+                          .arg(Animation::kMostFrames));
     }
 }
 
@@ -486,16 +540,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     RenderOptions options;
     readSubject(reader, options);
     options.output = reader.file("output");
-    if (options.output.isEmpty()) {
-        reader.refuse(
-            CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf."));
-    } else if (options.subject == RenderOptions::Subject::Report &&
-               figureFormatOf(options.output) != FigureFormat::Pdf) {
-        reader.refuse(
-            CommandLine::tr("A report is a PDF: --output must end in .pdf, not be \"%1\".").arg(options.output));
-    } else if (!figureFormatOf(options.output)) {
-        reader.refuse(CommandLine::tr("--output must end in .png, .svg or .pdf, not be \"%1\".").arg(options.output));
-    }
+    refuseOutput(reader, options);
     options.mechanism = readMechanism(reader);
     options.sampling = readSampling(reader);
     options.solver = readSolver(reader);
@@ -539,6 +584,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
                           .arg(kLargestSide));
     }
 
+    readPace(reader, options);
     const double end = options.sampling.start + options.sampling.duration;
     options.poseInstant =
         reader.has("scene") ? std::clamp(reader.scene().time, options.sampling.start, end) : options.sampling.start;

@@ -59,7 +59,7 @@ struct StudyOptions {
 };
 
 struct RenderOptions {
-    enum class Subject { Figure, Mechanism, Plot, Report };
+    enum class Subject { Figure, Mechanism, Plot, Report, Frames };
     Mechanism mechanism;
     Sampling sampling;
     SolverSettings solver;
@@ -72,6 +72,7 @@ struct RenderOptions {
     QString output;
     QSize size; ///< px before scaling
     double scale = 1.0;
+    double speed = 1.0; ///< for Subject::Frames, seconds of the motion in a second of the film
     Theme theme = Theme::Light;
 };
 

@@ -2,6 +2,7 @@
 #include "app/render.h"
 
 #include "app/shortfall.h"
+#include "ui/animation_export.h"
 #include "ui/figure_export.h"
 #include "ui/mechanism_view.h"
 #include "ui/plot_grid.h"
@@ -55,20 +56,54 @@ void settle(Session &session, const RenderOptions &options, const std::shared_pt
 }
 
 /// The linkage as the file has it, where that is another than the model's; none where the file reads otherwise.
-ReferencePose ghostOf(const Reference &reference, const Interpretation &interpretation, const RenderOptions &options)
+ReferencePose ghostOf(const Reference &reference, const Interpretation &interpretation, const RenderOptions &options,
+                      double instant)
 {
     if (!interpretation.conventions.empty() || interpretation.attribution.empty()) {
         return {};
     }
     const bool isFound = interpretation.identification.status == Identification::Status::Found;
     const Mechanism own = isFound ? Mechanism(interpretation.identification.parameters) : options.mechanism;
-    return referencePoseAt(reference.data, own, options.poseInstant);
+    return referencePoseAt(reference.data, own, instant);
+}
+
+Animation filmOf(const RenderOptions &options)
+{
+    Animation film;
+    film.start = options.sampling.start;
+    film.duration = options.sampling.duration;
+    film.speed = options.speed;
+    film.size = {options.size, options.scale};
+    return film;
+}
+
+/// As exportFigure(); returns when everything is written.
+std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawing &draw)
+{
+    AnimationExport film(filmOf(options), draw);
+    std::optional<QString> problem;
+    QEventLoop loop;
+    QObject::connect(&film, &AnimationExport::finished, &loop, [&](const QString &sentence) {
+        problem = sentence;
+        loop.quit();
+    });
+    film.start(options.output);
+    if (!problem) {
+        loop.exec();
+    }
+    return problem->isEmpty() ? std::nullopt : problem;
 }
 
 Shortfall shortfallOf(const RenderOptions &options, const Session &session)
 {
     Shortfall shortfall;
-    if (options.subject == RenderOptions::Subject::Mechanism) {
+    if (options.subject == RenderOptions::Subject::Frames) {
+        const Animation film = filmOf(options);
+        for (int frame = 0; frame < film.frameCount(); ++frame) {
+            const Pose pose = poseAt(options.mechanism.parameters(), film.instant(frame));
+            shortfall.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
+        }
+    } else if (options.subject == RenderOptions::Subject::Mechanism) {
         const Pose pose = session.pose();
         shortfall.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
     } else {
@@ -109,7 +144,7 @@ ExitStatus render(const RenderOptions &options)
     if (reference && options.subject != RenderOptions::Subject::Figure &&
         options.subject != RenderOptions::Subject::Plot) {
         content.interpretation = interpret(reference->data, options.mechanism);
-        const ReferencePose ghost = ghostOf(*reference, content.interpretation, options);
+        const ReferencePose ghost = ghostOf(*reference, content.interpretation, options, options.poseInstant);
         content.hasGhost = ghost.exists;
         mechanism.setGhost(ghost);
     }
@@ -124,6 +159,13 @@ ExitStatus render(const RenderOptions &options)
     const FigureDrawing drawPlot = [&](QPainter &painter, const QSize &size) {
         plots.paintPlot(painter, QStringLiteral("plot_") + options.plot, size, palette);
     };
+    const FrameDrawing drawFrame = [&](QPainter &painter, const QSize &size, double instant) {
+        mechanism.setPose(poseAt(options.mechanism.parameters(), instant));
+        if (reference) {
+            mechanism.setGhost(ghostOf(*reference, content.interpretation, options, instant));
+        }
+        mechanism.paintMechanism(painter, size, palette);
+    };
     const auto exported = [&](const FigureDrawing &draw) {
         return exportFigure(options.output, {options.size, options.scale},
                             CommandLine::tr("Motion of an offset slider-crank"), draw);
@@ -133,6 +175,7 @@ ExitStatus render(const RenderOptions &options)
     case RenderOptions::Subject::Figure: failure = exported(drawFigure); break;
     case RenderOptions::Subject::Plot: failure = exported(drawPlot); break;
     case RenderOptions::Subject::Mechanism: failure = exported(drawMechanism); break;
+    case RenderOptions::Subject::Frames: failure = exportFilm(options, drawFrame); break;
     case RenderOptions::Subject::Report:
         failure = exportReport(options.output, content, {drawMechanism, drawFigure});
         break;

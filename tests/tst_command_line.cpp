@@ -242,6 +242,8 @@ private slots:
     void rendersTheInstantAskedFor();
     void rendersWhatWasChosen_data();
     void rendersWhatWasChosen();
+    void rendersFrames();
+    void filmsFrames();
     void refusesToRenderABadReference();
     void writesAReport();
     void reportsTheSameNumbersAsItCompares();
@@ -608,6 +610,13 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("render --output x.png --at 0.5 --at-angle 30", "remove one");
     row("render --output x.png --at 3", "outside the run");
     row("render --output x.png --format csv", "no option --format");
+    row("render --what frames --output x.svg", "must end in .png, .mp4, .webm or .gif");
+    row("render --what frames", "needs --output");
+    row("render --what frames --output x.png --at 0.5", "remove --at");
+    row("render --what frames --output x.png --at-angle 5", "remove --at-angle");
+    row("render --what frames --output x.png --speed 0", "--speed must be greater than 0");
+    row("render --what frames --output x.png --duration 1e6", "more than 100000 frames");
+    row("render --what mechanism --output x.png --speed 2", "--speed is of --what frames");
     row("study --cases soft", "--cases must be nominal, hard or all");
     row("study --format xml", "--format must be text, csv or json");
     row("study --steps 100", "no option --steps");
@@ -1505,6 +1514,80 @@ void TestCommandLine::rendersWhatWasChosen()
     QVERIFY(!chosen.isNull() && !otherwise.isNull());
     QCOMPARE(picture(options, QStringLiteral("again.png")), chosen);
     QVERIFY(chosen != otherwise);
+}
+
+void TestCommandLine::rendersFrames()
+{
+    QTemporaryDir folder;
+    const QStringList line{
+        "render",      "--what",  "frames", "--duration", "0.2",
+        "--b",         "60",      "--size", "240x200",    "--scale",
+        "1.5",         "--theme", "dark",   "--output",   folder.filePath(QStringLiteral("motion.png")),
+        "--reference", sample()};
+    const Outcome outcome = run(line + QStringList{"--speed", "0.5"});
+    QCOMPARE(outcome.err, QByteArray());
+    QCOMPARE(outcome.status, 0);
+    QStringList names; // 0.2 s of the motion take 0.4 s
+    for (int frame = 1; frame <= 13; ++frame) {
+        names += QStringLiteral("motion_%1.png").arg(frame, 3, 10, QLatin1Char('0'));
+    }
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name), names);
+    const auto still = [&](const QString &instant) {
+        const QString path = folder.filePath(QStringLiteral("still.png"));
+        run({"render", "--what", "mechanism", "--b", "60", "--at", instant, "--size", "240x200", "--scale", "1.5",
+             "--theme", "dark", "--output", path});
+        return QImage(path).convertToFormat(QImage::Format_RGB32);
+    };
+    const auto frame = [&](int number) {
+        return QImage(folder.filePath(names[number])).convertToFormat(QImage::Format_RGB32);
+    };
+    QCOMPARE(frame(0).size(), QSize(360, 300));
+    QCOMPARE(frame(0), still(QStringLiteral("0")));
+    QCOMPARE(frame(6), still(QStringLiteral("0.1")));
+    QCOMPARE(frame(12), still(QStringLiteral("0.2")));
+    QVERIFY(frame(6) != frame(12));
+
+    // The linkage of another file beside it, frame by frame.
+    run(line + QStringList{"--a", "22"});
+    const QImage both = frame(6);
+    run(line.first(line.size() - 2) + QStringList{"--a", "22"});
+    QVERIFY(both != frame(6));
+
+    const Outcome impossible = run({"render", "--what", "frames", "--b", "40", "--start", "0.6", "--duration", "0.2",
+                                    "--size", "120x100", "--output", folder.filePath(QStringLiteral("rocker.png"))});
+    QCOMPARE(impossible.status, 4);
+    QVERIFY2(isOneLine(impossible.err) && impossible.err.contains("of 7 instants"), impossible.err.constData());
+    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("rocker_007.png"))));
+
+    const Outcome nowhere =
+        run({"render", "--what", "frames", "--output", folder.filePath(QStringLiteral("missing/motion.png"))});
+    QCOMPARE(nowhere.status, 3);
+    QVERIFY2(isOneLine(nowhere.err) && nowhere.err.contains("cannot be written"), nowhere.err.constData());
+}
+
+void TestCommandLine::filmsFrames()
+{
+    QTemporaryDir folder;
+    const QStringList line{"render",     "--what",   "frames",
+                           "--duration", "0.5",      "--size",
+                           "121x101",    "--output", folder.filePath(QStringLiteral("motion.mp4"))};
+    QProcessEnvironment poor = withoutDisplay();
+    poor.insert(QStringLiteral("PATH"), folder.path());
+    const Outcome without = run(line, poor);
+    QCOMPARE(without.status, 3);
+    QVERIFY2(isOneLine(without.err) && without.err.contains("ffmpeg"), without.err.constData());
+    QVERIFY(QDir(folder.path()).isEmpty());
+
+    const QString judge = QStandardPaths::findExecutable(QStringLiteral("ffprobe"));
+    if (judge.isEmpty()) {
+        QSKIP("There is no ffmpeg here to make a video.");
+    }
+    QCOMPARE(run(line).status, 0);
+    QProcess process;
+    process.start(judge, {"-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames", "-of",
+                          "csv=p=0", line.last()});
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.readAllStandardOutput().trimmed(), QByteArray("122,102,16")); // even sides
 }
 
 void TestCommandLine::refusesToRenderABadReference()

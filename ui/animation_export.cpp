@@ -19,7 +19,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMostFrames = 100000;
 constexpr qint64 kMostWaiting = 16 * 1024 * 1024; // bytes that ffmpeg has not taken yet
 
 QString ffmpeg()
@@ -108,8 +107,8 @@ void AnimationExport::start(const QString &path)
                       .arg(shown, suffixes().join(tr(" or .", "between the endings of file names"))));
         return;
     }
-    if (m_animation.frameCount() > kMostFrames) {
-        end(tr("More than %1 frames: choose a shorter run or fewer frames a second.").arg(kMostFrames));
+    if (m_animation.frameCount() > Animation::kMostFrames) {
+        end(tr("More than %1 frames: choose a shorter run or fewer frames a second.").arg(Animation::kMostFrames));
         return;
     }
     m_folder = std::make_unique<QTemporaryDir>(QFileInfo(path).absoluteDir().filePath(QStringLiteral("frames-XXXXXX")));

@@ -21,6 +21,8 @@ namespace slidercrank
 {
 
 struct Animation {
+    static constexpr int kMostFrames = 100'000;
+
     double start = 0.0;    ///< s of the motion
     double duration = 1.0; ///< s of the motion; negative: backwards
     double speed = 1.0;    ///< seconds of the motion in a second of the film
