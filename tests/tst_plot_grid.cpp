@@ -150,6 +150,7 @@ private slots:
     void showsErrorsInTheChosenMeasure();
     void labelsTheAxisWithTheCrankAngle();
     void maximizesAPlotByItsTitle();
+    void zoomsByKeysAboutTheInstant();
     void offersToExportAPlot();
     void drawsAsManyPointsAsPixelsAtMost();
     void keepsTheAxesInPlaceWhileValuesChange();
@@ -622,6 +623,22 @@ void TstPlotGrid::maximizesAPlotByItsTitle()
     ShownGrid::settle();
     QCOMPARE(shown.plot(name)->size(), small);
     QVERIFY(shown.plot(QStringLiteral("plot_theta3"))->isVisible());
+}
+
+void TstPlotGrid::zoomsByKeysAboutTheInstant()
+{
+    ShownGrid shown(resultOf(Parameters()));
+    Pose pose;
+    pose.time = 0.25;
+    shown.grid.setPose(pose);
+    QCustomPlot *plot = shown.plot(QStringLiteral("plot_R4_x"));
+    plot->setFocus();
+    QTest::keyClick(plot, Qt::Key_Plus);
+    const std::optional<Interval> zoomed = shown.grid.zoom().time;
+    QVERIFY(zoomed && zoomed->length() < 0.8);
+    QVERIFY(std::abs((0.25 - zoomed->lower) / zoomed->length() - 0.25) < 1e-12); // it stays where it is
+    QTest::keyClick(plot, Qt::Key_Minus);
+    QVERIFY(std::abs(shown.grid.zoom().time.value_or(Interval{0.0, 1.0}).length() - 1.0) < 1e-12);
 }
 
 void TstPlotGrid::offersToExportAPlot()

@@ -60,6 +60,9 @@ public:
         painter->drawText(option.rect.adjusted(kMargin, 0, -kMargin, 0),
                           static_cast<int>(alignmentOf(index.column())) | Qt::TextSingleLine,
                           index.data(Qt::DisplayRole).toString());
+        if (option.state.testFlag(QStyle::State_HasFocus)) {
+            painter->drawRect(option.rect.adjusted(0, 0, -1, -1));
+        }
     }
 };
 

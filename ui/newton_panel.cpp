@@ -220,6 +220,9 @@ void NewtonPanel::arrange()
 void NewtonPanel::showPage(int page)
 {
     m_buttons->button(page)->setChecked(true);
+    for (QAbstractButton *button : m_buttons->buttons()) {
+        button->setFocusPolicy(button->isChecked() ? Qt::TabFocus : Qt::NoFocus); // the arrow keys lead to the others
+    }
     m_pages->setCurrentIndex(page);
     m_copy->setVisible(m_tables[static_cast<std::size_t>(page)] != nullptr);
     m_remark->hide();

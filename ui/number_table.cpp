@@ -177,12 +177,15 @@ public:
             light.setAlpha(40);
             painter->fillRect(option.rect, light);
         }
+        painter->setPen(ink);
+        if (option.state.testFlag(QStyle::State_HasFocus)) {
+            painter->drawRect(option.rect.adjusted(0, 0, -1, -1));
+        }
         if (cell.text.isEmpty()) {
             return;
         }
         const QRect room = option.rect.adjusted(kMargin, 0, -kMargin, 0);
         const bool fits = cell.shortText.isEmpty() || option.fontMetrics.horizontalAdvance(cell.text) <= room.width();
-        painter->setPen(ink);
         painter->drawText(room, static_cast<int>(m_model.alignmentOf(index.column())) | Qt::TextSingleLine,
                           fits ? cell.text : cell.shortText);
     }

@@ -3,6 +3,7 @@
 
 #include "core/mobility.h"
 #include "ui/number_box.h"
+#include "ui/number_slider.h"
 #include "ui/theme.h"
 
 #include <QComboBox>
@@ -10,7 +11,6 @@
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QToolButton>
@@ -141,12 +141,11 @@ std::vector<Stretch> anglesWithoutPose(const MotionLimits &limits, double range)
 
 } // namespace
 
-/// A slider over real numbers, in steps that are round numbers, with parts of its range shaded.
-class ParameterSlider : public QSlider
+/// Its steps are round numbers; parts of its range are shaded.
+class ParameterSlider : public NumberSlider
 {
 public:
     ParameterSlider()
-        : QSlider(Qt::Horizontal)
     {
         setMinimumWidth(56);
         setPageStep(10);
@@ -160,15 +159,12 @@ public:
         const QSignalBlocker quiet(this);
         if (range != m_range) {
             m_range = range;
-            m_step = nextRoundNumber(range / 200.0);
+            setScale(0.0, nextRoundNumber(range / 200.0));
         }
-        const int positions = static_cast<int>(std::lround(m_range / m_step));
+        const int positions = positionOf(m_range);
         setRange(positive ? 1 : -positions, positions);
-        setValue(static_cast<int>(std::lround(std::clamp(value, -m_range, m_range) / m_step)));
+        setValue(positionOf(value));
     }
-
-    /// Without the binary tail of 3 · 0.1.
-    double number() const { return QString::number(value() * m_step, 'g', 12).toDouble(); }
 
     /// Shades them, in the unit of number(); `why` joins the tooltip.
     void setForbidden(std::vector<Stretch> forbidden, const QString &explanation, const QString &why)
@@ -195,8 +191,8 @@ private:
         const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
         const double first = 0.5 * handle.width();
         const double travel = width() - handle.width();
-        const double lowest = minimum() * m_step;
-        const double highest = maximum() * m_step;
+        const double lowest = numberAt(minimum());
+        const double highest = numberAt(maximum());
         const auto pixel = [&](double number) { return first + travel * (number - lowest) / (highest - lowest); };
         QColor colour = seriesColours(palette()).warning;
         colour.setAlphaF(kShade);
@@ -212,7 +208,6 @@ private:
     static constexpr double kBand = 12.0; // px high
 
     double m_range = 0.0;
-    double m_step = 1.0;
     std::vector<Stretch> m_forbidden;
 };
 
@@ -385,6 +380,7 @@ void ParameterPanel::showRow(const Row &row)
     const double value = toUnitOf(row, exact);
     const bool positive = row.parameter == Parameter::A || row.parameter == Parameter::B;
     row.slider->setRangeAndValue(sliderRangeFor(row, value), positive, value);
+    row.slider->setSuffix(row.unit ? QLatin1Char(' ') + row.unit->currentText() : tr(" mm"));
     row.box->setValue(value);
     row.reset->setEnabled(exact != valueOf(Parameters(), row.parameter));
 }

@@ -67,7 +67,7 @@ PlotGrid::PlotGrid(QWidget *parent)
     m_hint->setObjectName(QStringLiteral("no_reference_hint"));
     m_hint->setTextFormat(Qt::RichText);
     m_hint->setText(tr("No reference data.<br><a href=\"open\">Open a reference…</a><br>or drop a CSV here."));
-    m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // a label's focus is not seen; by keys there is a menu
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setWordWrap(true);
     m_hint->setBackgroundRole(QPalette::Base);
@@ -492,7 +492,8 @@ std::optional<std::size_t> PlotGrid::measuringCursorAt(std::size_t plot, const Q
     return nearest;
 }
 
-/// Of the plot that has the focus. A and B bring the measuring cursors to the current instant.
+/// Of the plot that has the focus. + and − zoom about the current instant; A and B bring the measuring cursors to the
+/// current instant.
 bool PlotGrid::pressKey(std::size_t plot, int key)
 {
     switch (key) {
@@ -504,6 +505,15 @@ bool PlotGrid::pressKey(std::size_t plot, int key)
         }
         maximize({});
         return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Minus: {
+        constexpr double kFactor = 0.7;
+        const Interval shown = m_figure.timeRange();
+        const bool sees = m_cursorTime && shown.contains(*m_cursorTime);
+        zoomTime(sees ? *m_cursorTime : 0.5 * (shown.lower + shown.upper),
+                 key == Qt::Key_Plus ? kFactor : 1.0 / kFactor);
+        return true;
+    }
     case Qt::Key_A:
     case Qt::Key_B:
         if (!m_measured || !m_cursorTime) {

@@ -4,6 +4,7 @@
 #include "core/crank_instant.h"
 
 #include "ui/number_box.h"
+#include "ui/number_slider.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -13,7 +14,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QStyleOptionToolButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -156,11 +156,13 @@ Timeline::Timeline(QWidget *parent)
     m_angleBox->setStep(1.0);
     connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
 
-    m_slider = new QSlider(Qt::Horizontal);
+    m_slider = new NumberSlider;
+    m_slider->setSuffix(tr(" s"));
     m_slider->setObjectName(QStringLiteral("timeSlider"));
     m_slider->setAccessibleName(tr("Instant, slider"));
     m_slider->setMinimumWidth(60);
-    connect(m_slider, &QSlider::valueChanged, this, [this](int step) { emit timeRequested(m_sampling.instant(step)); });
+    connect(m_slider, &NumberSlider::valueChanged, this,
+            [this](int step) { emit timeRequested(m_sampling.instant(step)); });
 
     auto *timeLabel = new QLabel(tr("t"));
     timeLabel->setBuddy(m_timeBox);
@@ -255,6 +257,7 @@ void Timeline::setSampling(const Sampling &sampling)
     m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
     {
         const QSignalBlocker quiet(m_slider);
+        m_slider->setScale(sampling.start, sampling.duration / sampling.steps);
         m_slider->setRange(0, sampling.steps);
         m_slider->setPageStep(std::max(1, sampling.steps / 20));
     }

@@ -13,12 +13,12 @@
 #include <QWidget>
 
 class QComboBox;
-class QSlider;
 
 namespace slidercrank
 {
 
 class NumberBox;
+class NumberSlider;
 class PlaybackButton;
 
 class Timeline : public QWidget
@@ -78,7 +78,7 @@ private:
     PlaybackButton *m_play = nullptr;
     PlaybackButton *m_loop = nullptr;
     QComboBox *m_speedBox = nullptr;
-    QSlider *m_slider = nullptr;
+    NumberSlider *m_slider = nullptr;
     NumberBox *m_timeBox = nullptr;
     NumberBox *m_angleBox = nullptr;
 };
