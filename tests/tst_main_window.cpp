@@ -3,6 +3,7 @@
 // The window as its user has it: hands on the controls, eyes on what is painted.
 
 #include "ui/folding_tabs.h"
+#include "ui/help_page.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/newton_panel.h"
@@ -24,6 +25,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
@@ -105,6 +107,7 @@ private slots:
     void init()
     {
         QSettings().clear();
+        QSettings().setValue(QStringLiteral("greeted"), true);
         m_window = std::make_unique<MainWindow>();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
@@ -138,6 +141,56 @@ private slots:
                              widget->inherits("QScrollBar"),
                          qPrintable(widget->objectName() + QLatin1String(widget->metaObject()->className())));
             }
+        }
+    }
+
+    void saysWhatToDoTheFirstTimeOnly()
+    {
+        QSettings().remove(QStringLiteral("greeted"));
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        const auto *bar = m_window->findChild<MessageBar *>();
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("sample")));
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->findChild<QAbstractButton *>(QStringLiteral("messageRemedy"))->click();
+        QVERIFY(loaded.wait());
+        QVERIFY(m_window->session().reference());
+
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(!m_window->findChild<MessageBar *>()->isVisible());
+    }
+
+    void listsEveryKeyOfItsMenusInTheHelp()
+    {
+        const QString page = shortcutsText(*m_window->menuBar());
+        int keys = 0;
+        for (const QAction *action : m_window->findChildren<QAction *>()) {
+            for (const QKeySequence &key : action->shortcuts()) {
+                const QString row =
+                    QStringLiteral("<tr><td>[^<]*%1</td><td[^>]*>[^<]*%2")
+                        .arg(QRegularExpression::escape(action->text().remove(u'&').toHtmlEscaped()),
+                             QRegularExpression::escape(key.toString(QKeySequence::NativeText).toHtmlEscaped()));
+                QVERIFY2(page.contains(QRegularExpression(row)), qPrintable(action->text()));
+                ++keys;
+            }
+        }
+        QVERIFY(keys > 15);
+    }
+
+    void helpStandsBesideTheWindow()
+    {
+        for (const QString &name : {QStringLiteral("What is this program"), QStringLiteral("Keyboard and mouse")}) {
+            for (QAction *action : m_window->findChildren<QAction *>()) {
+                if (action->text().remove(u'&') == name) {
+                    action->trigger();
+                }
+            }
+            auto *page = m_window->findChild<HelpPage *>();
+            QVERIFY(page && page->isVisible() && !page->isModal());
+            QCOMPARE(page->windowTitle(), name);
+            QTest::keyClick(page, Qt::Key_Escape);
+            QTRY_VERIFY(!m_window->findChild<HelpPage *>());
         }
     }
 

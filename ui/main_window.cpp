@@ -6,6 +6,7 @@
 #include "ui/control_states.h"
 #include "ui/error_panel.h"
 #include "ui/folding_tabs.h"
+#include "ui/help_page.h"
 #include "ui/language.h"
 #include "ui/limits_panel.h"
 #include "ui/mechanism_view.h"
@@ -95,6 +96,7 @@ MainWindow::MainWindow(QWidget *parent)
     restoreLayout();
     qApp->installEventFilter(this);
     m_session->setTime(m_session->sampling().start);
+    greetOnce();
     if (QAbstractButton *play = m_timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
         play->setFocus();
     }
@@ -353,6 +355,11 @@ void MainWindow::buildMenus()
     playback->addAction(tr("To the &end"), QKeySequence(Qt::Key_End), m_timeline, &Timeline::toEnd);
 
     QMenu *help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("&What is this program"), QKeySequence::HelpContents, this,
+                    [this] { (new HelpPage(tr("What is this program"), formulasText(), this))->show(); });
+    help->addAction(tr("&Keyboard and mouse"), QKeySequence(Qt::CTRL | Qt::Key_F1), this,
+                    [this] { (new HelpPage(tr("Keyboard and mouse"), shortcutsText(*menuBar()), this))->show(); });
+    help->addSeparator();
     help->addAction(tr("&About"), this, &MainWindow::showAbout);
 }
 
@@ -970,12 +977,32 @@ void MainWindow::showGhost()
 
 void MainWindow::showAbout()
 {
-    QMessageBox::about(
-        this, tr("About"),
+    auto *about = new QMessageBox(
+        QMessageBox::NoIcon, tr("About"),
         tr("<h3>slidercrank %1</h3><p>The motion of an offset slider-crank: computed, shown, and compared "
            "with a simulation.</p><p>Formulation after A. A. Shabana, <i>Computational Dynamics</i>.</p>"
            "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-            .arg(QCoreApplication::applicationVersion()));
+            .arg(QCoreApplication::applicationVersion()),
+        QMessageBox::Close, this);
+    about->setObjectName(QStringLiteral("aboutBox"));
+    about->setAttribute(Qt::WA_DeleteOnClose);
+    about->setIconPixmap(windowIcon().pixmap(64));
+    about->open(); // does not wait: what plays goes on
+}
+
+/// The first time ever: what there is to do.
+void MainWindow::greetOnce()
+{
+    const QString key = QStringLiteral("greeted");
+    if (QSettings().value(key).toBool()) {
+        return;
+    }
+    QSettings().setValue(key, true);
+    m_messageBar->showMessage(
+        MessageBar::Kind::Hint,
+        tr("Move a slider and everything follows; Space plays. Drop a simulation's CSV here to see "
+           "how far it is from this mechanism, or try it with the sample."),
+        tr("Open the sample"), [this] { openSample(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -117,6 +117,7 @@ private:
     void restoreLayout();
     void fillRecentMenu();
     void showAbout();
+    void greetOnce();
 
     Session *m_session;
     QObjectList m_foundation; ///< what was there before the rooms
