@@ -526,20 +526,8 @@
         <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles con nombre, después del mecanismo si se da uno; all: los casos con nombre, nominales y difíciles (nominal)</translation>
     </message>
     <message>
-        <source>figure (the nine plots), mechanism, report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation>figure (las nueve gráficas), mechanism (el mecanismo), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
-    </message>
-    <message>
-        <source>a name that ends in .png, .svg or .pdf; needed</source>
-        <translation>un nombre que termine en .png, .svg o .pdf; obligatorio</translation>
-    </message>
-    <message>
         <source>a simulation&apos;s CSV file to draw beside it</source>
         <translation>un archivo CSV de una simulación, para dibujarlo al lado</translation>
-    </message>
-    <message>
-        <source>pixels (figure 1400x1800, mechanism 900x700, plot 900x600)</source>
-        <translation>píxeles (figure 1400x1800, mechanism 900x700, una gráfica 900x600)</translation>
     </message>
     <message>
         <source>of a PNG&apos;s pixels, 0.1 to 10 (1)</source>
@@ -560,10 +548,6 @@
     <message>
         <source>a simulation&apos;s CSV file to open</source>
         <translation>un archivo CSV de una simulación, para abrirlo</translation>
-    </message>
-    <message>
-        <source>forget the window&apos;s layout, the recent files, the theme and the choices of columns</source>
-        <translation>olvida la disposición de la ventana, los archivos recientes, el tema y las elecciones de columnas</translation>
     </message>
     <message>
         <source>this text</source>
@@ -770,12 +754,6 @@ aceleración no existen, en algún instante, o no se halló mecanismo para un ar
         <translation>No se pueden escribir los ajustes de %1: elimínelos allí.</translation>
     </message>
     <message>
-        <source>Forgotten: the window&apos;s layout, the recent files, the theme and the choices of columns.
-</source>
-        <translation>Olvidados: la disposición de la ventana, los archivos recientes, el tema y las elecciones de columnas.
-</translation>
-    </message>
-    <message>
         <source>There is no display to open the window on: set DISPLAY, or use solve, compare, identify, study or render, which need none.</source>
         <translation>No hay pantalla en la que abrir la ventana: defina DISPLAY, o use solve, compare, identify, study o render, que no la necesitan.</translation>
     </message>
@@ -866,10 +844,6 @@ aceleración no existen, en algún instante, o no se halló mecanismo para un ar
     <message>
         <source>&quot;slidercrank identify&quot; takes one file, not %1: remove &quot;%2&quot;.</source>
         <translation>«slidercrank identify» admite un archivo, no %1: quite «%2».</translation>
-    </message>
-    <message>
-        <source>--what must be figure, mechanism, report or one of the plots %1, not &quot;%2&quot;.</source>
-        <translation>--what debe ser figure, mechanism, report o una de las gráficas %1, y no «%2».</translation>
     </message>
     <message>
         <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
@@ -1022,6 +996,54 @@ instants that a method calls solved. Silently wrong instants: %1. Machine: %2. D
         <translation>Los errores son los del peor de los seis canales graficados, relativos al pico del canal, frente a 50 a 100 cifras, en
 los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1. Máquina: %2. Hecho en %3 s.
 </translation>
+    </message>
+    <message>
+        <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of frames, 30 a second: seconds of the motion in a second of the film (1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forget what the window remembers: layout, recent files, language, theme, choices of columns</source>
+        <translation>olvida lo que la ventana recuerda: disposición, archivos recientes, idioma, tema, elecciones de columnas</translation>
+    </message>
+    <message>
+        <source>Forgotten: layout, recent files, language, theme, choices of columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--what must be figure, mechanism, frames, report or one of the plots %1, not &quot;%2&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames are numbered pictures or a video: --output must end in .png, .mp4, .webm or .gif, not be &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--speed is of --what frames: remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames show the whole run: remove --%1, or choose the run with --start and --duration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--speed must be greater than 0, not %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There would be more than %1 frames: choose a shorter --duration or a greater --speed.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1729,6 +1751,233 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     </message>
 </context>
 <context>
+    <name>slidercrank::HelpPage</name>
+    <message>
+        <source>%1: </source>
+        <translation>%1: </translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> o </translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>En todas partes</translation>
+    </message>
+    <message>
+        <source>To the next control, to the one before</source>
+        <translation>Al control siguiente, al anterior</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Mayús+Tab</translation>
+    </message>
+    <message>
+        <source>Open a menu</source>
+        <translation>Abrir un menú</translation>
+    </message>
+    <message>
+        <source>Alt and the underlined letter</source>
+        <translation>Alt y la letra subrayada</translation>
+    </message>
+    <message>
+        <source>Open a file</source>
+        <translation>Abrir un archivo</translation>
+    </message>
+    <message>
+        <source>Drop it on the window</source>
+        <translation>Soltarlo en la ventana</translation>
+    </message>
+    <message>
+        <source>Mechanism</source>
+        <translation>Mecanismo</translation>
+    </message>
+    <message>
+        <source>Move through time</source>
+        <translation>Recorrer el tiempo</translation>
+    </message>
+    <message>
+        <source>Drag A</source>
+        <translation>Arrastrar A</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Change a little, a lot</source>
+        <translation>Cambiar poco, mucho</translation>
+    </message>
+    <message>
+        <source>On a slider: arrow keys, Page Up and Page Down</source>
+        <translation>En un deslizador: flechas, Re Pág y Av Pág</translation>
+    </message>
+    <message>
+        <source>Type any number, in any unit on show</source>
+        <translation>Escribir cualquier número, en la unidad a la vista</translation>
+    </message>
+    <message>
+        <source>In a box: the number, then Enter</source>
+        <translation>En una casilla: el número y luego Intro</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficas</translation>
+    </message>
+    <message>
+        <source>Go to an instant</source>
+        <translation>Ir a un instante</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>Read the values of all nine</source>
+        <translation>Leer los valores de las nueve</translation>
+    </message>
+    <message>
+        <source>Point at a curve</source>
+        <translation>Señalar una curva</translation>
+    </message>
+    <message>
+        <source>Zoom the time</source>
+        <translation>Ampliar el tiempo</translation>
+    </message>
+    <message>
+        <source>Wheel; + and − on a plot with the focus</source>
+        <translation>Rueda; + y − en la gráfica con el foco</translation>
+    </message>
+    <message>
+        <source>Zoom the values</source>
+        <translation>Ampliar los valores</translation>
+    </message>
+    <message>
+        <source>Wheel left of the axis</source>
+        <translation>Rueda a la izquierda del eje</translation>
+    </message>
+    <message>
+        <source>Move what is zoomed</source>
+        <translation>Desplazar lo ampliado</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Arrastrar</translation>
+    </message>
+    <message>
+        <source>Show the whole run</source>
+        <translation>Mostrar todo el recorrido</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doble clic</translation>
+    </message>
+    <message>
+        <source>Make a plot large, and small again</source>
+        <translation>Agrandar una gráfica y volver a reducirla</translation>
+    </message>
+    <message>
+        <source>Double click its title, or Enter</source>
+        <translation>Doble clic en su título, o Intro</translation>
+    </message>
+    <message>
+        <source>Copy, export, choose the error</source>
+        <translation>Copiar, exportar, elegir el error</translation>
+    </message>
+    <message>
+        <source>Right click, or the menu key</source>
+        <translation>Clic derecho, o la tecla de menú</translation>
+    </message>
+    <message>
+        <source>Move a measuring cursor</source>
+        <translation>Mover un cursor de medida</translation>
+    </message>
+    <message>
+        <source>Drag it, or A and B to bring it to the instant</source>
+        <translation>Arrastrarlo, o A y B para llevarlo al instante</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tablas</translation>
+    </message>
+    <message>
+        <source>Go where a row&apos;s value is</source>
+        <translation>Ir adonde está el valor de una fila</translation>
+    </message>
+    <message>
+        <source>Click, or Enter</source>
+        <translation>Clic, o Intro</translation>
+    </message>
+    <message>
+        <source>Light up a row&apos;s joint</source>
+        <translation>Iluminar la junta de una fila</translation>
+    </message>
+    <message>
+        <source>Point at it, or the arrow keys</source>
+        <translation>Señalarla, o las flechas</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV</source>
+        <translation>Copiar la tabla como CSV</translation>
+    </message>
+    <message>
+        <source>Fold the panels away</source>
+        <translation>Plegar los paneles</translation>
+    </message>
+    <message>
+        <source>Click the current tab</source>
+        <translation>Clic en la pestaña actual</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Qué hace</translation>
+    </message>
+    <message>
+        <source>It shows how an offset slider-crank moves with the lengths and the speed you choose, and how far a motion exported from a simulation (CSV) is from it, and why.</source>
+        <translation>Muestra cómo se mueve un mecanismo manivela-corredera excéntrico con las longitudes y la velocidad que usted elija, cuánto se aparta de él el movimiento exportado de una simulación (CSV), y por qué.</translation>
+    </message>
+    <message>
+        <source>The mechanism</source>
+        <translation>El mecanismo</translation>
+    </message>
+    <message>
+        <source>The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length b, leads from its pin A to the pin B of the slider, which moves along y = c. Bodies are superscripts: 1 ground, 2 crank, 3 coupler, 4 slider.</source>
+        <translation>La manivela, de longitud a, gira alrededor de O₂ a la velocidad constante ω₂. La biela, de longitud b, va de su pasador A al pasador B de la corredera, que se mueve sobre y = c. Los cuerpos son superíndices: 1 bancada, 2 manivela, 3 biela, 4 corredera.</translation>
+    </message>
+    <message>
+        <source>θ³ is the coupler&apos;s angle seen from A towards B; the θ₃ that textbooks draw at B is θ³ + 180°. The crank turns round where</source>
+        <translation>θ³ es el ángulo de la biela visto de A hacia B; el θ₃ que los libros dibujan en B es θ³ + 180°. La manivela da la vuelta entera donde</translation>
+    </message>
+    <message>
+        <source>Closed form, exact</source>
+        <translation>Forma cerrada, exacta</translation>
+    </message>
+    <message>
+        <source>Plus: open assembly, the slider to the right of A. Minus: crossed.</source>
+        <translation>Más: configuración abierta, la corredera a la derecha de A. Menos: cruzada.</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson</source>
+        <translation>Newton-Raphson</translation>
+    </message>
+    <message>
+        <source>The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations C(q, t) = 0, after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. The position is iterated until ‖C‖ is within the tolerance; velocity and acceleration follow from it. Where cos θ³ = 0 the coupler stands square to the slider&apos;s line and they do not exist.</source>
+        <translation>Las 12 coordenadas q, centro de masa y ángulo de cada cuerpo, cumplen 12 ecuaciones C(q, t) = 0, según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. La posición se itera hasta que ‖C‖ está dentro de la tolerancia; de ella se siguen velocidad y aceleración. Donde cos θ³ = 0 la biela está perpendicular a la línea de la corredera y estas no existen.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Of each value x of a file against the model&apos;s, as a percentage of the file&apos;s; where that is 0 there is no percentage. The View menu has errors in ° and mm, and in percent of the peak.</source>
+        <translation>De cada valor x de un archivo frente al del modelo, como porcentaje del archivo; donde este es 0 no hay porcentaje. El menú Ver ofrece los errores en ° y mm, y en porcentaje del máximo.</translation>
+    </message>
+    <message>
+        <source>|model − x| / |x| · 100 %</source>
+        <translation>|modelo − x| / |x| · 100 %</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::IterationPlot</name>
     <message>
         <source>Residual ‖C‖ over the iterations</source>
@@ -2195,6 +2444,30 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>The mechanism is in the clipboard.</source>
         <translation>El mecanismo está en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>&amp;What is this program</source>
+        <translation>&amp;Qué es este programa</translation>
+    </message>
+    <message>
+        <source>What is this program</source>
+        <translation>Qué es este programa</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Teclado y ratón</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Teclado y ratón</translation>
+    </message>
+    <message>
+        <source>Move a slider and everything follows; Space plays. Drop a simulation&apos;s CSV here to see how far it is from this mechanism, or try it with the sample.</source>
+        <translation>Mueva un deslizador y todo lo sigue; la barra espaciadora reproduce. Suelte aquí el CSV de una simulación para ver cuánto se aparta de este mecanismo, o pruebe con el ejemplo.</translation>
+    </message>
+    <message>
+        <source>Open the sample</source>
+        <translation>Abrir el ejemplo</translation>
     </message>
 </context>
 <context>
