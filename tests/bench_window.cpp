@@ -4,6 +4,7 @@
 // with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display.
 
 #include "ui/main_window.h"
+#include "ui/plot_grid.h"
 #include "ui/timeline.h"
 
 #include <QApplication>
@@ -17,9 +18,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <vector>
 
 using namespace slidercrank;
 
@@ -92,25 +95,95 @@ double processorSeconds()
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// The slider of b moves to and fro; from the move to the paint of all nine plots.
+/// A window whose slider of b moves to and fro, with as many samples a curve and maybe the sample file's curves beside.
+class MovingSlider
+{
+public:
+    MovingSlider(int samples, bool withReference)
+        : m_window(shownWindow())
+        , m_slider(m_window->findChild<QSlider *>(QStringLiteral("slider_b")))
+        , m_watch(*m_window)
+        , m_start(m_slider->value())
+    {
+        if (withReference) {
+            m_window->session().loadReference(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
+            spin(500); // it is read, compared and explained
+        }
+        Sampling sampling;
+        sampling.steps = samples - 1;
+        m_window->session().setSampling(sampling);
+        move(); // what is still under way is out of date with it
+    }
+
+    /// From the move to the paint of all nine plots.
+    void move()
+    {
+        m_watch.reset();
+        m_slider->setValue(m_start + 1 + ++m_moves % 20);
+        waitUntilPainted(m_watch);
+    }
+
+    /// The room that the nine plots have.
+    QSize plotsSize() const { return m_window->findChild<PlotGrid *>()->size(); }
+
+private:
+    std::unique_ptr<MainWindow> m_window;
+    QSlider *m_slider;
+    PaintWatch m_watch;
+    int m_start;
+    int m_moves = 0;
+};
+
 void sliderToNinePlots(benchmark::State &state)
 {
-    const std::unique_ptr<MainWindow> window = shownWindow();
-    Sampling sampling;
-    sampling.steps = static_cast<int>(state.range(0)) - 1;
-    window->session().setSampling(sampling);
-    QCoreApplication::processEvents();
-    auto *slider = window->findChild<QSlider *>(QStringLiteral("slider_b"));
-    PaintWatch watch(*window);
-    const int start = slider->value();
-    int move = 0;
+    MovingSlider slider(static_cast<int>(state.range(0)), state.range(1) != 0);
     for (auto _ : state) {
-        watch.reset();
-        slider->setValue(start + 1 + ++move % 20);
-        waitUntilPainted(watch);
+        slider.move();
     }
 }
-BENCHMARK(sliderToNinePlots)->Arg(201)->Arg(20001)->Unit(benchmark::kMillisecond)->MinTime(1.0)->Repetitions(5);
+BENCHMARK(sliderToNinePlots)
+    ->ArgNames({"samples", "reference"})
+    ->ArgsProduct({{201, 20'001, 1'000'001}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->MinTime(1.0)
+    ->Repetitions(5)
+    ->ReportAggregatesOnly();
+
+/// The same with the sample file beside, against matplotlib drawing the same figure from curves computed beforehand:
+/// each one's median time, and how many times it is ours. Needs Python with matplotlib: $PYTHON, or python3.
+void againstMatplotlib(benchmark::State &state)
+{
+    constexpr int kMoves = 31;
+    const int samples = static_cast<int>(state.range(0));
+    MovingSlider slider(samples, true);
+    std::vector<double> ours;
+    QProcess python;
+    const QString python3 = qEnvironmentVariable("PYTHON", QStringLiteral("python3"));
+    for (auto _ : state) {
+        for (int i = 0; i < kMoves; ++i) {
+            QElapsedTimer clock;
+            clock.start();
+            slider.move();
+            ours.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+        }
+        python.start(python3, {QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/nine_plots_matplotlib.py"),
+                               QString::number(samples), QString::number(slider.plotsSize().width()),
+                               QString::number(slider.plotsSize().height()), QString::number(kMoves)});
+        python.waitForFinished(-1);
+    }
+    if (python.exitStatus() != QProcess::NormalExit || python.exitCode() != 0) {
+        state.SkipWithError("matplotlib could not be run: is python3-matplotlib installed?");
+        return;
+    }
+    std::nth_element(ours.begin(), ours.begin() + kMoves / 2, ours.end());
+    const double theirs = python.readAllStandardOutput().trimmed().toDouble();
+    state.counters["ours_ms"] = ours[kMoves / 2];
+    state.counters["matplotlib_ms"] = theirs;
+    state.counters["times"] = theirs / ours[kMoves / 2];
+}
+BENCHMARK(againstMatplotlib)->ArgName("samples")->Arg(201)->Arg(20'001)->Arg(1'000'001)->Iterations(1);
 
 /// Processor share over three seconds, in percent of one core.
 void processorShare(benchmark::State &state)

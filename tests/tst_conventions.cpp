@@ -512,7 +512,7 @@ private slots:
         QFETCH(const Fault, second);
         QFETCH(const bool, atHand);
         RandomFiles files(3);
-        for (int i = 0; i < filesOf(20); ++i) {
+        for (int i = 0; i < filesOf(10); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             std::vector<Convention> expected = second.inject(table, p, files);
@@ -625,7 +625,7 @@ private slots:
         QFETCH(const Fault, fault);
         QFETCH(const bool, atHand);
         RandomFiles files(6);
-        for (int i = 0; i < filesOf(20); ++i) {
+        for (int i = 0; i < filesOf(10); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             const std::vector<Convention> expected = fault.inject(table, p, files);

@@ -225,7 +225,7 @@ private slots:
         moved->mechanism = Mechanism(parameters);
         panel.setResult(moved);
         QVERIFY(child<QLabel>(panel, "findingLabel")->isVisible());
-        QVERIFY(!child<QLabel>(panel, "findingLabel")->isEnabled());
+        QTRY_VERIFY(!child<QLabel>(panel, "findingLabel")->isEnabled());
 
         // Everything agrees: nothing to say.
         auto agreeing = std::make_shared<Result>(*moved);

@@ -13,12 +13,14 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 namespace slidercrank
 {
@@ -39,6 +41,9 @@ enum Column {
 };
 constexpr int kColumnCount = 9;
 constexpr int kErrorDigits = 3;
+
+/// Between two fillings while the parameters move: nobody reads faster, and a filling takes longer than nine plots.
+constexpr std::chrono::milliseconds kPause{100};
 
 QString dash()
 {
@@ -156,6 +161,14 @@ ErrorPanel::ErrorPanel(QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_pages);
+
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_stale && isVisible()) {
+            fill();
+        }
+    });
 }
 
 QWidget *ErrorPanel::createEmptyPage()
@@ -236,7 +249,7 @@ QWidget *ErrorPanel::createTablePage()
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setWordWrap(false);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // one line each, all as high
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
@@ -276,7 +289,8 @@ void ErrorPanel::setDiagnosis(const std::shared_ptr<const Diagnosis> &diagnosis)
 void ErrorPanel::refresh()
 {
     m_stale = true;
-    if (isVisible()) {
+    const bool tooSoon = m_pause.isActive() && isOnTheMove();
+    if (isVisible() && !tooSoon) {
         fill();
     }
 }
@@ -341,6 +355,7 @@ void ErrorPanel::fitColumns()
 
 void ErrorPanel::wordVerdicts()
 {
+    const QSignalBlocker oneByOne(m_table->model());
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ChannelComparison &channel = m_result->comparison[static_cast<std::size_t>(row)];
         m_table->item(row, Outcome)
@@ -352,6 +367,7 @@ void ErrorPanel::wordVerdicts()
 void ErrorPanel::fill()
 {
     m_stale = false;
+    m_pause.start();
     const bool compared = m_result && m_result->reference;
     m_pages->setCurrentIndex(compared ? 1 : 0);
     if (!compared) {
@@ -371,16 +387,21 @@ void ErrorPanel::fill()
     fillTable();
 }
 
-void ErrorPanel::fillFindings()
+bool ErrorPanel::isOnTheMove() const
 {
     const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->reference;
-    const bool upToDate = ofThisFile && m_diagnosis->parameters == m_result->mechanism.parameters();
-    // While the parameters move, what was found for others stays, dimmed, lest the panel jump under the hand.
-    const bool onTheMove = ofThisFile && !upToDate && worstOf(m_result->comparison) != Verdict::Agrees;
-    if (!onTheMove) {
-        m_findings->setFindings(findingsOf(*m_result, upToDate ? m_diagnosis.get() : nullptr));
+    return ofThisFile && m_diagnosis->parameters != m_result->mechanism.parameters();
+}
+
+void ErrorPanel::fillFindings()
+{
+    // What was found for others stays, dimmed, lest the panel jump under the hand.
+    const bool outOfDate = isOnTheMove() && worstOf(m_result->comparison) != Verdict::Agrees;
+    if (!outOfDate) {
+        const bool ofThese = m_diagnosis && m_diagnosis->reference == m_result->reference && !isOnTheMove();
+        m_findings->setFindings(findingsOf(*m_result, ofThese ? m_diagnosis.get() : nullptr));
     }
-    m_findings->setUpToDate(!onTheMove);
+    m_findings->setUpToDate(!outOfDate);
 }
 
 void ErrorPanel::fillTable()
@@ -388,6 +409,8 @@ void ErrorPanel::fillTable()
     const SeriesColours colours = seriesColours(palette());
     const std::vector<ChannelComparison> &comparison = m_result->comparison;
     m_table->setRowCount(static_cast<int>(comparison.size()));
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->verticalHeader()->minimumSectionSize());
+    const QSignalBlocker oneByOne(m_table->model()); // each item would be painted, measured and laid out by itself
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ChannelComparison &channel = comparison[static_cast<std::size_t>(row)];
         const QString unit = unitOf(channel.channel);
@@ -437,7 +460,12 @@ void ErrorPanel::fillTable()
         QTableWidgetItem *outcome = set(Outcome, {}, tr("%1\n%2").arg(verdictText(channel), verdictFormula(channel)));
         outcome->setForeground(verdictColour(channel.verdict, colours));
     }
-    fitColumns();
+    if (isOnTheMove()) {
+        wordVerdicts(); // the columns stay as wide as they are
+    } else {
+        fitColumns();
+    }
+    m_table->viewport()->update();
 }
 
 void ErrorPanel::goToError(int row, int column)

@@ -7,6 +7,7 @@
 #include "ui/findings.h"
 #include "ui/session.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <memory>
@@ -48,6 +49,7 @@ private:
     QWidget *createTablePage();
     void refresh(); ///< fills in, now or when the panel comes on show
     void fill();
+    bool isOnTheMove() const; ///< the parameters are, and nothing was found out for these yet
     void fillFindings();
     void fillTable();
     void fitColumns(); ///< shares spare width out among them, or says verdicts in short
@@ -57,6 +59,7 @@ private:
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const Diagnosis> m_diagnosis;
     bool m_stale = false;         ///< these are not on show yet
+    QTimer m_pause;               ///< runs for a while after each filling
     bool m_shortVerdicts = false; ///< there is no room for whole ones
     QStackedWidget *m_pages = nullptr;
     QLabel *m_verdict = nullptr;

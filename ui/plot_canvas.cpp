@@ -29,6 +29,7 @@ PlotCanvas::PlotCanvas(QWidget *parent)
     setInteractions(QCP::Interactions());
     setAutoAddPlottableToLegend(false);
     setPlottingHint(QCP::phFastPolylines, true); // a line of width 2 costs four times as much without
+    mPaintBuffers = {QSharedPointer<QCPAbstractPaintBuffer>(new OpaqueBuffer(this, bufferDevicePixelRatio()))};
     layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical); // no second pixmap: nothing is drawn there
     axisRect()->setAutoMargins(QCP::msNone);
     xAxis->setTicker(m_timeTicker);
@@ -109,6 +110,39 @@ void PlotCanvas::display(const PlotPicture &picture, const QMargins &margins)
         line->setPen(penOf(curve.ink, m_colours));
         line->setValueAxis(i == 1 && picture.rightValues ? yAxis2 : yAxis);
     }
+}
+
+void PlotCanvas::paintEvent(QPaintEvent *)
+{
+    QCPPainter painter(this);
+    for (const auto &buffer : mPaintBuffers) {
+        buffer->draw(&painter);
+    }
+}
+
+PlotCanvas::OpaqueBuffer::OpaqueBuffer(const PlotCanvas *plot, double devicePixelRatio)
+    : QCPAbstractPaintBuffer(plot->size(), devicePixelRatio)
+    , m_plot(plot)
+{
+    reallocateBuffer();
+}
+
+QCPPainter *PlotCanvas::OpaqueBuffer::startPainting()
+{
+    return new QCPPainter(&m_pixmap); // deleted by QCustomPlot
+}
+
+void PlotCanvas::OpaqueBuffer::clear(const QColor &)
+{
+    m_pixmap.fill(m_plot->m_colours.background);
+}
+
+void PlotCanvas::OpaqueBuffer::reallocateBuffer()
+{
+    setInvalidated();
+    m_pixmap = QPixmap(mSize * mDevicePixelRatio);
+    m_pixmap.setDevicePixelRatio(mDevicePixelRatio);
+    clear({});
 }
 
 void PlotCanvas::Bands::draw(QCPPainter *painter)

@@ -25,7 +25,27 @@ public:
     bool hasValues() const { return m_picture.hasValues; }
     const QCPAxis *valueAxisOf(std::size_t curve) const { return curve == 1 && m_picture.rightValues ? yAxis2 : yAxis; }
 
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
 private:
+    /// The picture with its background in it: shown by copying, where QCustomPlot's own, transparent one is blended.
+    class OpaqueBuffer : public QCPAbstractPaintBuffer
+    {
+    public:
+        OpaqueBuffer(const PlotCanvas *plot, double devicePixelRatio);
+        QCPPainter *startPainting() override;
+        void draw(QCPPainter *painter) const override { painter->drawPixmap(0, 0, m_pixmap); }
+        void clear(const QColor &colour) override;
+
+    protected:
+        void reallocateBuffer() override;
+
+    private:
+        const PlotCanvas *m_plot;
+        QPixmap m_pixmap;
+    };
+
     /// Title, unit of the time axis, marks and dots: what QCustomPlot has no cheap element for.
     class Lettering : public QCPLayerable
     {

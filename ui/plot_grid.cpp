@@ -33,6 +33,21 @@ Interval scaled(const Interval &range, double about, double factor)
     return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
 }
 
+/// The line of the instant on show, over a plot.
+class CursorLine : public QWidget
+{
+public:
+    explicit CursorLine(QWidget *plot)
+        : QWidget(plot)
+    {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        hide();
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), palette().window()); }
+};
+
 } // namespace
 
 PlotGrid::PlotGrid(QWidget *parent)
@@ -55,10 +70,7 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_plots[i]->setObjectName(plotName(i));
         m_plots[i]->setAccessibleName(accessibleNames[i]);
         m_plots[i]->installEventFilter(this);
-        m_cursors[i] = new QWidget(m_plots[i]);
-        m_cursors[i]->setAttribute(Qt::WA_TransparentForMouseEvents);
-        m_cursors[i]->setAutoFillBackground(true);
-        m_cursors[i]->hide();
+        m_cursors[i] = new CursorLine(m_plots[i]);
         m_overlays[i] = new PlotOverlay(m_plots[i]);
         m_plots[i]->setFocusPolicy(Qt::TabFocus);
     }
@@ -204,6 +216,10 @@ void PlotGrid::refresh()
         m_plots[i]->replot(QCustomPlot::rpQueuedRefresh);
     }
     moveCursors();
+    for (QWidget *cursor : m_cursors) {
+        // Around an opaque line Qt paints the plot in pieces, which takes longer than all of it at once.
+        cursor->setAttribute(Qt::WA_OpaquePaintEvent, false);
+    }
     updateOverlays();
 }
 
@@ -227,7 +243,11 @@ void PlotGrid::moveCursors()
                                m_plots[i]->timeRange().contains(*m_cursorTime) && axes.width() > 1;
         if (isInRange) {
             const int x = static_cast<int>(std::lround(m_plots[i]->xAxis->coordToPixel(*m_cursorTime)));
-            m_cursors[i]->setGeometry(x, axes.top(), 1, axes.height());
+            const QRect line(x, axes.top(), 1, axes.height());
+            if (m_cursors[i]->geometry() != line) {
+                m_cursors[i]->setAttribute(Qt::WA_OpaquePaintEvent); // under it nothing needs to be painted
+                m_cursors[i]->setGeometry(line);
+            }
         }
         m_cursors[i]->setVisible(isInRange);
     }
