@@ -231,7 +231,7 @@ private slots:
         auto agreeing = std::make_shared<Result>(*moved);
         agreeing->comparison[0].verdict = Verdict::Agrees;
         panel.setResult(agreeing);
-        QVERIFY(!child<QWidget>(panel, "findings")->isVisible());
+        QTRY_VERIFY(!child<QWidget>(panel, "findings")->isVisible());
     }
 
     void offersEachConventionAndTheWayBack()
