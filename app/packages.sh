@@ -5,6 +5,10 @@
 programPackages=(g++ cmake ninja-build libeigen3-dev libhwy-dev libqcustomplot-dev qt6-base-dev qt6-svg-dev
     qt6-tools-dev qt6-l10n-tools qt6-translations-l10n libboost-dev fonts-dejavu-core)
 
+# Programs that are none of ours and open what this one exports, for tests/run alone. Where one is missing, its tests are
+# skipped.
+testPackages=(poppler-utils librsvg2-bin netpbm)
+
 # Own packages only in newer releases (Debian 13); before that, part of one of those above.
 packagesSplitOff=(qt6-svg-plugins)
 
