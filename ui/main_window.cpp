@@ -188,7 +188,7 @@ void MainWindow::remakeRooms()
     m_plotGrid->setMeasured(measured);
     if (study) {
         m_tabs->setCurrent(studyTab);
-        findChild<StudyPanel *>()->takeOver(*study);
+        m_tabs->findChild<StudyPanel *>()->takeOver(*study);
         delete study;
     }
     m_tabs->setCurrent(tab);
@@ -258,11 +258,11 @@ void MainWindow::buildMenus()
 {
     QMenu *file = menuBar()->addMenu(tr("&File"));
     file->addAction(tr("&Open reference…"), QKeySequence::Open, this, &MainWindow::chooseReference);
-    file->addAction(tr("Open s&cene…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), m_scene,
+    file->addAction(tr("Open sc&ene…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), m_scene,
                     &SceneFile::chooseAndOpen);
     m_recentMenu = file->addMenu(tr("Open &recent"));
     connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-    file->addAction(tr("Open the &sample"), this, &MainWindow::openSample);
+    file->addAction(tr("Open the samp&le"), this, &MainWindow::openSample);
     m_closeReferenceAction = file->addAction(tr("&Close reference"), QKeySequence::Close, this,
                                              [this] { m_session->setReference(nullptr); });
     m_closeReferenceAction->setEnabled(false);
@@ -278,7 +278,7 @@ void MainWindow::buildMenus()
                     [this] { exportMechanismTo(chooseExportFile(QStringLiteral("mechanism.png"))); });
     file->addAction(tr("Export &data…"), this, &MainWindow::chooseData);
     file->addAction(tr("Export repor&t…"), this, &MainWindow::chooseReport);
-    file->addAction(tr("Export &animation…"), this, &MainWindow::chooseAnimation);
+    file->addAction(tr("Export a&nimation…"), this, &MainWindow::chooseAnimation);
     file->addSeparator();
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 
@@ -301,11 +301,11 @@ void MainWindow::buildMenus()
     }
     edit->addAction(tr("Copy &mechanism"), this, &MainWindow::copyMechanism);
     edit->addSeparator();
-    edit->addAction(tr("&Reset parameters to Table 1"), this, [this] { m_session->setParameters(Parameters()); });
+    edit->addAction(tr("Rese&t parameters to Table 1"), this, [this] { m_session->setParameters(Parameters()); });
 
     QMenu *view = menuBar()->addMenu(tr("&View"));
     view->addAction(tr("Show &all of the plots"), QKeySequence(Qt::CTRL | Qt::Key_0), m_plotGrid, &PlotGrid::showAll);
-    QMenu *plots = view->addMenu(tr("P&lots"));
+    QMenu *plots = view->addMenu(tr("Pl&ots"));
     plots->addActions(m_plotGrid->choices());
     QAction *fold = view->addAction(tr("Show the &panels below"), QKeySequence(Qt::Key_F9));
     fold->setCheckable(true);
