@@ -3,6 +3,7 @@
 
 #include "app/command_line.h"
 #include "app/json_text.h"
+#include "ui/core_text.h"
 #include "ui/finding_text.h"
 
 #include <QDir>
@@ -158,8 +159,7 @@ void warnOf(const QString &file, const ReferenceData &data)
         say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
                             "(\"%5\"): %6.")
                 .arg(QDir::toNativeSeparators(file), QString::number(data.skipped.size()), QString::number(first.line),
-                     QString::number(first.column), QString::fromStdString(first.text),
-                     QString::fromStdString(first.reason)));
+                     QString::number(first.column), QString::fromStdString(first.text), coreText(first.reason)));
     }
     if (!data.ignoredColumns.empty()) {
         QStringList names;

@@ -3,6 +3,7 @@
 
 #include "app/output.h"
 #include "core/study.h"
+#include "ui/core_text.h"
 
 #include <QStringList>
 
@@ -31,10 +32,10 @@ QString outcomeOf(const MethodResult &row, std::size_t instants)
     QStringList parts;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
         if (row.counts[i] == instants) {
-            return toQString(wordOf(static_cast<Status>(i)));
+            return coreText(wordOf(static_cast<Status>(i)));
         }
         if (row.counts[i] > 0) {
-            parts += QString::number(row.counts[i]) + u' ' + toQString(wordOf(static_cast<Status>(i)));
+            parts += QString::number(row.counts[i]) + u' ' + coreText(wordOf(static_cast<Status>(i)));
         }
     }
     return parts.join(QStringLiteral(", "));
@@ -58,7 +59,7 @@ QString tableOf(const CaseResult &which)
     const auto number = [](double value) { return QString::number(value, 'g', 9); };
     QString text =
         CommandLine::tr("%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants")
-            .arg(toQString(which.name), number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
+            .arg(coreNames(which.name), number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
                  p.branch == Branch::Open ? CommandLine::tr("open") : CommandLine::tr("crossed"),
                  QString::number(which.instants)) +
         u'\n';
@@ -95,7 +96,7 @@ QString textOf(const StudyResult &result)
                             "50 to 100 digits, over the\n"
                             "instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 "
                             "s.\n")
-                .arg(QString::number(silentFailures), toQString(result.machine), rounded(result.seconds));
+                .arg(QString::number(silentFailures), coreNames(result.machine), rounded(result.seconds));
     return text;
 }
 

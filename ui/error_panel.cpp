@@ -2,6 +2,7 @@
 #include "ui/error_panel.h"
 
 #include "ui/axis_scale.h"
+#include "ui/core_text.h"
 #include "ui/finding_text.h"
 #include "ui/number_box.h"
 #include "ui/theme.h"
@@ -127,7 +128,7 @@ LeftOut leftOutOf(const ReferenceData &data)
             details << ErrorPanel::tr("Line %1, column %2: “%3” %4")
                            .arg(row.line)
                            .arg(row.column)
-                           .arg(text(row.text), text(row.reason));
+                           .arg(text(row.text), coreText(row.reason));
         }
         if (data.skipped.size() > kMostDetails) {
             details << ErrorPanel::tr("… and %1 more").arg(data.skipped.size() - kMostDetails);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference_file.h"
 
+#include "ui/core_text.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -25,7 +27,7 @@ struct ReferenceFileText {
 
 QString sentenceOf(const ReadError &error, const QString &file)
 {
-    const QString reason = QString::fromStdString(error.reason);
+    const QString reason = coreText(error.reason);
     if (error.line == 0) {
         return QStringLiteral("%1: %2").arg(file, reason);
     }

@@ -2,6 +2,7 @@
 #include "ui/reference_panel.h"
 
 #include "ui/column_text.h"
+#include "ui/core_text.h"
 #include "ui/finding_text.h"
 #include "ui/theme.h"
 
@@ -394,7 +395,7 @@ void ReferencePanel::fillSkipped()
         setCell(m_skipped, row, Line, of.line == 0 ? QString() : QString::number(of.line));
         setCell(m_skipped, row, Cell, of.column == 0 ? QString() : QString::number(of.column));
         setCell(m_skipped, row, Text, textOf(of.text));
-        setCell(m_skipped, row, Reason, textOf(of.reason));
+        setCell(m_skipped, row, Reason, coreText(of.reason));
     }
     fitColumns(m_skipped);
 }

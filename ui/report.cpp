@@ -2,6 +2,7 @@
 #include "ui/report.h"
 
 #include "ui/axis_scale.h"
+#include "ui/core_text.h"
 #include "ui/finding_text.h"
 #include "ui/number_box.h"
 
@@ -123,8 +124,7 @@ QString leftOutText(const ReferenceData &data)
     if (!data.skipped.empty()) {
         parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
                      .arg(count(data.skipped.size()), count(data.skipped.front().line),
-                          QString::fromStdString(data.skipped.front().text),
-                          QString::fromStdString(data.skipped.front().reason));
+                          QString::fromStdString(data.skipped.front().text), coreText(data.skipped.front().reason));
     }
     if (!data.ignoredColumns.empty()) {
         QStringList names;

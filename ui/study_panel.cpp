@@ -2,6 +2,7 @@
 #include "ui/study_panel.h"
 
 #include "ui/axis_scale.h"
+#include "ui/core_text.h"
 #include "ui/figure_export.h"
 #include "ui/study_figure.h"
 
@@ -42,11 +43,6 @@ enum Column { Name, Tolerance, Time, Error, Bound, Iterations, Outcome };
 constexpr int kColumnCount = 7;
 constexpr QSize kExportSize(900, 600);
 constexpr int kProgressSteps = 200;
-
-QString toQString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QString shownNumber(std::optional<double> value)
 {
@@ -414,7 +410,7 @@ void StudyPanel::showResult()
     const QSignalBlocker quiet(m_cases);
     m_cases->clear();
     for (const CaseResult &which : m_result->cases) {
-        m_cases->addItem(toQString(which.name));
+        m_cases->addItem(coreNames(which.name));
     }
     showCase();
 }
@@ -485,7 +481,7 @@ void StudyPanel::showSummary()
         if (ofThisMechanism && which->parameters != m_parameters) {
             text += tr(". The mechanism has changed since: run again");
         }
-        text += tr(". Times of %1").arg(toQString(m_result->machine));
+        text += tr(". Times of %1").arg(coreNames(m_result->machine));
     }
     m_summary->setText(text);
     m_summary->setToolTip(text);
@@ -509,7 +505,7 @@ std::optional<QString> StudyPanel::exportPicture(const QString &path) const
         return tr("There is nothing to export yet: run the study first.");
     }
     const SeriesColours light = seriesColours(paletteFor(Theme::Light));
-    return exportFigure(path, {kExportSize, 2.0}, tr("Speed and accuracy: %1").arg(toQString(which->name)),
+    return exportFigure(path, {kExportSize, 2.0}, tr("Speed and accuracy: %1").arg(coreNames(which->name)),
                         [&](QPainter &painter, const QSize &size) { drawStudy(painter, size, *which, light); });
 }
 
