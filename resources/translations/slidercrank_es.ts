@@ -999,19 +999,19 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
     </message>
     <message>
         <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation type="unfinished"></translation>
+        <translation>figure (las nueve gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
         <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre que termine en .png, .svg o .pdf; el de frames, en .png (entonces van numerados), o, para un vídeo hecho con ffmpeg, en .mp4, .webm o .gif; obligatorio</translation>
     </message>
     <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
-        <translation type="unfinished"></translation>
+        <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
     <message>
         <source>of frames, 30 a second: seconds of the motion in a second of the film (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>de frames, a 30 por segundo: segundos del movimiento en un segundo de la película (1)</translation>
     </message>
     <message>
         <source>forget what the window remembers: layout, recent files, language, theme, choices of columns</source>
@@ -1019,31 +1019,31 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
     </message>
     <message>
         <source>Forgotten: layout, recent files, language, theme, choices of columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Olvidados: disposición, archivos recientes, idioma, tema, elecciones de columnas.</translation>
     </message>
     <message>
         <source>--what must be figure, mechanism, frames, report or one of the plots %1, not &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>--what debe ser figure, mechanism, frames, report o una de las gráficas %1, y no «%2».</translation>
     </message>
     <message>
         <source>Frames are numbered pictures or a video: --output must end in .png, .mp4, .webm or .gif, not be &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los fotogramas son imágenes numeradas o un vídeo: --output debe terminar en .png, .mp4, .webm o .gif, y no ser «%1».</translation>
     </message>
     <message>
         <source>--speed is of --what frames: remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>--speed es de --what frames: quítela.</translation>
     </message>
     <message>
         <source>Frames show the whole run: remove --%1, or choose the run with --start and --duration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los fotogramas muestran el recorrido completo: quite --%1, o elija el recorrido con --start y --duration.</translation>
     </message>
     <message>
         <source>--speed must be greater than 0, not %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>--speed debe ser mayor que 0, y no %1.</translation>
     </message>
     <message>
         <source>There would be more than %1 frames: choose a shorter --duration or a greater --speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Habría más de %1 fotogramas: elija una --duration menor o una --speed mayor.</translation>
     </message>
 </context>
 <context>
@@ -2377,16 +2377,8 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>&amp;Abrir referencia…</translation>
     </message>
     <message>
-        <source>Open s&amp;cene…</source>
-        <translation>Abrir es&amp;cena…</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>Abrir &amp;reciente</translation>
-    </message>
-    <message>
-        <source>Open the &amp;sample</source>
-        <translation>Abrir el e&amp;jemplo</translation>
     </message>
     <message>
         <source>&amp;Close reference</source>
@@ -2413,10 +2405,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Exportar &amp;mecanismo…</translation>
     </message>
     <message>
-        <source>Export &amp;animation…</source>
-        <translation>Exportar a&amp;nimación…</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Salir</translation>
     </message>
@@ -2437,20 +2425,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>&amp;Copiar la figura</translation>
     </message>
     <message>
-        <source>&amp;Reset parameters to Table 1</source>
-        <translation>Restablecer los &amp;parámetros de la tabla 1</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Ver</translation>
     </message>
     <message>
         <source>Show &amp;all of the plots</source>
         <translation>Mostrar &amp;todo en las gráficas</translation>
-    </message>
-    <message>
-        <source>P&amp;lots</source>
-        <translation>&amp;Gráficas</translation>
     </message>
     <message>
         <source>Show the &amp;panels below</source>
@@ -2715,6 +2695,26 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Open the sample</source>
         <translation>Abrir el ejemplo</translation>
+    </message>
+    <message>
+        <source>Open sc&amp;ene…</source>
+        <translation>Abrir es&amp;cena…</translation>
+    </message>
+    <message>
+        <source>Open the samp&amp;le</source>
+        <translation>Abrir el e&amp;jemplo</translation>
+    </message>
+    <message>
+        <source>Export a&amp;nimation…</source>
+        <translation>Exportar a&amp;nimación…</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t parameters to Table 1</source>
+        <translation>Restablecer los &amp;parámetros de la tabla 1</translation>
+    </message>
+    <message>
+        <source>Pl&amp;ots</source>
+        <translation>&amp;Gráficas</translation>
     </message>
 </context>
 <context>
