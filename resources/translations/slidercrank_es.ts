@@ -300,11 +300,11 @@
     </message>
     <message>
         <source>1 significant digit</source>
-        <translation>1 cifra significativa</translation>
+        <translation>1 cifra signif.</translation>
     </message>
     <message>
         <source>%1 significant digits</source>
-        <translation>%1 cifras significativas</translation>
+        <translation>%1 cifras signif.</translation>
     </message>
     <message>
         <source>whole multiples of 1e%1</source>
@@ -2366,7 +2366,7 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     </message>
     <message>
         <source>Motion limits</source>
-        <translation>Límites del movimiento</translation>
+        <translation>Límites</translation>
     </message>
     <message>
         <source>&amp;File</source>
