@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Light and dark, and the one table of series colours (told apart by the colour-blind; Okabe and Ito, 2008).
+// Light and dark, and the one table of series colours: after Okabe and Ito, Color Universal Design, 2008, the two of
+// the errors farther apart in lightness, so that those who see no red or no green tell them apart in the same axes,
+// too.
 
 #include <QColor>
 #include <QPalette>
