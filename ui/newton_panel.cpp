@@ -164,8 +164,8 @@ QWidget *NewtonPanel::createIterationPage()
     auto *page = new QWidget;
     auto *beside = new QHBoxLayout(page);
     beside->setContentsMargins(0, 0, 0, 0);
-    beside->addWidget(m_plot, 1);
-    beside->addWidget(m_iterations, 1);
+    beside->addWidget(m_plot, 4);
+    beside->addWidget(m_iterations, 5);
     return page;
 }
 
