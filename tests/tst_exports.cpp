@@ -18,6 +18,8 @@
 #include <QClipboard>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
@@ -295,6 +297,31 @@ private slots:
             QCOMPARE(comparison.verdict, Verdict::Agrees);
         }
         QCOMPARE(result.comparison.size(), read.series.size());
+    }
+
+    void aPersonChoosesTheChannels_data()
+    {
+        QTest::addColumn<int>("choice");
+        QTest::addColumn<int>("columns");
+        QTest::newRow("those plotted") << 0 << 7;
+        QTest::newRow("all") << 1 << 37;
+    }
+
+    void aPersonChoosesTheChannels()
+    {
+        QFETCH(const int, choice);
+        QFETCH(const int, columns);
+        actionNamed(*m_window, QStringLiteral("Export data…"))->trigger();
+        auto *dialog = m_window->findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        dialog->setDirectory(m_folder->path());
+        dialog->selectNameFilter(dialog->nameFilters().at(choice));
+        auto *name = dialog->findChild<QLineEdit *>();
+        name->setText(m_folder->filePath(QStringLiteral("chosen"))); // without its ending
+        QTest::keyClick(name, Qt::Key_Return);
+        QTRY_VERIFY2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
+        const QByteArray header = contentOf(m_folder->filePath(QStringLiteral("chosen.csv"))).split('\n').first();
+        QCOMPARE(header.split(',').size(), columns);
     }
 
     void aLongRunIsWrittenAside()
