@@ -35,4 +35,29 @@ std::optional<double> instantAtCrankAngle(const Mechanism &mechanism, double deg
     return std::max(instant, start);
 }
 
+double nearestInstantAtCrankAngle(const Mechanism &mechanism, const Sampling &run, double theta2, double t)
+{
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    const double omega2 = mechanism.omega2();
+    if (omega2 == 0.0) {
+        return t;
+    }
+    const double first = std::min(run.start, run.start + run.duration);
+    const double last = std::max(run.start, run.start + run.duration);
+    const auto farness = [&](double instant) {
+        return std::remainder(theta2 - crankAngle(omega2, instant, mechanism.theta20()).hi, kTurn);
+    };
+    const double wanted = t + farness(t) / omega2;
+    if (wanted >= first && wanted <= last) {
+        return wanted;
+    }
+    const double period = kTurn / std::abs(omega2);
+    const double turns = wanted < first ? std::ceil((first - wanted) / period) : -std::ceil((wanted - last) / period);
+    const double turned = wanted + turns * period;
+    if (turned >= first && turned <= last) {
+        return turned;
+    }
+    return std::abs(farness(first)) < std::abs(farness(last)) ? first : last;
+}
+
 } // namespace slidercrank

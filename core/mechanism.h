@@ -34,6 +34,9 @@ struct Parameters {
 
 enum class Parameter { A, B, C, Omega2, Theta20 };
 
+double &valueOf(Parameters &parameters, Parameter parameter);
+double valueOf(const Parameters &parameters, Parameter parameter);
+
 /// No length, speed or angle may exceed this magnitude (in its unit): sums and products of any few stay finite.
 inline constexpr double kLargestParameter = 1e12;
 

@@ -166,6 +166,23 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     return limits;
 }
 
+std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits)
+{
+    switch (limits.mobility) {
+    case Mobility::FullTurn: return {};
+    case Mobility::Impossible: return {{-std::numbers::pi, std::numbers::pi}};
+    case Mobility::Rocker:
+    case Mobility::Locked: break;
+    }
+    std::vector<CrankRange> forbidden;
+    for (std::size_t i = 0; i < limits.ranges.size(); ++i) { // from the end of each to the start of the next
+        const bool last = i + 1 == limits.ranges.size();
+        forbidden.push_back(
+            normalized(limits.ranges[i].to, last ? limits.ranges[0].from + kTurn : limits.ranges[i + 1].from));
+    }
+    return forbidden;
+}
+
 double shortestCouplerForAnyPose(const Mechanism &mechanism)
 {
     return std::abs(mechanism.c()) - mechanism.a();

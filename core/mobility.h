@@ -61,6 +61,10 @@ struct MotionLimits {
 
 MotionLimits motionLimits(const Mechanism &mechanism);
 
+/// Crank angles at which it cannot be assembled: between the ranges, each from within [-π, π); all of the circle when
+/// there is no range.
+std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits);
+
 /// The shortest coupler for which there is any pose, |c| - a (may be negative: any length will do), and for which the
 /// crank turns round, a + |c|. mm.
 double shortestCouplerForAnyPose(const Mechanism &mechanism);

@@ -105,18 +105,6 @@ private:
 
 } // namespace
 
-double &valueOf(Parameters &parameters, Parameter which)
-{
-    switch (which) {
-    case Parameter::A: return parameters.a;
-    case Parameter::B: return parameters.b;
-    case Parameter::C: return parameters.c;
-    case Parameter::Omega2: return parameters.omega2;
-    case Parameter::Theta20: break;
-    }
-    return parameters.theta20;
-}
-
 void weighByStep(Observations &observations, const Parameters &parameters)
 {
     // A uniform distribution over one step has that variance.

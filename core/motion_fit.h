@@ -35,8 +35,6 @@ struct Fit {
     bool stopped = false;
 };
 
-double &valueOf(Parameters &parameters, Parameter which);
-
 /// By enum Parameter.
 using FreeParameters = std::array<bool, kParameterRows>;
 

@@ -305,6 +305,7 @@ void MainWindow::buildMenus()
 
     QMenu *view = menuBar()->addMenu(tr("&View"));
     view->addAction(tr("Show &all of the plots"), QKeySequence(Qt::CTRL | Qt::Key_0), m_plotGrid, &PlotGrid::showAll);
+    view->addMenu(tr("M&echanism"))->addActions(m_mechanismView->choices());
     QMenu *plots = view->addMenu(tr("Pl&ots"));
     plots->addActions(m_plotGrid->choices());
     QAction *fold = view->addAction(tr("Show the &panels below"), QKeySequence(Qt::Key_F9));
@@ -442,6 +443,9 @@ void MainWindow::connectRooms()
     connect(m_timeline, &Timeline::timeRequested, m_session, &Session::setTime);
     connect(m_plotGrid, &PlotGrid::timeRequested, m_session, &Session::setTime);
     connect(m_mechanismView, &MechanismView::timeRequested, m_session, &Session::setTime);
+    connect(m_mechanismView, &MechanismView::lengthRequested, m_session, &Session::setParameter);
+    connect(m_mechanismView, &MechanismView::dragBegan, m_session, &Session::beginDrag);
+    connect(m_mechanismView, &MechanismView::dragEnded, m_session, &Session::endDrag);
     connect(m_errorPanel, &ErrorPanel::timeRequested, m_session, &Session::setTime);
 
     connect(m_plotGrid, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
@@ -637,6 +641,8 @@ void MainWindow::exportAnimationTo(const QString &path)
     animation.speed = m_timeline->speed();
     const auto view = std::make_shared<MechanismView>();
     view->setResult(m_session->result());
+    view->setSettings(m_mechanismView->settings());
+    view->setZoom(m_mechanismView->zoom());
     const auto draw = [view, parameters = m_session->parameters(), ghostAt = ghost()](QPainter &painter,
                                                                                       const QSize &size, double time) {
         view->setPose(poseAt(parameters, time));

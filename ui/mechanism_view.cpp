@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism_view.h"
 
-#include "core/mobility.h"
+#include "core/crank_instant.h"
+#include "ui/drawn_part.h"
+#include "ui/mechanism_linkage.h"
+#include "ui/mechanism_note.h"
+#include "ui/mechanism_scenery.h"
+#include "ui/mechanism_words.h"
 #include "ui/number_box.h"
-#include "ui/theme.h"
 
-#include <QFontInfo>
-#include <QLocale>
+#include <QAction>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
+#include <QTimer>
+#include <QWheelEvent>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace slidercrank
 {
@@ -21,117 +27,84 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kZoomStep = 1.25;
+constexpr double kPanStep = 40.0;    // px
+constexpr double kStillAClick = 3.0; // px that a hand shakes
+constexpr int kNoteDelay = 250;      // ms: a pointer that only passes by is told nothing
 
-// Sizes in pixels: parts must stay visible and graspable whatever the mechanism's size.
-constexpr double kCrankWidth = 10.5;
-constexpr double kCouplerWidth = 8.0;
-constexpr double kJointRadius = 6.0; ///< covers the ends of the links
-constexpr double kBlockHalfWidth = 19.0;
-constexpr double kBlockHalfHeight = 12.0;
-constexpr double kGhostWidth = 2.0;
-constexpr double kGhostJointRadius = 2.5;
-constexpr double kHatchLength = 7.0;
-constexpr double kHatchSpacing = 7.0;
-constexpr double kGrasp = 18.0;      ///< how far from A a press still takes hold of it
-constexpr double kAroundPins = 42.0; ///< what is drawn around a pin reaches no farther: slider, name
-
-QColor mixed(const QColor &colour, const QColor &background, double share)
+/// A cursor for a pull along a line of that direction on the screen.
+Qt::CursorShape cursorAlong(QPointF direction)
 {
-    const auto blend = [share](int x, int y) { return static_cast<int>(std::lround(share * x + (1.0 - share) * y)); };
-    return QColor(blend(colour.red(), background.red()), blend(colour.green(), background.green()),
-                  blend(colour.blue(), background.blue()));
-}
-
-/// Everywhere that the pins A and B can be, mm; y upwards. Empty rectangles do not occur: the crank has a length.
-QRectF reachOf(const Result &result)
-{
-    const double a = result.mechanism.a();
-    const double c = result.mechanism.c();
-    double left = -a;
-    double right = a;
-    // At the ends of a rocker's arc the slider is at a cos θ2, so within the crank circle's width.
-    for (const std::optional<DeadCentre> &centre : {result.limits.outer, result.limits.inner}) {
-        if (centre) {
-            left = std::min(left, centre->R4x);
-            right = std::max(right, centre->R4x);
-        }
+    constexpr double kSlanted = 0.41; // tangent of 22.5°
+    const double x = std::abs(direction.x());
+    const double y = std::abs(direction.y());
+    if (y <= kSlanted * x) {
+        return Qt::SizeHorCursor;
     }
-    return QRectF(QPointF(left, std::min(-a, c)), QPointF(right, std::max(a, c)));
-}
-
-/// The reach with room around it, its edges on round numbers.
-QRectF frameAround(const QRectF &reach, double room)
-{
-    const double extent = std::max(reach.width(), reach.height());
-    const double step = nextRoundNumber(extent / 20.0);
-    const double margin = room * extent;
-    const auto down = [step](double x) { return std::floor(x / step) * step; };
-    const auto up = [step](double x) { return std::ceil(x / step) * step; };
-    return QRectF(QPointF(down(reach.left() - margin), down(reach.top() - margin)),
-                  QPointF(up(reach.right() + margin), up(reach.bottom() + margin)));
-}
-
-/// Short strokes below a line of ground that ends at both points.
-void paintGround(QPainter &painter, QPointF from, QPointF to)
-{
-    painter.drawLine(from, to);
-    const double length = to.x() - from.x();
-    const int strokes = static_cast<int>(std::min(2000.0, std::floor(length / kHatchSpacing)));
-    for (int i = 0; i < strokes; ++i) {
-        const QPointF top(from.x() + (i + 1) * kHatchSpacing, from.y());
-        painter.drawLine(top, top + QPointF(-kHatchLength, kHatchLength));
+    if (x <= kSlanted * y) {
+        return Qt::SizeVerCursor;
     }
-}
-
-void paintLink(QPainter &painter, QPointF from, QPointF to, double width, const QColor &edge, const QColor &fill)
-{
-    // Flat ends, which the joints cover: round ones would double the time of a frame.
-    painter.setPen(QPen(edge, width, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(from, to);
-    painter.setPen(QPen(fill, width - 3.0, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(from, to);
-}
-
-QPointF unitVector(QPointF vector)
-{
-    const double length = std::hypot(vector.x(), vector.y());
-    return length > 0.0 ? vector / length : QPointF(0.0, -1.0);
-}
-
-void paintJoint(QPainter &painter, QPointF at, const QColor &edge, const QColor &fill)
-{
-    painter.setPen(QPen(edge, 1.6));
-    painter.setBrush(fill);
-    painter.drawEllipse(at, kJointRadius, kJointRadius);
+    return direction.x() * direction.y() < 0.0 ? Qt::SizeBDiagCursor : Qt::SizeFDiagCursor;
 }
 
 } // namespace
 
-/// Where model points go, and in which colours and font.
-struct MechanismView::Canvas {
-    QSizeF size;
-    double scale = 1.0; ///< pixels a mm
-    QPointF origin;     ///< pixels
-    SeriesColours colours;
-    QColor muted;
-    QFont font;
-
-    QPointF operator()(QPointF model) const { return {origin.x() + scale * model.x(), origin.y() - scale * model.y()}; }
-    QPointF toModel(QPointF pixel) const
-    {
-        return {(pixel.x() - origin.x()) / scale, (origin.y() - pixel.y()) / scale};
-    }
-};
-
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
+    , m_note(new MechanismNote(this))
+    , m_noteDelay(new QTimer(this))
 {
     setObjectName(QStringLiteral("mechanismView"));
     setAccessibleName(tr("Mechanism"));
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setMouseTracking(true); // for the hand over A
+    setMouseTracking(true); // for what is pointed at
+    setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_noteDelay->setSingleShot(true);
+    m_noteDelay->setInterval(kNoteDelay);
+    connect(m_noteDelay, &QTimer::timeout, this, &MechanismView::updateNote);
+    makeChoices();
+}
+
+void MechanismView::makeChoices()
+{
+    const auto addSwitch = [this](const QString &text, const QString &name, bool MechanismSettings::*setting) {
+        auto *action = new QAction(text, this);
+        action->setObjectName(name);
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, setting](bool on) {
+            MechanismSettings settings = m_drawing.settings;
+            settings.*setting = on;
+            setSettings(settings);
+        });
+        m_choices << action;
+    };
+    const auto addSeparator = [this] {
+        auto *separator = new QAction(this);
+        separator->setSeparator(true);
+        m_choices << separator;
+    };
+    const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
+        auto *action = new QAction(text, this);
+        action->setShortcuts(keys);
+        action->setShortcutContext(Qt::WidgetShortcut); // elsewhere they are characters that one types
+        connect(action, &QAction::triggered, this, change);
+        m_choices << action;
+    };
+    const auto zoomBy = [this](double factor) {
+        changeFrame([this, factor] { m_frame.zoom(factor, QRectF(rect()).center(), size()); });
+    };
+    addSwitch(tr("&Velocity arrows"), QStringLiteral("showVelocity"), &MechanismSettings::velocity);
+    addSwitch(tr("&Acceleration arrows"), QStringLiteral("showAcceleration"), &MechanismSettings::acceleration);
+    addSwitch(tr("&Path of the coupler's centre"), QStringLiteral("showPath"), &MechanismSettings::path);
+    addSwitch(tr("&Names of the points"), QStringLiteral("showNames"), &MechanismSettings::names);
+    addSwitch(tr("&Dimensions"), QStringLiteral("showDimensions"), &MechanismSettings::dimensions);
+    addSeparator();
+    addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [zoomBy] { zoomBy(kZoomStep); });
+    addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [zoomBy] { zoomBy(1.0 / kZoomStep); });
+    addZoom(tr("&Fit"), {Qt::Key_0}, [this] { fit(); });
+    addActions(m_choices);
 }
 
 QSize MechanismView::sizeHint() const
@@ -144,382 +117,145 @@ QSize MechanismView::minimumSizeHint() const
     return {200, 140};
 }
 
+void MechanismView::setSettings(const MechanismSettings &settings)
+{
+    if (settings == m_drawing.settings) {
+        return;
+    }
+    m_drawing.settings = settings;
+    const std::array<bool, 5> on{settings.velocity, settings.acceleration, settings.path, settings.names,
+                                 settings.dimensions};
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        m_choices[static_cast<qsizetype>(i)]->setChecked(on[i]);
+    }
+    refreshCycle();
+    refreshScenery();
+}
+
+void MechanismView::setZoom(const std::optional<QRectF> &zoom)
+{
+    changeFrame([this, &zoom] { m_frame.setZoomed(zoom); });
+}
+
+void MechanismView::fit()
+{
+    if (m_drawing.result) {
+        changeFrame([this] { m_frame.fit(reach()); });
+    }
+}
+
 void MechanismView::setResult(const std::shared_ptr<const Result> &result)
 {
-    const bool sameScene = m_result && result && m_result->mechanism == result->mechanism;
-    m_result = result;
-    if (sameScene) {
+    const bool sameScene = m_drawing.result && result && m_drawing.result->mechanism == result->mechanism;
+    m_drawing.result = result;
+    if (sameScene || !result) {
         return; // only sampling, solver or reference changed: none of it is drawn here
     }
-    const QRectF frame = m_frame;
-    fitFrame();
-    if (m_frame != frame || m_grid.isNull()) {
-        refreshScenery();
-    } else {
-        m_scenery = QPixmap();
-        update();
+    const bool isPulled = m_hold && m_hold->drag && m_hold->drag->length();
+    if (m_hold && m_hold->drag && !isPulled) {
+        release(); // it was another mechanism that was taken hold of
     }
-    if (m_result) {
-        setAccessibleDescription(
-            tr("Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. Drag the crank "
-               "pin A to move through time.")
-                .arg(numberText(m_result->mechanism.a()), numberText(m_result->mechanism.b()),
-                     numberText(m_result->mechanism.c())));
+    if (!isPulled) { // else what is under the hand would move away from it
+        changeFrame([this] { m_frame.follow(reach()); });
     }
+    refreshCycle();
+    m_scenery = QPixmap();
+    update();
+    const Mechanism &mechanism = m_drawing.mechanism();
+    setAccessibleDescription(
+        tr("Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move "
+           "it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves "
+           "the drawing, Page Down and Page Up tell about its parts one after the other.")
+            .arg(numberText(mechanism.a()), numberText(mechanism.b()), numberText(mechanism.c())));
 }
 
 void MechanismView::setPose(const Pose &pose)
 {
-    const bool existed = m_pose.exists();
-    const QRect before = poseArea();
-    m_pose = pose;
-    if (pose.exists() && m_result) {
-        m_pins = Pins{{pose.pinX, pose.pinY}, {pose.sliderX, m_result->mechanism.c()}};
+    const bool existed = m_drawing.pose.exists();
+    const QRectF before = movingArea();
+    m_drawing.pose = pose;
+    if (pose.exists() && m_drawing.result) {
+        m_drawing.pins = MechanismDrawing::Pins{{pose.pinX, pose.pinY}, {pose.sliderX, m_drawing.mechanism().c()}};
     }
     if (existed && pose.exists()) {
-        update(before.united(poseArea()));
+        updateArea(before.united(movingArea()));
     } else {
         update();
+    }
+    if (m_note->isVisible()) {
+        updateNote();
     }
 }
 
 void MechanismView::setGhost(const ReferencePose &ghost)
 {
-    if (!ghost.exists && !m_ghost.exists) {
+    if (!ghost.exists && !m_drawing.ghost.exists) {
         return; // without a reference it costs nothing
     }
-    update(ghostArea());
-    m_ghost = ghost;
-    update(ghostArea());
+    const MechanismCanvas on = canvas(size(), palette());
+    updateArea(ghostArea(on, m_drawing));
+    m_drawing.ghost = ghost;
+    updateArea(ghostArea(on, m_drawing));
 }
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    const Canvas on = canvas(size, palette);
+    const MechanismCanvas on = canvas(size, palette);
     painter.save();
     painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
-    paintGrid(painter, on);
-    paintScenery(painter, on);
-    paintPose(painter, on);
+    paintGrid(painter, on, m_drawing);
+    paintScenery(painter, on, m_drawing);
+    paintLinkage(painter, on, m_drawing);
     painter.restore();
 }
 
 QPointF MechanismView::toPixels(QPointF model) const
 {
-    return canvas(size(), palette())(model);
+    return projection().toPixels(model);
 }
 
-MechanismView::Canvas MechanismView::canvas(const QSizeF &size, const QPalette &palette) const
+MechanismCanvas MechanismView::canvas(const QSizeF &size, const QPalette &palette) const
 {
-    const QRectF frame = m_frame.isNull() ? QRectF(-1.0, -1.0, 2.0, 2.0) : m_frame;
-    Canvas canvas;
-    canvas.size = size;
-    canvas.scale = std::min(std::max(1.0, size.width()) / frame.width(), std::max(1.0, size.height()) / frame.height());
-    canvas.origin = QPointF(0.5 * size.width() - canvas.scale * frame.center().x(),
-                            0.5 * size.height() + canvas.scale * frame.center().y());
-    canvas.colours = seriesColours(palette);
-    canvas.muted = mixed(canvas.colours.text, canvas.colours.background, 0.6);
-    canvas.font = font();
-    // In pixels, so that text has the same size beside the drawing on every device.
-    canvas.font.setPixelSize(QFontInfo(font()).pixelSize());
-    return canvas;
+    return canvasOf(m_frame.projection(size), palette, font());
 }
 
-void MechanismView::fitFrame()
+/// Of the mechanism and of what is compared with it.
+QRectF MechanismView::reach() const
 {
-    if (!m_result) {
+    return reachOf(m_drawing.mechanism(), m_drawing.result->limits);
+}
+
+void MechanismView::changeFrame(const std::function<void()> &change)
+{
+    const MechanismProjection before = projection();
+    const QRectF fitted = m_frame.fitted();
+    change();
+    if (m_frame.fitted() != fitted) {
+        refreshCycle();
+        refreshScenery();
+    }
+    if (projection() != before) {
+        refreshScenery();
+    }
+}
+
+/// The arrows' scale is one for all of a turn, and fits the frame.
+void MechanismView::refreshCycle()
+{
+    const MechanismSettings &settings = m_drawing.settings;
+    if (!m_drawing.result || !(settings.velocity || settings.acceleration || settings.path)) {
+        m_drawing.cycle.clear();
         return;
     }
-    constexpr double kRoom = 0.08;       // beside what moves, for slider and names
-    constexpr double kRoomToGrow = 0.22; // ... when it has just outgrown the frame: it will grow on
-    constexpr double kLeastRoom = 0.03;
-    constexpr double kMuchTooLarge = 0.65;
-    const QRectF reach = reachOf(*m_result);
-    const double least = kLeastRoom * std::max(reach.width(), reach.height());
-    const QRectF needed = reach.adjusted(-least, -least, least, least);
-    const QRectF wanted = frameAround(reach, kRoom);
-    if (m_frame.isNull() || wanted.width() < kMuchTooLarge * m_frame.width() ||
-        wanted.height() < kMuchTooLarge * m_frame.height()) {
-        m_frame = wanted;
-    } else if (!m_frame.contains(needed)) {
-        const QRectF grown = frameAround(reach, kRoomToGrow);
-        m_frame = QRectF(QPointF(needed.left() < m_frame.left() ? grown.left() : m_frame.left(),
-                                 needed.top() < m_frame.top() ? grown.top() : m_frame.top()),
-                         QPointF(needed.right() > m_frame.right() ? grown.right() : m_frame.right(),
-                                 needed.bottom() > m_frame.bottom() ? grown.bottom() : m_frame.bottom()));
-    }
-}
-
-/// The background with the grid, labelled along the lower and the left edge.
-void MechanismView::paintGrid(QPainter &painter, const Canvas &on) const
-{
-    painter.fillRect(QRectF(QPointF(0.0, 0.0), on.size), on.colours.background);
-    if (!m_result) {
-        return;
-    }
-    constexpr double kLeastSpacing = 50.0; // px
-    const double step = nextRoundNumber(kLeastSpacing / on.scale);
-    const QPointF low = on.toModel({0.0, on.size.height()});
-    const QPointF high = on.toModel({on.size.width(), 0.0});
-    QFont small = on.font;
-    small.setPixelSize(std::max(9, on.font.pixelSize() - 2));
-    painter.setFont(small);
-    const double textHeight = QFontMetricsF(small).height();
-    const double cornerWidth = QFontMetricsF(small).horizontalAdvance(tr("mm")) + 10.0;
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QPen(on.colours.grid, 1.0));
-    const auto forEachLine = [step](double from, double to, const auto &paint) {
-        for (double i = std::ceil(from / step); i <= std::floor(to / step); i += 1.0) {
-            paint(i * step);
-        }
-    };
-    forEachLine(low.x(), high.x(), [&](double x) {
-        const double pixel = on({x, 0.0}).x();
-        painter.drawLine(QPointF(pixel, 0.0), QPointF(pixel, on.size.height()));
-    });
-    forEachLine(low.y(), high.y(), [&](double y) {
-        const double pixel = on({0.0, y}).y();
-        painter.drawLine(QPointF(0.0, pixel), QPointF(on.size.width(), pixel));
-    });
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(on.muted);
-    painter.drawText(QPointF(4.0, on.size.height() - 4.0), tr("mm"));
-    forEachLine(low.x(), high.x(), [&](double x) {
-        const QString text = numberText(x);
-        const double left = on({x, 0.0}).x() + 3.0;
-        if (left > cornerWidth && left + painter.fontMetrics().horizontalAdvance(text) < on.size.width()) {
-            painter.drawText(QPointF(left, on.size.height() - 4.0), text);
-        }
-    });
-    forEachLine(low.y(), high.y(), [&](double y) {
-        const double baseline = on({0.0, y}).y() - 3.0;
-        if (baseline > textHeight && baseline < on.size.height() - 1.5 * textHeight) {
-            painter.drawText(QPointF(4.0, baseline), numberText(y));
-        }
-    });
-}
-
-/// What stands still while the mechanism moves, but not while its lengths change.
-void MechanismView::paintScenery(QPainter &painter, const Canvas &on) const
-{
-    if (!m_result) {
-        return;
-    }
-    const Mechanism &mechanism = m_result->mechanism;
-    const MotionLimits &limits = m_result->limits;
-    painter.setRenderHint(QPainter::Antialiasing);
-
-    // The crank's circle, and the arcs of it where there is no pose.
-    const QPointF pivot = on({0.0, 0.0});
-    const double radius = on.scale * mechanism.a();
-    const QRectF circle(pivot.x() - radius, pivot.y() - radius, 2.0 * radius, 2.0 * radius);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(mixed(on.colours.text, on.colours.background, 0.35), 1.0, Qt::DashLine));
-    painter.drawEllipse(circle);
-    if (limits.mobility != Mobility::FullTurn) {
-        painter.setPen(QPen(on.colours.warning, 3.0, Qt::SolidLine, Qt::FlatCap));
-        const auto paintForbidden = [&](double from, double to) {
-            QPainterPath arc;
-            arc.arcMoveTo(circle, from * kDegreesPerRadian);
-            arc.arcTo(circle, from * kDegreesPerRadian, (to - from) * kDegreesPerRadian);
-            painter.drawPath(arc);
-        };
-        if (limits.ranges.empty()) {
-            painter.drawEllipse(circle);
-        }
-        for (std::size_t i = 0; i < limits.ranges.size(); ++i) {
-            const bool last = i + 1 == limits.ranges.size();
-            paintForbidden(limits.ranges[i].to, last ? limits.ranges[0].from + kTurn : limits.ranges[i + 1].from);
-        }
-    }
-
-    // The slider's line, its rail as far as the slider goes, and the dead centres.
-    const QRectF reach = reachOf(*m_result);
-    double railLeft = reach.left();
-    double railRight = reach.right();
-    if (limits.mobility == Mobility::FullTurn && limits.inner && limits.outer) {
-        railLeft = std::min(limits.inner->R4x, limits.outer->R4x);
-        railRight = std::max(limits.inner->R4x, limits.outer->R4x);
-    }
-    const double line = on({0.0, mechanism.c()}).y();
-    painter.setPen(QPen(on.muted, 1.0, Qt::DashDotLine));
-    painter.drawLine(QPointF(0.0, line), QPointF(on.size.width(), line));
-    painter.setPen(QPen(on.muted, 1.2));
-    const double rail = line + kBlockHalfHeight + 1.0;
-    paintGround(painter, {on({railLeft, 0.0}).x() - kBlockHalfWidth - 4.0, rail},
-                {on({railRight, 0.0}).x() + kBlockHalfWidth + 4.0, rail});
-    for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
-        if (centre) {
-            const double x = on({centre->R4x, 0.0}).x();
-            painter.drawLine(QPointF(x, line - kBlockHalfHeight - 8.0), QPointF(x, rail));
-        }
-    }
-
-    // O₂: a pivot on the ground.
-    const QPointF foot = pivot + QPointF(0.0, 17.0);
-    painter.setPen(QPen(on.muted, 1.2));
-    paintGround(painter, foot + QPointF(-17.0, 0.0), foot + QPointF(17.0, 0.0));
-    painter.setPen(QPen(on.colours.text, 1.4));
-    painter.setBrush(mixed(on.colours.text, on.colours.background, 0.15));
-    painter.drawPolygon(QPolygonF{pivot, foot + QPointF(-11.0, 0.0), foot + QPointF(11.0, 0.0)});
-    paintJoint(painter, pivot, on.colours.text, on.colours.background);
-    painter.setFont(on.font);
-    painter.setPen(on.colours.text);
-    painter.drawText(pivot + QPointF(-16.0 - QFontMetricsF(on.font).horizontalAdvance(tr("O₂")), 16.0), tr("O₂"));
-}
-
-void MechanismView::paintPose(QPainter &painter, const Canvas &on) const
-{
-    if (!m_result) {
-        return;
-    }
-    painter.setRenderHint(QPainter::Antialiasing);
-    const bool exists = m_pose.exists();
-    if (m_pins) {
-        const QColor &ink = on.colours.text;
-        const QColor &paper = on.colours.background;
-        const QColor edge = exists ? ink : mixed(ink, paper, 0.35);
-        const QColor link = exists ? on.colours.model : mixed(ink, paper, 0.3);
-        const QColor fill = exists ? mixed(link, paper, 0.3) : mixed(ink, paper, 0.1);
-        const QPointF pivot = on({0.0, 0.0});
-        const QPointF crank = on(m_pins->crank);
-        const QPointF slider = on(m_pins->slider);
-
-        painter.setPen(QPen(edge, 1.5));
-        painter.setBrush(mixed(ink, paper, exists ? 0.15 : 0.06));
-        painter.drawRect(QRectF(slider.x() - kBlockHalfWidth, slider.y() - kBlockHalfHeight, 2.0 * kBlockHalfWidth,
-                                2.0 * kBlockHalfHeight));
-        paintLink(painter, crank, slider, kCouplerWidth, link, fill);
-        paintLink(painter, pivot, crank, kCrankWidth, link, fill);
-        for (const QPointF &joint : {pivot, crank, slider}) {
-            paintJoint(painter, joint, edge, paper);
-        }
-
-        // The name of A away from both links, that of B beside the slider's dead centre marks.
-        painter.setFont(on.font);
-        painter.setPen(edge);
-        const QPointF apart = unitVector(crank - pivot) + unitVector(crank - slider);
-        const QPointF across(-(slider - crank).y(), (slider - crank).x()); // where crank and coupler are in one line
-        const QPointF away = std::hypot(apart.x(), apart.y()) > 0.3 ? unitVector(apart) : unitVector(across);
-        const QRectF box(-10.0, -9.0, 20.0, 18.0);
-        painter.drawText(box.translated(crank + 17.0 * away), Qt::AlignCenter, tr("A"));
-        painter.drawText(box.translated(slider + QPointF(0.0, -kBlockHalfHeight - 18.0)), Qt::AlignCenter, tr("B"));
-    }
-    paintGhost(painter, on);
-    if (!exists) {
-        const QPointF wanted = crankPin();
-        if (std::isfinite(wanted.x()) && std::isfinite(wanted.y())) {
-            painter.setPen(QPen(on.colours.warning, 2.0, Qt::DashLine));
-            painter.drawLine(on({0.0, 0.0}), on(wanted));
-            paintJoint(painter, on(wanted), on.colours.warning, on.colours.background);
-        }
-        paintExplanation(painter, on);
-    }
-}
-
-void MechanismView::paintGhost(QPainter &painter, const Canvas &on) const
-{
-    if (!m_ghost.exists) {
-        return;
-    }
-    const QPointF crank = on({m_ghost.pinX, m_ghost.pinY});
-    const QPointF slider = on({m_ghost.sliderX, m_ghost.sliderY});
-    painter.setPen(QPen(on.colours.reference, kGhostWidth, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(on({0.0, 0.0}), crank);
-    painter.drawLine(crank, slider);
-    painter.setBrush(Qt::NoBrush);
-    painter.setRenderHint(QPainter::Antialiasing, false); // upright edges need none, and cost less without
-    painter.setPen(on.colours.reference);
-    painter.drawRect(QRectF(slider.x() - kBlockHalfWidth, slider.y() - kBlockHalfHeight, 2.0 * kBlockHalfWidth,
-                            2.0 * kBlockHalfHeight));
-    const double side = 2.0 * kGhostJointRadius;
-    for (const QPointF &joint : {crank, slider}) {
-        painter.fillRect(QRectF(joint.x() - kGhostJointRadius, joint.y() - kGhostJointRadius, side, side),
-                         on.colours.reference);
-    }
-    painter.setRenderHint(QPainter::Antialiasing);
-}
-
-void MechanismView::paintExplanation(QPainter &painter, const Canvas &on) const
-{
-    const QString text = explanation();
-    constexpr double kWidest = 440.0;
-    constexpr double kNarrowest = 190.0;
-    constexpr double kPadding = 9.0;
-    constexpr double kApart = 8.0;
-    // Beside the crank circle and away from the slider's line there is nothing to hide, if there is room.
-    const double a = m_result->mechanism.a();
-    const bool open = m_result->mechanism.branch() == Branch::Open;
-    const double beside = (open ? on.size.width() - on({a, 0.0}).x() : on({-a, 0.0}).x()) - 2.0 * kApart;
-    const double whole = on.size.width() - 2.0 * kApart;
-    const bool fits = beside >= kNarrowest;
-    painter.setFont(on.font);
-    const QRectF room(0.0, 0.0, std::min(kWidest, fits ? beside : whole) - 2.0 * kPadding, 1e4);
-    QRectF box = painter.boundingRect(room, Qt::TextWordWrap, text).adjusted(-kPadding, -kPadding, kPadding, kPadding);
-    const double scaleHeight = QFontMetricsF(on.font).height() + 2.0;
-    const bool below = m_result->mechanism.c() >= 0.0;
-    box.moveTop(below ? on.size.height() - box.height() - kApart - scaleHeight : kApart);
-    const double middle = 0.5 * (on.size.width() - box.width());
-    box.moveLeft(!fits ? middle : open ? on.size.width() - box.width() - kApart : kApart);
-    box = QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5); // a crisp border
-    painter.setPen(QPen(on.colours.warning, 1.0));
-    QColor paper = on.colours.background;
-    paper.setAlphaF(0.93F);
-    painter.setBrush(paper);
-    painter.drawRoundedRect(box, 4.0, 4.0);
-    painter.setPen(on.colours.text);
-    painter.drawText(box.adjusted(kPadding, kPadding, -kPadding + 1.0, -kPadding + 1.0), Qt::TextWordWrap, text);
-}
-
-QString MechanismView::explanation() const
-{
-    if (m_pose.exists() || !m_result) {
-        return {};
-    }
-    if (m_pose.status == Status::NotFinite) {
-        return tr("There is no pose at this instant: the crank angle is not a finite number.");
-    }
-    const Mechanism &mechanism = m_result->mechanism;
-    const QString turning = numberText(shortestCouplerForFullTurn(mechanism));
-    if (m_result->limits.mobility == Mobility::Impossible) {
-        return tr("Cannot be assembled at any crank angle: the coupler does not reach the slider's line. b must be "
-                  "more than "
-                  "%1 mm for any pose; the crank turns round when b is at least %2 mm.")
-            .arg(numberText(shortestCouplerForAnyPose(mechanism)), turning);
-    }
-    const double angle = m_pose.theta2 - kTurn * std::floor(m_pose.theta2 / kTurn);
-    return tr("Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at least %2 "
-              "mm.")
-        .arg(QLocale().toString(angle * kDegreesPerRadian, 'f', 1), turning);
-}
-
-QPointF MechanismView::crankPin() const
-{
-    if (!m_result) {
-        return {};
-    }
-    const double a = m_result->mechanism.a();
-    return {a * std::cos(m_pose.theta2), a * std::sin(m_pose.theta2)};
-}
-
-QRect MechanismView::poseArea() const
-{
-    return m_pins ? areaOf(m_pins->crank, m_pins->slider) : QRect();
-}
-
-QRect MechanismView::ghostArea() const
-{
-    return m_ghost.exists ? areaOf({m_ghost.pinX, m_ghost.pinY}, {m_ghost.sliderX, m_ghost.sliderY}) : QRect();
-}
-
-QRect MechanismView::areaOf(QPointF crank, QPointF slider) const
-{
-    const Canvas on = canvas(size(), palette());
-    const QPolygonF pins{on({0.0, 0.0}), on(crank), on(slider)};
-    return pins.boundingRect()
-        .adjusted(-kAroundPins, -kAroundPins, kAroundPins, kAroundPins)
-        .toAlignedRect()
-        .intersected(rect());
+    constexpr double kLongest = 0.4; // of the mechanism's extent
+    const Mechanism &mechanism = m_drawing.mechanism();
+    const MotionLimits &limits = m_drawing.result->limits;
+    const QRectF reach = reachOf(mechanism, limits);
+    const double longest = kLongest * std::max(reach.width(), reach.height());
+    m_drawing.cycle = cycleOf(mechanism, limits);
+    m_drawing.velocity = arrowScale(m_drawing.cycle, MotionKind::Velocity, mechanism, m_frame.fitted(), longest);
+    m_drawing.acceleration =
+        arrowScale(m_drawing.cycle, MotionKind::Acceleration, mechanism, m_frame.fitted(), longest);
 }
 
 void MechanismView::refreshScenery()
@@ -529,27 +265,46 @@ void MechanismView::refreshScenery()
     update();
 }
 
+void MechanismView::updateArea(const QRectF &area)
+{
+    update(area.toAlignedRect().intersected(rect()));
+}
+
+QRectF MechanismView::movingArea() const
+{
+    return linkageArea(canvas(size(), palette()), m_drawing);
+}
+
 void MechanismView::paintEvent(QPaintEvent *event)
 {
-    const Canvas on = canvas(size(), palette());
+    const MechanismCanvas on = canvas(size(), palette());
     const double ratio = devicePixelRatioF();
     if (m_grid.isNull() || m_grid.devicePixelRatio() != ratio) {
         // Rounded up: at a ratio of 1.5 the last half pixel has to be painted too.
         m_grid = QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
         m_grid.setDevicePixelRatio(ratio);
         QPainter painter(&m_grid);
-        paintGrid(painter, on);
+        paintGrid(painter, on, m_drawing);
         m_scenery = QPixmap();
     }
     if (m_scenery.isNull()) {
         m_scenery = m_grid;
         QPainter painter(&m_scenery);
-        paintScenery(painter, on);
+        paintScenery(painter, on, m_drawing);
     }
     QPainter painter(this);
     painter.setClipRegion(event->region());
     painter.drawPixmap(0, 0, m_scenery);
-    paintPose(painter, on);
+    paintLinkage(painter, on, m_drawing);
+    if (m_drawing.result && m_pointed != DrawnPart::Background) {
+        paintSceneryHighlight(painter, on, m_drawing, m_pointed);
+        paintLinkageHighlight(painter, on, m_drawing, m_pointed);
+    }
+    if (m_showsFocus) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(on.highlight, 2.0));
+        painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
 }
 
 void MechanismView::resizeEvent(QResizeEvent *event)
@@ -570,68 +325,274 @@ void MechanismView::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
 }
 
+void MechanismView::hideEvent(QHideEvent *event)
+{
+    release();
+    QWidget::hideEvent(event);
+}
+
+void MechanismView::leaveEvent(QEvent *event)
+{
+    if (!m_hold) {
+        pointAt(DrawnPart::Background, false);
+    }
+    QWidget::leaveEvent(event);
+}
+
+void MechanismView::focusInEvent(QFocusEvent *event)
+{
+    m_showsFocus = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
+                   event->reason() == Qt::ShortcutFocusReason;
+    update();
+    QWidget::focusInEvent(event);
+}
+
+void MechanismView::focusOutEvent(QFocusEvent *event)
+{
+    m_showsFocus = false;
+    update();
+    QWidget::focusOutEvent(event);
+}
+
+void MechanismView::keyPressEvent(QKeyEvent *event)
+{
+    const bool withControl = event->modifiers().testFlag(Qt::ControlModifier);
+    const auto pan = [&](double x, double y) {
+        if (withControl) {
+            changeFrame([&] { m_frame.pan(kPanStep * QPointF(x, y), size()); });
+        } else {
+            QWidget::keyPressEvent(event);
+        }
+    };
+    // The keys move what one looks through, so the drawing goes the other way.
+    switch (event->key()) {
+    case Qt::Key_Left: pan(1.0, 0.0); break;
+    case Qt::Key_Right: pan(-1.0, 0.0); break;
+    case Qt::Key_Up: pan(0.0, 1.0); break;
+    case Qt::Key_Down: pan(0.0, -1.0); break;
+    case Qt::Key_PageDown: pointAtNext(1); break;
+    case Qt::Key_PageUp: pointAtNext(-1); break;
+    case Qt::Key_Escape:
+        cancelDrag();
+        pointAt(DrawnPart::Background, false);
+        break;
+    default: QWidget::keyPressEvent(event); break;
+    }
+}
+
 void MechanismView::mousePressEvent(QMouseEvent *event)
 {
-    m_dragging = event->button() == Qt::LeftButton && nearCrankPin(event->position());
-    if (m_dragging) {
-        setCursor(Qt::ClosedHandCursor);
-    } else {
+    const bool isLeft = event->button() == Qt::LeftButton;
+    if (m_hold || !m_drawing.result || !(isLeft || event->button() == Qt::MiddleButton)) {
         QWidget::mousePressEvent(event);
+        return;
+    }
+    const QPointF pixel = event->position();
+    const bool withShift = event->modifiers().testFlag(Qt::ShiftModifier);
+    m_hold = Hold{std::nullopt, event->button(), pixel, pixel, false, m_drawing.pose.time};
+    if (isLeft) {
+        pointAt(partAt(m_drawing, projection(), pixel), withShift);
+        m_hold->drag = MechanismDrag::begin(m_drawing, m_pointed, withShift, projection().toModel(pixel));
+    }
+    if (m_hold->drag && m_hold->drag->length()) {
+        emit dragBegan();
+    } else if (m_hold->drag) {
+        setCursor(Qt::ClosedHandCursor);
     }
 }
 
 void MechanismView::mouseMoveEvent(QMouseEvent *event)
 {
-    if (m_dragging) {
-        scrubTo(event->position());
-    } else if (nearCrankPin(event->position())) {
-        setCursor(Qt::OpenHandCursor);
-    } else {
-        unsetCursor();
+    const QPointF pixel = event->position();
+    if (!m_hold) {
+        pointAt(partAt(m_drawing, projection(), pixel), event->modifiers().testFlag(Qt::ShiftModifier));
+        return;
     }
+    if (!m_hold->moves && (pixel - m_hold->pressed).manhattanLength() < kStillAClick) {
+        return;
+    }
+    m_hold->moves = true;
+    const QPointF last = std::exchange(m_hold->last, pixel);
+    if (!m_hold->drag) {
+        setCursor(Qt::ClosedHandCursor);
+        changeFrame([&] { m_frame.pan(pixel - last, size()); });
+        return;
+    }
+    const bool isFree = event->modifiers().testFlag(Qt::ControlModifier);
+    const MechanismProjection on = projection();
+    constexpr double kGrid = 1.0;      // px: what a hand can hit
+    constexpr double kFineGrid = 0.02; // px: so that a length does not end in a dozen digits
+    obey(m_hold->drag->moveTo(on.toModel(pixel), nextRoundNumber((isFree ? kFineGrid : kGrid) / on.scale)));
+    m_noteDelay->stop();
+    updateNote();
 }
 
 void MechanismView::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (m_dragging && event->button() == Qt::LeftButton) {
-        m_dragging = false;
-        setCursor(Qt::OpenHandCursor);
-    }
-    QWidget::mouseReleaseEvent(event);
-}
-
-bool MechanismView::nearCrankPin(QPointF pixel) const
-{
-    if (!m_result || m_result->mechanism.omega2() == 0.0) {
-        return false;
-    }
-    const QPointF away = pixel - toPixels(crankPin());
-    return std::hypot(away.x(), away.y()) <= kGrasp;
-}
-
-void MechanismView::scrubTo(QPointF pixel)
-{
-    const double omega2 = m_result->mechanism.omega2();
-    const Sampling &sampling = m_result->sampling;
-    const double first = std::min(sampling.start, sampling.start + sampling.duration);
-    const double last = std::max(sampling.start, sampling.start + sampling.duration);
-    const QPointF model = canvas(size(), palette()).toModel(pixel);
-    if (omega2 == 0.0 || (model.x() == 0.0 && model.y() == 0.0)) {
+    if (!m_hold || event->button() != m_hold->button) {
+        QWidget::mouseReleaseEvent(event);
         return;
     }
-    const double wanted = std::atan2(model.y(), model.x());
-    const double period = kTurn / std::abs(omega2);
-    double time = m_pose.time + std::remainder(wanted - m_pose.theta2, kTurn) / omega2;
-    if (time < first || time > last) {
-        // The same crank angle, whole turns away, where the run has it; else the end of the run nearest to it.
-        const double turns = time < first ? std::ceil((first - time) / period) : -std::ceil((time - last) / period);
-        const double turned = time + turns * period;
-        const auto farness = [&](double end) {
-            return std::abs(std::remainder(m_pose.theta2 + omega2 * (end - m_pose.time) - wanted, kTurn));
-        };
-        time = turned >= first && turned <= last ? turned : (farness(first) < farness(last) ? first : last);
+    const bool isClick = !m_hold->moves && event->button() == Qt::LeftButton;
+    release();
+    const MotionLimits &limits = m_drawing.result->limits;
+    if (isClick && m_pointed == DrawnPart::OuterDeadCentre) {
+        goToCrankAngle(limits.outer->theta2);
+    } else if (isClick && m_pointed == DrawnPart::InnerDeadCentre) {
+        goToCrankAngle(limits.inner->theta2);
     }
-    emit timeRequested(time);
+    const bool isInside = rect().contains(event->position().toPoint());
+    pointAt(isInside ? partAt(m_drawing, projection(), event->position()) : DrawnPart::Background,
+            event->modifiers().testFlag(Qt::ShiftModifier));
+}
+
+void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton &&
+        partAt(m_drawing, projection(), event->position()) == DrawnPart::Background) {
+        fit();
+    } else {
+        mousePressEvent(event);
+    }
+}
+
+void MechanismView::wheelEvent(QWheelEvent *event)
+{
+    constexpr double kNotch = 120.0; // as Qt counts
+    const double turned = event->angleDelta().y() / kNotch;
+    if (turned == 0.0 || m_hold) {
+        QWidget::wheelEvent(event);
+        return;
+    }
+    changeFrame([&] { m_frame.zoom(std::pow(kZoomStep, turned), event->position(), size()); });
+    event->accept();
+}
+
+void MechanismView::goToCrankAngle(double theta2)
+{
+    emit timeRequested(
+        nearestInstantAtCrankAngle(m_drawing.mechanism(), m_drawing.result->sampling, theta2, m_drawing.pose.time));
+}
+
+void MechanismView::obey(const DragRequest &request)
+{
+    if (const auto *crank = std::get_if<CrankAngleRequest>(&request)) {
+        goToCrankAngle(crank->theta2);
+    } else if (const auto *length = std::get_if<LengthRequest>(&request)) {
+        emit lengthRequested(length->parameter, length->length);
+    }
+}
+
+/// Whatever is held.
+void MechanismView::release()
+{
+    if (!m_hold) {
+        return;
+    }
+    const Hold held = *std::exchange(m_hold, std::nullopt);
+    if (held.drag && held.drag->length()) {
+        emit dragEnded();
+        changeFrame([this] { m_frame.follow(reach()); });
+    }
+    updateCursor(false);
+}
+
+/// As it was before.
+void MechanismView::cancelDrag()
+{
+    if (!m_hold || !m_hold->drag) {
+        return;
+    }
+    const MechanismDrag drag = *m_hold->drag;
+    if (drag.length()) {
+        emit lengthRequested(*drag.length(), drag.lengthBefore());
+    }
+    const double time = m_hold->time;
+    release();
+    if (!drag.length()) {
+        emit timeRequested(time);
+    }
+}
+
+void MechanismView::pointAt(DrawnPart part, bool withShift)
+{
+    if (part != m_pointed) {
+        m_pointed = part;
+        m_note->say({});
+        if (part == DrawnPart::Background) {
+            m_noteDelay->stop();
+        } else {
+            m_noteDelay->start();
+        }
+        update();
+    }
+    updateCursor(withShift);
+}
+
+void MechanismView::pointAtNext(int step)
+{
+    if (!m_drawing.result || m_hold) {
+        return;
+    }
+    std::vector<DrawnPart> parts{DrawnPart::A,     DrawnPart::B,       DrawnPart::O2,
+                                 DrawnPart::Crank, DrawnPart::Coupler, DrawnPart::Guide};
+    const MotionLimits &limits = m_drawing.result->limits;
+    const auto addWhere = [&](bool isOnShow, DrawnPart part) {
+        if (isOnShow) {
+            parts.push_back(part);
+        }
+    };
+    addWhere(m_drawing.hasCentre(), DrawnPart::G3);
+    addWhere(limits.outer.has_value(), DrawnPart::OuterDeadCentre);
+    addWhere(limits.inner.has_value(), DrawnPart::InnerDeadCentre);
+    addWhere(!forbiddenRanges(limits).empty(), DrawnPart::ForbiddenArc);
+    const auto now = std::ranges::find(parts, m_pointed);
+    const auto count = static_cast<std::ptrdiff_t>(parts.size());
+    const std::ptrdiff_t at = now == parts.end() ? (step > 0 ? -1 : count) : now - parts.begin();
+    pointAt(parts[static_cast<std::size_t>((at + step + count) % count)], false);
+    m_noteDelay->stop();
+    updateNote();
+}
+
+void MechanismView::updateNote()
+{
+    const bool isNew = m_note->isHidden();
+    m_note->say(partText(m_drawing, m_pointed));
+    if (isNew && m_drawing.result) {
+        const MechanismProjection on = projection();
+        QPolygonF points{on.toPixels({0.0, 0.0}), on.toPixels(m_drawing.crankPin())};
+        if (m_drawing.pins) {
+            points << on.toPixels(m_drawing.pins->B);
+        }
+        if (underMouse()) {
+            points << QPointF(mapFromGlobal(QCursor::pos()));
+        }
+        m_note->keepAwayFrom(points);
+    }
+}
+
+void MechanismView::updateCursor(bool withShift)
+{
+    if (m_hold && m_hold->drag && !m_hold->drag->length()) {
+        return; // the closed hand
+    }
+    const bool pulls = lengthDraggedBy(m_pointed, withShift).has_value();
+    const QPointF crank = m_drawing.result ? m_drawing.crankPin() : QPointF();
+    if (pulls && m_pointed == DrawnPart::Guide) {
+        setCursor(Qt::SizeVerCursor);
+    } else if (pulls && (m_pointed == DrawnPart::A || m_pointed == DrawnPart::Crank)) {
+        setCursor(cursorAlong({crank.x(), -crank.y()}));
+    } else if (pulls && m_drawing.pins) {
+        const QPointF along = m_drawing.pins->B - m_drawing.pins->A;
+        setCursor(m_pointed == DrawnPart::B ? Qt::SizeHorCursor : cursorAlong({along.x(), -along.y()}));
+    } else if (m_pointed == DrawnPart::A || m_pointed == DrawnPart::B) {
+        const bool moves = m_drawing.mechanism().omega2() != 0.0;
+        setCursor(moves ? Qt::OpenHandCursor : Qt::ArrowCursor);
+    } else if (m_pointed == DrawnPart::OuterDeadCentre || m_pointed == DrawnPart::InnerDeadCentre) {
+        setCursor(Qt::PointingHandCursor);
+    } else {
+        unsetCursor();
+    }
 }
 
 } // namespace slidercrank

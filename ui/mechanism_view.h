@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The linkage, drawn to scale, in a view that stands still while the mechanism moves. Drag the crank pin A to scrub.
-//
-// Model coordinates: mm, x to the right, y upwards, O2 in the origin. Conventions of the drawing are those of mechanism
-// textbooks: a hatched line is ground, a circle is a revolute joint. Over the model's linkage the reference's is drawn
-// thin, in its colour, where the two differ: the ghost.
+// The linkage, drawn to scale, in a view that stands still while the mechanism moves; and the hands on it: drag A or B
+// to scrub, the links and the slider's line to change lengths, point at a part to read what it is and how it moves.
 
-#include "core/reference_pose.h"
-#include "ui/session.h"
+#include "ui/mechanism_canvas.h"
+#include "ui/mechanism_drag.h"
+#include "ui/mechanism_drawing.h"
 
+#include <QList>
 #include <QPixmap>
-#include <QPointF>
-#include <QRectF>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
+class QAction;
+class QTimer;
+
 namespace slidercrank
 {
+
+class MechanismNote;
 
 class MechanismView : public QWidget
 {
@@ -28,13 +31,23 @@ class MechanismView : public QWidget
 public:
     explicit MechanismView(QWidget *parent = nullptr);
 
-    /// Everything as vectors, for any device; background included.
+    /// What is on the screen, as vectors, for any device; background included.
     void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
     /// Where a point of the model (mm) is in this widget.
     QPointF toPixels(QPointF model) const;
 
-    bool hasGhost() const { return m_ghost.exists; }
+    bool hasGhost() const { return m_drawing.ghost.exists; }
+
+    const MechanismSettings &settings() const { return m_drawing.settings; }
+    void setSettings(const MechanismSettings &settings);
+
+    /// The part of the plane that somebody zoomed to, mm; none: all of the mechanism.
+    const std::optional<QRectF> &zoom() const { return m_frame.zoomed(); }
+    void setZoom(const std::optional<QRectF> &zoom);
+
+    /// What one can choose about the drawing, for menus.
+    const QList<QAction *> &choices() const { return m_choices; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -46,49 +59,72 @@ public slots:
     /// The reference's linkage at the instant of the pose; one that does not exist is not drawn.
     void setGhost(const slidercrank::ReferencePose &ghost);
 
+    void fit(); ///< all of the mechanism into view
+
 signals:
-    void timeRequested(double seconds); ///< A was dragged to where the crank is at that instant
+    void timeRequested(double seconds); ///< the mechanism was moved to where it is at that instant
+    void lengthRequested(slidercrank::Parameter parameter, double length); ///< mm
+
+    /// A length is taken hold of, is let go: what is asked for between belongs together.
+    void dragBegan();
+    void dragEnded();
 
 protected:
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
 
 private:
-    /// The two pins, mm: what is left to draw when there is no pose any more.
-    struct Pins {
-        QPointF crank;
-        QPointF slider;
+    /// A button held down over the drawing.
+    struct Hold {
+        std::optional<MechanismDrag> drag; ///< none: the drawing itself is moved
+        Qt::MouseButton button;
+        QPointF pressed;    ///< px
+        QPointF last;       ///< px
+        bool moves = false; ///< no longer a click
+        double time = 0.0;  ///< s, to go back to
     };
-    struct Canvas;
 
-    Canvas canvas(const QSizeF &size, const QPalette &palette) const;
-    void paintGrid(QPainter &painter, const Canvas &on) const;
-    void paintScenery(QPainter &painter, const Canvas &on) const;
-    void paintPose(QPainter &painter, const Canvas &on) const;
-    void paintGhost(QPainter &painter, const Canvas &on) const;
-    void paintExplanation(QPainter &painter, const Canvas &on) const;
+    MechanismCanvas canvas(const QSizeF &size, const QPalette &palette) const;
+    MechanismProjection projection() const { return m_frame.projection(size()); }
+    QRectF reach() const;
+    void makeChoices();
+    void changeFrame(const std::function<void()> &change);
+    void refreshCycle();
     void refreshScenery();
-    void fitFrame();
-    QPointF crankPin() const; ///< where A is, or would be
-    QRect poseArea() const;   ///< pixels that drawing the pose touches
-    QRect ghostArea() const;
-    QRect areaOf(QPointF crank, QPointF slider) const;
-    QString explanation() const; ///< why there is no pose, and what would help; empty while there is one
-    bool nearCrankPin(QPointF pixel) const;
-    void scrubTo(QPointF pixel);
+    void updateArea(const QRectF &area);
+    QRectF movingArea() const;
+    void goToCrankAngle(double theta2);
+    void obey(const DragRequest &request);
+    void release();
+    void cancelDrag();
+    void pointAt(DrawnPart part, bool withShift);
+    void pointAtNext(int step);
+    void updateNote();
+    void updateCursor(bool withShift);
 
-    std::shared_ptr<const Result> m_result;
-    Pose m_pose;
-    std::optional<Pins> m_pins; ///< of the last pose that existed
-    ReferencePose m_ghost;
-    QRectF m_frame;    ///< what is in view, mm; null before the first result
+    MechanismDrawing m_drawing;
+    MechanismFrame m_frame;
     QPixmap m_grid;    ///< of this view; null when out of date
     QPixmap m_scenery; ///< the grid and the parts that stand still; null when out of date
-    bool m_dragging = false;
+    std::optional<Hold> m_hold;
+    DrawnPart m_pointed = DrawnPart::Background; ///< at
+    MechanismNote *m_note;
+    QTimer *m_noteDelay;
+    QList<QAction *> m_choices;
+    bool m_showsFocus = false; ///< it came by the keyboard
 };
 
 } // namespace slidercrank
+
+Q_DECLARE_METATYPE(slidercrank::Parameter)

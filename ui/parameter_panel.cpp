@@ -56,24 +56,6 @@ Unit angleUnit(int index)
     return {};
 }
 
-double &valueOf(Parameters &parameters, Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return parameters.a;
-    case Parameter::B: return parameters.b;
-    case Parameter::C: return parameters.c;
-    case Parameter::Omega2: return parameters.omega2;
-    case Parameter::Theta20: return parameters.theta20;
-    }
-    return parameters.a;
-}
-
-double valueOf(const Parameters &parameters, Parameter parameter)
-{
-    Parameters copy = parameters;
-    return valueOf(copy, parameter);
-}
-
 bool isLength(Parameter parameter)
 {
     return parameter == Parameter::A || parameter == Parameter::B || parameter == Parameter::C;

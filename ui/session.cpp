@@ -142,6 +142,13 @@ void Session::setParameters(const Parameters &parameters)
     edit(choices, changeName(m_choices, choices));
 }
 
+void Session::setParameter(Parameter parameter, double value)
+{
+    Parameters parameters = m_choices.parameters;
+    valueOf(parameters, parameter) = value;
+    setParameters(parameters);
+}
+
 void Session::setSampling(const Sampling &sampling)
 {
     Choices choices = m_choices;

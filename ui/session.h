@@ -88,6 +88,7 @@ public:
 
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
+    void setParameter(slidercrank::Parameter parameter, double value); ///< one of them, the others as they are
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
 
