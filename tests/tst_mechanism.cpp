@@ -16,18 +16,6 @@ namespace
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-double &valueOf(Parameters &parameters, Parameter which)
-{
-    switch (which) {
-    case Parameter::A: return parameters.a;
-    case Parameter::B: return parameters.b;
-    case Parameter::C: return parameters.c;
-    case Parameter::Omega2: return parameters.omega2;
-    case Parameter::Theta20: return parameters.theta20;
-    }
-    return parameters.a;
-}
-
 } // namespace
 
 Q_DECLARE_METATYPE(slidercrank::Parameter)
