@@ -82,7 +82,15 @@ QString shortcutsText(const QMenuBar &menus)
                     {{HelpPage::tr("To the next control, to the one before"), HelpPage::tr("Tab, Shift+Tab")},
                      {HelpPage::tr("Open a menu"), HelpPage::tr("Alt and the underlined letter")},
                      {HelpPage::tr("Open a file"), HelpPage::tr("Drop it on the window")}});
-    html += tableOf(HelpPage::tr("Mechanism"), {{HelpPage::tr("Move through time"), HelpPage::tr("Drag A")}});
+    html += tableOf(
+        HelpPage::tr("Mechanism"),
+        {{HelpPage::tr("Move through time"), HelpPage::tr("Drag A, or B along its line")},
+         {HelpPage::tr("Change a, b or c"),
+          HelpPage::tr("Pull the crank, the coupler or the slider's line; with Control to a finer length")},
+         {HelpPage::tr("Zoom"), HelpPage::tr("Wheel, + and -")},
+         {HelpPage::tr("Show all"), HelpPage::tr("Double click beside the mechanism, or 0")},
+         {HelpPage::tr("Move the drawing"), HelpPage::tr("Drag beside the mechanism, or Control and the arrows")},
+         {HelpPage::tr("Read about a part"), HelpPage::tr("Point at it, or Page Down and Page Up")}});
     html += tableOf(
         HelpPage::tr("Parameters"),
         {{HelpPage::tr("Change a little, a lot"), HelpPage::tr("On a slider: arrow keys, Page Up and Page Down")},

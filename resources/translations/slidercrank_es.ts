@@ -2044,10 +2044,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Recorrer el tiempo</translation>
     </message>
     <message>
-        <source>Drag A</source>
-        <translation>Arrastrar A</translation>
-    </message>
-    <message>
         <source>Parameters</source>
         <translation>Parámetros</translation>
     </message>
@@ -2222,6 +2218,50 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>|model − x| / |x| · 100 %</source>
         <translation>|modelo − x| / |x| · 100 %</translation>
+    </message>
+    <message>
+        <source>Drag A, or B along its line</source>
+        <translation>Arrastre A, o B por su línea</translation>
+    </message>
+    <message>
+        <source>Change a, b or c</source>
+        <translation>Cambiar a, b o c</translation>
+    </message>
+    <message>
+        <source>Pull the crank, the coupler or the slider&apos;s line; with Control to a finer length</source>
+        <translation>Tire de la manivela, de la biela o de la línea de la corredera; con Control, hasta una longitud más fina</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Ampliar o reducir</translation>
+    </message>
+    <message>
+        <source>Wheel, + and -</source>
+        <translation>Rueda, + y -</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Double click beside the mechanism, or 0</source>
+        <translation>Doble clic junto al mecanismo, o 0</translation>
+    </message>
+    <message>
+        <source>Move the drawing</source>
+        <translation>Mover el dibujo</translation>
+    </message>
+    <message>
+        <source>Drag beside the mechanism, or Control and the arrows</source>
+        <translation>Arrastre junto al mecanismo, o Control y las flechas</translation>
+    </message>
+    <message>
+        <source>Read about a part</source>
+        <translation>Leer sobre una pieza</translation>
+    </message>
+    <message>
+        <source>Point at it, or Page Down and Page Up</source>
+        <translation>Señálela, o Av Pág y Re Pág</translation>
     </message>
 </context>
 <context>
@@ -2716,20 +2756,35 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>Pl&amp;ots</source>
         <translation>&amp;Gráficas</translation>
     </message>
+    <message>
+        <source>M&amp;echanism</source>
+        <translation>M&amp;ecanismo</translation>
+    </message>
 </context>
 <context>
-    <name>slidercrank::MechanismView</name>
+    <name>slidercrank::MechanismArrows</name>
     <message>
-        <source>Mechanism</source>
-        <translation>Mecanismo</translation>
+        <source>no velocity</source>
+        <translation>sin velocidad</translation>
     </message>
     <message>
-        <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. Drag the crank pin A to move through time.</source>
-        <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Arrastre el pasador A de la manivela para recorrer el tiempo.</translation>
+        <source>no acceleration</source>
+        <translation>sin aceleración</translation>
     </message>
     <message>
-        <source>mm</source>
-        <translation>mm</translation>
+        <source>velocity: %1 mm ≙ %2 mm/s</source>
+        <translation>velocidad: %1 mm ≙ %2 mm/s</translation>
+    </message>
+    <message>
+        <source>acceleration: %1 mm ≙ %2 mm/s²</source>
+        <translation>aceleración: %1 mm ≙ %2 mm/s²</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismLabels</name>
+    <message>
+        <source>%1 = %2 mm</source>
+        <translation>%1 = %2 mm</translation>
     </message>
     <message>
         <source>O₂</source>
@@ -2742,6 +2797,174 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>B</source>
         <translation>B</translation>
+    </message>
+    <message>
+        <source>G₃</source>
+        <translation>G₃</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismLinkage</name>
+    <message>
+        <source>file</source>
+        <translation>archivo</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismScenery</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismView</name>
+    <message>
+        <source>Mechanism</source>
+        <translation>Mecanismo</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity arrows</source>
+        <translation>Flechas de &amp;velocidad</translation>
+    </message>
+    <message>
+        <source>&amp;Acceleration arrows</source>
+        <translation>Flechas de &amp;aceleración</translation>
+    </message>
+    <message>
+        <source>&amp;Path of the coupler&apos;s centre</source>
+        <translation>&amp;Trayectoria del centro de la biela</translation>
+    </message>
+    <message>
+        <source>&amp;Names of the points</source>
+        <translation>&amp;Nombres de los puntos</translation>
+    </message>
+    <message>
+        <source>&amp;Dimensions</source>
+        <translation>&amp;Cotas</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>A&amp;mpliar</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>&amp;Reducir</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;justar</translation>
+    </message>
+    <message>
+        <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up tell about its parts one after the other.</source>
+        <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y las casillas de abajo cambian sus longitudes. Más, menos y 0 amplían y reducen, Control con las flechas mueve el dibujo, Av Pág y Re Pág hablan de sus piezas una tras otra.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismWords</name>
+    <message>
+        <source>no pose at this instant</source>
+        <translation>no hay posición en este instante</translation>
+    </message>
+    <message>
+        <source>position (%1; %2) mm</source>
+        <translation>posición (%1; %2) mm</translation>
+    </message>
+    <message>
+        <source>velocity %1 mm/s (%2; %3)</source>
+        <translation>velocidad %1 mm/s (%2; %3)</translation>
+    </message>
+    <message>
+        <source>acceleration %1 mm/s² (%2; %3)</source>
+        <translation>aceleración %1 mm/s² (%2; %3)</translation>
+    </message>
+    <message>
+        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>%1 = %2 mm</source>
+        <translation>%1 = %2 mm</translation>
+    </message>
+    <message>
+        <source>θ₂ = %1°</source>
+        <translation>θ₂ = %1°</translation>
+    </message>
+    <message>
+        <source>ω₂ = %1 rad/s</source>
+        <translation>ω₂ = %1 rad/s</translation>
+    </message>
+    <message>
+        <source>θ³ = %1°</source>
+        <translation>θ³ = %1°</translation>
+    </message>
+    <message>
+        <source>turns at %1 °/s</source>
+        <translation>gira a %1 °/s</translation>
+    </message>
+    <message>
+        <source>angular acceleration %1 °/s²</source>
+        <translation>aceleración angular %1 °/s²</translation>
+    </message>
+    <message>
+        <source>slider at %1 mm</source>
+        <translation>corredera en %1 mm</translation>
+    </message>
+    <message>
+        <source>θ₂ from %1° to %2°</source>
+        <translation>θ₂ de %1° a %2°</translation>
+    </message>
+    <message>
+        <source>The crank turns round when b is at least %1 mm.</source>
+        <translation>La manivela da la vuelta completa cuando b es al menos %1 mm.</translation>
+    </message>
+    <message>
+        <source>O₂, about which the crank turns</source>
+        <translation>O₂, alrededor del cual gira la manivela</translation>
+    </message>
+    <message>
+        <source>A – with ω₂ = 0 the crank stands still; drag with Shift to change a</source>
+        <translation>A – con ω₂ = 0 la manivela está quieta; arrastre con Mayús para cambiar a</translation>
+    </message>
+    <message>
+        <source>A – drag to move the crank; with Shift to change a</source>
+        <translation>A – arrastre para mover la manivela; con Mayús para cambiar a</translation>
+    </message>
+    <message>
+        <source>B – with ω₂ = 0 the slider stands still; drag with Shift to change b</source>
+        <translation>B – con ω₂ = 0 la corredera está quieta; arrastre con Mayús para cambiar b</translation>
+    </message>
+    <message>
+        <source>B – drag to move the slider; with Shift to change b</source>
+        <translation>B – arrastre para mover la corredera; con Mayús para cambiar b</translation>
+    </message>
+    <message>
+        <source>G₃, the coupler&apos;s centre of mass</source>
+        <translation>G₃, el centro de masa de la biela</translation>
+    </message>
+    <message>
+        <source>Crank, %1 – pull along it to change a</source>
+        <translation>Manivela, %1 – tire a lo largo de ella para cambiar a</translation>
+    </message>
+    <message>
+        <source>Coupler, %1 – pull along it to change b</source>
+        <translation>Biela, %1 – tire a lo largo de ella para cambiar b</translation>
+    </message>
+    <message>
+        <source>The slider&apos;s line, %1 – drag up or down to change c</source>
+        <translation>Línea de la corredera, %1 – arrastre hacia arriba o abajo para cambiar c</translation>
+    </message>
+    <message>
+        <source>Outer dead centre: the slider turns back – click to go there</source>
+        <translation>Punto muerto exterior: la corredera se invierte – haga clic para ir allí</translation>
+    </message>
+    <message>
+        <source>Inner dead centre: the slider turns back – click to go there</source>
+        <translation>Punto muerto interior: la corredera se invierte – haga clic para ir allí</translation>
+    </message>
+    <message>
+        <source>With the crank here it cannot be assembled: the coupler is too short</source>
+        <translation>Con la manivela aquí no se puede ensamblar: la biela es demasiado corta</translation>
     </message>
     <message>
         <source>There is no pose at this instant: the crank angle is not a finite number.</source>
