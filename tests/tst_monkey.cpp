@@ -381,6 +381,8 @@ private slots:
     void initTestCase()
     {
         QVERIFY(m_folder.isValid());
+        qputenv("HOME", m_folder.path().toLocal8Bit()); // whatever is saved under a proposed name
+        QVERIFY(QDir::setCurrent(m_folder.path()));
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
                            m_folder.filePath(QStringLiteral("settings")));
