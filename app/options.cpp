@@ -550,6 +550,8 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     }
     options.plots = reader.scene().plots;
     options.zoom = reader.scene().zoom;
+    options.mechanismSettings = reader.scene().mechanism;
+    options.mechanismFrame = reader.scene().mechanismFrame;
     options.theme = reader.choice("theme", options.theme, {{"light", Theme::Light}, {"dark", Theme::Dark}});
 
     if (options.subject == RenderOptions::Subject::Report) {

@@ -8,6 +8,7 @@
 #include "core/channel.h"
 #include "core/mechanism.h"
 #include "core/trajectory.h"
+#include "ui/mechanism_drawing.h"
 #include "ui/motion_csv.h"
 #include "ui/plot_figure.h"
 #include "ui/reference_file.h"
@@ -67,6 +68,8 @@ struct RenderOptions {
     std::optional<ReferenceSource> reference;
     PlotSettings plots;
     PlotZoom zoom;
+    MechanismSettings mechanismSettings;
+    std::optional<QRectF> mechanismFrame; ///< mm; none: all of it
     Subject subject = Subject::Figure;
     QString plot; ///< for Subject::Plot, its channel, or error_position, error_velocity, error_acceleration
     QString output;

@@ -139,6 +139,8 @@ ExitStatus render(const RenderOptions &options)
         plots.markTime(options.poseInstant);
     }
     mechanism.setResult(session.result());
+    mechanism.setSettings(options.mechanismSettings);
+    mechanism.setZoom(options.mechanismFrame);
     mechanism.setPose(session.pose());
     ReportContent content{session.result(), {}, false};
     if (reference && options.subject != RenderOptions::Subject::Figure &&

@@ -135,6 +135,9 @@ Scene randomScene(RandomMechanisms &random, const QString &folder)
     scene.plots.roundingBand = oneOf(random, {false, true});
     scene.plots.abscissa = oneOf(random, {Abscissa::Time, Abscissa::CrankAngle});
     scene.zoom.time = randomInterval(random);
+    scene.mechanism = {oneOf(random, {false, true}), oneOf(random, {false, true}), oneOf(random, {false, true}),
+                       oneOf(random, {false, true}), oneOf(random, {false, true})};
+    scene.mechanismFrame = oneOf<std::optional<QRectF>>(random, {std::nullopt, QRectF(-30.5, -20.25, 60.125, 40.5)});
     for (std::optional<Interval> &values : scene.zoom.values) {
         values = randomInterval(random);
     }
@@ -200,6 +203,8 @@ private slots:
             QVERIFY(isSame(back.time, scene.time));
             QVERIFY(back.plots == scene.plots);
             QVERIFY(back.zoom == scene.zoom);
+            QVERIFY(back.mechanism == scene.mechanism);
+            QVERIFY(back.mechanismFrame == scene.mechanismFrame);
             QCOMPARE(back.reference.has_value(), scene.reference.has_value());
             if (scene.reference) {
                 QCOMPARE(back.reference->path, scene.reference->path);
@@ -448,6 +453,8 @@ private slots:
         broken("neither true nor false", "view.roundingBand", 1, {"\"view.roundingBand\"", "true or false"});
         broken("time of text", "view.time", QStringLiteral("now"), {"\"view.time\"", "number"});
         broken("zoom backwards", "view.zoom.time", QJsonArray{2, 1}, {"\"view.zoom.time\"", "smaller one first"});
+        broken("frame upside down", "view.mechanism.frame", QJsonArray{0, 40, 60, -20},
+               {"\"view.mechanism.frame\"", "four numbers"});
         broken("zoom of one", "view.zoom.plot_theta3", QJsonArray{2}, {"\"view.zoom.plot_theta3\"", "two numbers"});
     }
 

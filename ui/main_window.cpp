@@ -115,7 +115,7 @@ void MainWindow::makeRooms()
     if (m_scene) {
         m_scene->setPlots(m_plotGrid);
     } else {
-        m_scene = new SceneFile(m_session, m_plotGrid, this);
+        m_scene = new SceneFile(m_session, m_plotGrid, m_mechanismView, this);
     }
     m_tabs = new FoldingTabs(this);
     m_errorPanel = new ErrorPanel(this);

@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QSaveFile>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -117,6 +118,20 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
             {QStringLiteral("conventions"), conventions}};
 }
 
+QJsonObject mechanismJsonOf(const Scene &scene)
+{
+    const MechanismSettings &settings = scene.mechanism;
+    const std::optional<QRectF> &frame = scene.mechanismFrame;
+    return {
+        {QStringLiteral("velocity"), settings.velocity},
+        {QStringLiteral("acceleration"), settings.acceleration},
+        {QStringLiteral("path"), settings.path},
+        {QStringLiteral("names"), settings.names},
+        {QStringLiteral("dimensions"), settings.dimensions},
+        {QStringLiteral("frame"),
+         frame ? QJsonValue(QJsonArray{frame->left(), frame->top(), frame->right(), frame->bottom()}) : QJsonValue()}};
+}
+
 QJsonObject viewJsonOf(const Scene &scene)
 {
     QJsonObject zoom{{QStringLiteral("time"), jsonOf(scene.zoom.time)}};
@@ -128,7 +143,8 @@ QJsonObject viewJsonOf(const Scene &scene)
             {QStringLiteral("logarithmicError"), scene.plots.logarithmicError},
             {QStringLiteral("roundingBand"), scene.plots.roundingBand},
             {QStringLiteral("abscissa"), wordOf(kAbscissae, scene.plots.abscissa)},
-            {QStringLiteral("zoom"), zoom}};
+            {QStringLiteral("zoom"), zoom},
+            {QStringLiteral("mechanism"), mechanismJsonOf(scene)}};
 }
 
 /// `over` with what stands in `under` alone.
@@ -336,6 +352,26 @@ public:
         return interval;
     }
 
+    std::optional<QRectF> frame(const char *name) const
+    {
+        const QJsonArray array = list(name);
+        if (array.isEmpty()) {
+            return std::nullopt;
+        }
+        const auto isLength = [](const QJsonValue &value) {
+            return value.isDouble() && std::abs(value.toDouble()) <= kLargestParameter;
+        };
+        const bool lengths = array.size() == 4 && std::all_of(array.begin(), array.end(), isLength);
+        const QRectF frame = lengths ? QRectF(QPointF(array[0].toDouble(), array[1].toDouble()),
+                                              QPointF(array[2].toDouble(), array[3].toDouble()))
+                                     : QRectF();
+        if (!(frame.width() > 0.0 && frame.height() > 0.0)) {
+            refuse(name,
+                   SceneText::tr("four numbers in brackets, left, lower, right and upper, the smaller ones first"));
+        }
+        return frame;
+    }
+
 private:
     SceneReader &m_reader;
     QJsonObject m_object;
@@ -445,6 +481,13 @@ void readView(const Part &view, Scene &scene)
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
         scene.zoom.values[plot] = zoom.interval(plotName(plot).toLatin1().constData());
     }
+    const Part mechanism = view.part("mechanism", true);
+    scene.mechanism.velocity = mechanism.flag("velocity", false);
+    scene.mechanism.acceleration = mechanism.flag("acceleration", false);
+    scene.mechanism.path = mechanism.flag("path", false);
+    scene.mechanism.names = mechanism.flag("names", false);
+    scene.mechanism.dimensions = mechanism.flag("dimensions", false);
+    scene.mechanismFrame = mechanism.frame("frame");
 }
 
 /// Counted from 1.

@@ -14,12 +14,15 @@
 //                             "conventions": [{"kind", "channels": […], "amount"}]},
 //       "view":      {"time", "error": "percent"|"absolute"|"of-peak", "logarithmicError", "roundingBand",
 //                     "abscissa": "time"|"crank-angle",
-//                     "zoom": {"time": null or [from, to], "plot_theta3": null or [from, to], …}} }
+//                     "zoom": {"time": null or [from, to], "plot_theta3": null or [from, to], …},
+//                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions": whether on show,
+//                                   "frame": null or [left, lower, right, upper]}} }                   mm
 //
 // Columns count from 1. The reference's file is relative to the scene's folder where it lies in or below it. What
 // decides the motion has to be there; the reference and anything in the view may be missing. Keys that are not known
 // are kept, and written back.
 
+#include "ui/mechanism_drawing.h"
 #include "ui/plot_figure.h"
 #include "ui/reference_file.h"
 
@@ -41,7 +44,9 @@ struct Scene {
     double time = 0.0; ///< s, the instant on show
     PlotSettings plots;
     PlotZoom zoom;
-    QJsonObject asRead; ///< the file that it came from, for the keys that are not known here
+    MechanismSettings mechanism;
+    std::optional<QRectF> mechanismFrame; ///< mm, where somebody zoomed to it
+    QJsonObject asRead;                   ///< the file that it came from, for the keys that are not known here
 };
 
 /// `path`: where the text is, or is to be; the reference's is relative to it.

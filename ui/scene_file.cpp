@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene_file.h"
 
+#include "ui/mechanism_view.h"
 #include "ui/plot_grid.h"
 
 #include <QDir>
@@ -34,10 +35,11 @@ QString folderOf(const QString &path)
 
 } // namespace
 
-SceneFile::SceneFile(Session *session, PlotGrid *plots, QWidget *window)
+SceneFile::SceneFile(Session *session, PlotGrid *plots, MechanismView *mechanism, QWidget *window)
     : QObject(window)
     , m_session(session)
     , m_plots(plots)
+    , m_mechanism(mechanism)
     , m_window(window)
 {
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &SceneFile::changed);
@@ -73,6 +75,8 @@ Scene SceneFile::scene() const
     scene.time = m_session->time();
     scene.plots = m_plots->settings();
     scene.zoom = m_plots->zoom();
+    scene.mechanism = m_mechanism->settings();
+    scene.mechanismFrame = m_mechanism->zoom();
     scene.asRead = m_asRead;
     return scene;
 }
@@ -133,6 +137,8 @@ void SceneFile::finishOpening(const QString &problem)
     m_missing = problem.isEmpty() ? std::nullopt : opening.scene.reference;
     m_plots->setSettings(opening.scene.plots);
     m_plots->setZoom(opening.scene.zoom);
+    m_mechanism->setSettings(opening.scene.mechanism);
+    m_mechanism->setZoom(opening.scene.mechanismFrame);
     if (m_session->result()->sampling != m_session->sampling()) { // a long run, whose result will undo the zoom
         connect(
             m_session, &Session::resultChanged, this, [this, zoom = opening.scene.zoom] { m_plots->setZoom(zoom); },

@@ -16,6 +16,7 @@
 namespace slidercrank
 {
 
+class MechanismView;
 class PlotGrid;
 
 class SceneFile : public QObject
@@ -23,8 +24,8 @@ class SceneFile : public QObject
     Q_OBJECT
 
 public:
-    /// `window`: whose session and plots these are, and in front of which is asked.
-    SceneFile(Session *session, PlotGrid *plots, QWidget *window);
+    /// `window`: whose session, plots and drawing these are, and in front of which is asked.
+    SceneFile(Session *session, PlotGrid *plots, MechanismView *mechanism, QWidget *window);
 
     /// Others in place of those before.
     void setPlots(PlotGrid *plots) { m_plots = plots; }
@@ -63,6 +64,7 @@ private:
 
     Session *m_session;
     PlotGrid *m_plots;
+    MechanismView *m_mechanism;
     QWidget *m_window;
     QString m_path;
     QJsonObject m_asRead;                     ///< of the file at m_path

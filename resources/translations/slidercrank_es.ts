@@ -4316,6 +4316,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>%1 cannot be written: %2. Choose another name or folder.</source>
         <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
+    <message>
+        <source>four numbers in brackets, left, lower, right and upper, the smaller ones first</source>
+        <translation>cuatro números entre corchetes, izquierda, abajo, derecha y arriba, los menores primero</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
