@@ -102,7 +102,7 @@ Cycle cycleOf(const Mechanism &mechanism, const MotionLimits &limits)
 ArrowScale arrowScale(const Cycle &cycle, MotionKind kind, const Mechanism &mechanism, const QRectF &room,
                       double longest)
 {
-    constexpr double kUnusual = 4.0; // times the crank pin's own: a motion that runs away would dwarf all others
+    constexpr double kUnusual = 2.5; // times the crank pin's own: a motion that runs away would dwarf all others
     const double omega2 = std::abs(mechanism.omega2());
     ArrowScale scale;
     scale.most = kUnusual * mechanism.a() * (kind == MotionKind::Velocity ? omega2 : omega2 * omega2);

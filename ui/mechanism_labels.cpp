@@ -84,9 +84,9 @@ void paintNames(QPainter &painter, const MechanismCanvas &on, const MechanismDra
     const bool fits = above + box.top() >= 0.0 || slider.y() < 0.0;
     painter.drawText(box.translated(QPointF(slider.x(), fits ? above : below)), Qt::AlignCenter,
                      MechanismLabels::tr("B"));
-    if (drawing.hasCentre()) {
+    if (drawing.hasCentre()) { // above; b is below
         const QPointF normal = unitVector(across);
-        painter.drawText(box.translated(0.5 * (crank + slider) + (normal.y() < 0.0 ? -17.0 : 17.0) * normal),
+        painter.drawText(box.translated(0.5 * (crank + slider) + (normal.y() < 0.0 ? 17.0 : -17.0) * normal),
                          Qt::AlignCenter, MechanismLabels::tr("G₃"));
     }
 }
