@@ -197,6 +197,17 @@ private slots:
         QCOMPARE(bench.session.parameters(), Parameters());
     }
 
+    void aDragThatPausesIsOneStep()
+    {
+        Bench bench;
+        bench.press({10.0, 0.0});
+        bench.move({14.0, 0.0});
+        QTest::qWait(1100); // edits apart by that much are steps of their own
+        bench.move({16.0, 0.0});
+        bench.release({16.0, 0.0});
+        QCOMPARE(bench.session.undoStack().count(), 1);
+    }
+
     void escapePutsTheLengthBack()
     {
         Bench bench;
