@@ -50,7 +50,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     auto *equations = new NumberTable(equationColumns());
     equations->setObjectName(QStringLiteral("equationTable"));
     equations->setAccessibleName(tr("Equations, a row a constraint"));
-    equations->setColumnText(0, QStringLiteral("pivot O₂, x"));
+    equations->setColumnText(0, longestConstraintName());
     equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ² + b/2 cos θ³ = 0"));
     equations->setColumnText(2, QStringLiteral("-0.000·10⁻¹⁰"));
     equations->setColumnText(3, QStringLiteral("-0000.0000"));
@@ -65,8 +65,8 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     auto *coordinates = new NumberTable(coordinateColumns());
     coordinates->setObjectName(QStringLiteral("coordinateTable"));
     coordinates->setAccessibleName(tr("Coordinates, a row each"));
-    coordinates->setColumnText(0, QStringLiteral("coordinate"));
-    coordinates->setColumnText(1, QStringLiteral("coupler"));
+    coordinates->setColumnText(0, QStringLiteral("R_y¹"));
+    coordinates->setColumnText(1, longestBodyName());
     for (const int column : {2, 3, 4}) {
         coordinates->setColumnText(column, QStringLiteral("-00000.00000"));
     }
@@ -133,7 +133,7 @@ QWidget *NewtonPanel::createJacobianPage()
     m_jacobian->setObjectName(QStringLiteral("jacobianTable"));
     m_jacobian->setAccessibleName(tr("Jacobian C_q, a row a constraint, a column a coordinate"));
     m_jacobian->setRuled(true);
-    m_jacobian->setColumnText(0, QStringLiteral("pivot O₂, x"));
+    m_jacobian->setColumnText(0, longestConstraintName());
     m_jacobianNote = new QLabel;
     m_jacobianNote->setObjectName(QStringLiteral("jacobianNote"));
     m_jacobianNote->setTextFormat(Qt::RichText);

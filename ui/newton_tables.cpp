@@ -154,6 +154,27 @@ QString nameOf(Constraint row)
     return {};
 }
 
+QString longestConstraintName()
+{
+    QString longest;
+    for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+        const QString name = nameOf(static_cast<Constraint>(row));
+        longest = name.size() > longest.size() ? name : longest;
+    }
+    return longest;
+}
+
+QString longestBodyName()
+{
+    QString longest;
+    for (const MechanismPart body :
+         {MechanismPart::Ground, MechanismPart::Crank, MechanismPart::Coupler, MechanismPart::Slider}) {
+        const QString name = jointText(body);
+        longest = name.size() > longest.size() ? name : longest;
+    }
+    return longest;
+}
+
 std::vector<TableColumn> equationColumns()
 {
     return {

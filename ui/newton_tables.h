@@ -16,6 +16,10 @@ namespace slidercrank
 /// "A, x", "drive": where a constraint belongs.
 QString nameOf(Constraint row);
 
+/// The longest of those, and of the bodies' names: as wide as their columns have to be.
+QString longestConstraintName();
+QString longestBodyName();
+
 std::vector<TableColumn> equationColumns();
 std::vector<TableRow> equationRows(const InstantEquations &equations);
 

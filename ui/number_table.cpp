@@ -296,7 +296,8 @@ void NumberTable::fitColumns()
     for (std::size_t column = 0; column < widths.size(); ++column) {
         int width = widths[column];
         if (stretching > 0 && m_longest[column].isNull()) {
-            width = std::max(0, room - needed) / stretching;
+            const int title = fontMetrics().horizontalAdvance(m_model->columns()[column].title) + 2 * kMargin;
+            width = std::max(title, (room - needed) / stretching); // else it is scrolled
         }
         setColumnWidth(static_cast<int>(column), width);
     }

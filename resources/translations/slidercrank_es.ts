@@ -3558,11 +3558,11 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     </message>
     <message>
         <source>open: slider to the right of A</source>
-        <translation>abierta: corredera a la derecha de A</translation>
+        <translation>abierta: B a la derecha de A</translation>
     </message>
     <message>
         <source>crossed: slider to the left of A</source>
-        <translation>cruzada: corredera a la izquierda de A</translation>
+        <translation>cruzada: B a la izquierda de A</translation>
     </message>
     <message>
         <source>The two ways to put the same parts together</source>
