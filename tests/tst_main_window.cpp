@@ -31,6 +31,7 @@
 #include <QSlider>
 #include <QSplitter>
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <QStyleOptionSlider>
 #include <QTabBar>
 #include <QTableView>
@@ -564,6 +565,55 @@ private slots:
         QVERIFY(qGray(light.pixel(2, 2)) > 200);
         QVERIFY(qGray(dark.pixel(2, 2)) < 80);
         m_window->setTheme(Theme::Light);
+    }
+
+    void aThemeChosenLiveLooksLikeOneChosenBefore_data()
+    {
+        QTest::addColumn<Theme>("from");
+        QTest::addColumn<Theme>("to");
+        QTest::newRow("light to dark") << Theme::Light << Theme::Dark;
+        QTest::newRow("dark to light") << Theme::Dark << Theme::Light;
+        QTest::newRow("dark to the system's") << Theme::Dark << Theme::System;
+    }
+
+    void aThemeChosenLiveLooksLikeOneChosenBefore()
+    {
+        QFETCH(const Theme, from);
+        QFETCH(const Theme, to);
+        const auto look = [this](const std::function<void()> &between) {
+            m_window->session().setParameters(withCoupler(64.0));
+            m_window->openReference(kSample);
+            auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
+            for (int tab = 0; tab < bar->count(); ++tab) {
+                bar->setCurrentIndex(tab);
+                QTest::qWait(20);
+            }
+            const auto segment = [this](int page) {
+                m_window->findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(page))->click();
+            };
+            segment(3);
+            between();
+            QList<QImage> pictures;
+            for (int tab = 0; tab < bar->count(); ++tab) {
+                bar->setCurrentIndex(tab);
+                for (const int page : tab == 2 ? QList<int>{0, 2, 3} : QList<int>{0}) {
+                    segment(page);
+                    QTest::qWait(60);                      // until the numbers are there
+                    m_window->statusBar()->clearMessage(); // it tells a time, which is never the same
+                    pictures << m_window->grab().toImage();
+                }
+            }
+            return pictures;
+        };
+        m_window->setTheme(from);
+        const QList<QImage> live = look([&] { m_window->setTheme(to); });
+        init();
+        m_window->setTheme(to);
+        const QList<QImage> before = look([] {});
+        for (qsizetype i = 0; i < live.size(); ++i) {
+            QVERIFY2(live[i] == before[i], qPrintable(QString::number(i)));
+        }
+        m_window->setTheme(Theme::System);
     }
 
     void savesASceneAndOpensItAgain()
