@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/animation_export.h"
+#include "ui/axis_scale.h"
 #include "ui/column_mapping.h"
 #include "ui/control_states.h"
 #include "ui/error_panel.h"
@@ -908,7 +909,7 @@ void MainWindow::showStatus(const std::shared_ptr<const Result> &result)
     }
     const QString cost = tr("%1 samples in %2 ms")
                              .arg(locale.toString(static_cast<qulonglong>(samples)),
-                                  locale.toString(result->computeSeconds * 1e3, 'g', 2));
+                                  shortNumber(result->computeSeconds * 1e3, 2, locale));
     // A message, not labels: those would lay the whole window out anew with every move of a slider.
     statusBar()->showMessage(QStringLiteral("%1  ·  %2  ·  %3").arg(assembly, method, cost));
 }
