@@ -216,6 +216,39 @@ private slots:
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
+    void everyDialogIsJudgedAsTheWindowIs()
+    {
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->session().diagnosis());
+        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(1);
+        Parameters parameters;
+        parameters.b = 70.0;
+        m_window->session().setParameters(parameters);
+        m_window->findChild<QAbstractButton *>(QStringLiteral("columnsButton"))->click();
+        for (QAction *action : m_window->findChildren<QAction *>()) {
+            const QString name = action->text().remove(u'&');
+            if (name == QLatin1String("What is this program") || name == QLatin1String("Keyboard and mouse") ||
+                name == QLatin1String("About")) {
+                action->trigger();
+            }
+        }
+        m_window->close(); // asks about the change
+        QCoreApplication::processEvents();
+        int dialogs = 0;
+        for (auto *dialog : m_window->findChildren<QDialog *>()) {
+            if (dialog->isVisible()) {
+                ++dialogs;
+                judge(dialog);
+                if (dialog->windowTitle().isEmpty()) {
+                    m_faults << QStringLiteral("%1 has no title").arg(described(dialog));
+                }
+            }
+        }
+        QCOMPARE(dialogs, 5);
+        m_faults.removeDuplicates();
+        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+    }
+
     void theTabKeyReachesEveryControlAndTheFocusIsSeen_data() { everyControlHasANameOfItsOwnAndAValue_data(); }
 
     void theTabKeyReachesEveryControlAndTheFocusIsSeen()
