@@ -526,12 +526,13 @@ bool PlotGrid::pressKey(std::size_t plot, int key)
         maximize({});
         return true;
     case Qt::Key_Plus:
+    case Qt::Key_Equal:
     case Qt::Key_Minus: {
         constexpr double kFactor = 0.7;
         const Interval shown = m_figure.timeRange();
         const bool sees = m_cursorTime && shown.contains(*m_cursorTime);
         zoomTime(sees ? *m_cursorTime : 0.5 * (shown.lower + shown.upper),
-                 key == Qt::Key_Plus ? kFactor : 1.0 / kFactor);
+                 key == Qt::Key_Minus ? 1.0 / kFactor : kFactor);
         return true;
     }
     case Qt::Key_A:
