@@ -309,6 +309,50 @@ private slots:
         }
     }
 
+    /// Where it fails: build the target update_translations, and translate what is unfinished then.
+    void theTranslationHasWhatTheSourcesSay_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("English plurals") << QStringLiteral("en") << QStringList{QStringLiteral("-pluralonly")};
+        QTest::newRow("Spanish") << QStringLiteral("es") << QStringList{};
+    }
+
+    void theTranslationHasWhatTheSourcesSay()
+    {
+        QFETCH(const QString, language);
+        QFETCH(const QStringList, options);
+        if (!QFile::exists(QStringLiteral(SLIDERCRANK_LUPDATE))) {
+            QSKIP("lupdate is not here.");
+        }
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("slidercrank.ts"));
+        QProcess process;
+        process.setWorkingDirectory(QStringLiteral(SLIDERCRANK_SOURCE_DIR));
+        process.start(QStringLiteral(SLIDERCRANK_LUPDATE),
+                      options + QStringList{QStringLiteral("-silent"), QStringLiteral("-I"), QStringLiteral("."),
+                                            QStringLiteral("ui"), QStringLiteral("app"), QStringLiteral("-ts"), path});
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitCode(), 0);
+        const auto keysOf = [](const QString &file) {
+            QStringList keys;
+            for (const Message &message : messagesOf(file)) {
+                keys += QStringList{message.context, message.source, message.comment}.join(u'|');
+            }
+            keys.sort();
+            return keys;
+        };
+        const QStringList sources = keysOf(path);
+        const QStringList translated =
+            keysOf(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/resources/translations/slidercrank_%1.ts").arg(language));
+        for (const QString &key : sources) {
+            QVERIFY2(translated.contains(key), qPrintable(QStringLiteral("not translated: ") + key));
+        }
+        for (const QString &key : translated) {
+            QVERIFY2(sources.contains(key), qPrintable(QStringLiteral("no longer said: ") + key));
+        }
+    }
+
     void translationsKeepPlaceholdersKeysAndTags()
     {
         for (const Message &message : messagesOf(kSpanish)) {
