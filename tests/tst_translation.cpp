@@ -7,6 +7,8 @@
 #include "ui/folding_tabs.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
+#include "ui/mechanism_view.h"
+#include "ui/plot_grid.h"
 #include "ui/study_panel.h"
 
 #include <QAbstractButton>
@@ -435,7 +437,7 @@ private slots:
         QTest::newRow("unit of a length") << QByteArray("time,R4_x [kg]\n0,1\n1,2\n");
         QTest::newRow("units contradict") << QByteArray("time,R4_x [mm]\ns,m\n0,1\n1,2\n");
         QTest::newRow("backwards") << QByteArray("time,R4_x\n0,1\n1,2\n0.5,3\n");
-        QTest::newRow("not text") << QByteArray("time,R4_x\n0,1\n1,\0\0\0\n", 22);
+        QTest::newRow("not text") << QByteArray("time,R4_x\n0,1\n1,") + QByteArray(3, 0) + "\n";
     }
 
     void whyAFileCannotBeReadIsSaidInSpanish()
@@ -579,7 +581,23 @@ private slots:
         unit->setCurrentIndex(2);
         emit unit->activated(2);
         window.findChild<FoldingTabs *>()->setCurrent(4);
+        auto *mechanism = window.findChild<MechanismView *>();
+        const QRectF zoomed(-10.0, -20.0, 40.0, 30.0);
+        mechanism->setZoom(zoomed);
+        auto *plots = window.findChild<PlotGrid *>();
+        PlotSettings settings;
+        settings.abscissa = Abscissa::CrankAngle;
+        plots->setSettings(settings);
+        plots->maximize(QStringLiteral("plot_R4_x"));
+        plots->setMeasuring(true);
+        const auto measured = plots->measured();
         speak(Language::Spanish);
+        mechanism = window.findChild<MechanismView *>();
+        QVERIFY(mechanism->zoom() && mechanism->zoom()->contains(zoomed.center()));
+        plots = window.findChild<PlotGrid *>();
+        QVERIFY(plots->settings() == settings);
+        QCOMPARE(plots->maximized(), QStringLiteral("plot_R4_x"));
+        QVERIFY(plots->measured() == measured);
         QCOMPARE(window.menuBar()->actions().first()->text(), QStringLiteral("&Archivo"));
         QCOMPARE(window.session().parameters().b, 70.0);
         QCOMPARE(window.session().time(), 0.25);

@@ -150,6 +150,8 @@ void MainWindow::remakeRooms()
     const PlotSettings plots = m_plotGrid->settings();
     const PlotZoom zoom = m_plotGrid->zoom();
     const QString maximized = m_plotGrid->maximized();
+    const MechanismSettings drawing = m_mechanismView->settings();
+    const std::optional<QRectF> drawingZoom = m_mechanismView->zoom();
     const auto measured = m_plotGrid->measured();
     const bool isPlaying = m_timeline->isPlaying();
     const bool isFolded = m_tabs->isFolded();
@@ -180,12 +182,15 @@ void MainWindow::remakeRooms()
         delete room.data();
     }
     setLocale(QLocale());
+    m_session->endDrag(); // what was held is gone
     m_session->retranslateEdits();
     makeRooms();
 
     m_plotGrid->setSettings(plots);
     m_plotGrid->setZoom(zoom);
     m_plotGrid->maximize(maximized);
+    m_mechanismView->setSettings(drawing);
+    m_mechanismView->setZoom(drawingZoom);
     m_plotGrid->setMeasured(measured);
     if (study) {
         m_tabs->setCurrent(studyTab);
