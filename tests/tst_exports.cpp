@@ -311,7 +311,7 @@ private slots:
     {
         QFETCH(const int, choice);
         QFETCH(const int, columns);
-        actionNamed(*m_window, QStringLiteral("Export data…"))->trigger();
+        actionNamed(*m_window, QStringLiteral("Data…"))->trigger();
         auto *dialog = m_window->findChild<QFileDialog *>();
         QVERIFY(dialog);
         dialog->setDirectory(m_folder->path());

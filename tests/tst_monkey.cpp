@@ -151,8 +151,11 @@ private:
               "Time (s),Linear Displacement1 (mm),velocidad\n0,1,2\n1,2,3\n2,1,0\n3,5,1\n");
         write(QStringLiteral("none.json"), "{\"version\": 1, \"parameters\": {\"a\": -1}}");
         write(QStringLiteral("broken.json"), "{\"ver");
-        m_files << QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv")
-                << path(QStringLiteral("not there.csv")) << path(QStringLiteral("saved.json"));
+        // Of its own, because what is exported is proposed beside the reference.
+        QFile::copy(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"),
+                    path(QStringLiteral("sample.csv")));
+        m_files << path(QStringLiteral("sample.csv")) << path(QStringLiteral("not there.csv"))
+                << path(QStringLiteral("saved.json"));
     }
 
     /// On show and enabled, in the window or what is open over it.

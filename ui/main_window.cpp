@@ -277,14 +277,15 @@ void MainWindow::buildMenus()
     file->addAction(tr("Save scene &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), m_scene,
                     [this] { m_scene->saveAs(); });
     file->addSeparator();
-    file->addAction(tr("Export &figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
-                    [this] { exportFigureTo(chooseExportFile(QStringLiteral("figure.png"))); });
-    QMenu *exportPlot = file->addMenu(tr("Export &plot"));
-    file->addAction(tr("Export &mechanism…"), this,
-                    [this] { exportMechanismTo(chooseExportFile(QStringLiteral("mechanism.png"))); });
-    file->addAction(tr("Export &data…"), this, &MainWindow::chooseData);
-    file->addAction(tr("Export repor&t…"), this, &MainWindow::chooseReport);
-    file->addAction(tr("Export a&nimation…"), this, &MainWindow::chooseAnimation);
+    QMenu *exporting = file->addMenu(tr("E&xport"));
+    exporting->addAction(tr("&Figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
+                         [this] { exportFigureTo(chooseExportFile(QStringLiteral("figure.png"))); });
+    QMenu *exportPlot = exporting->addMenu(tr("&Plot"));
+    exporting->addAction(tr("&Mechanism…"), this,
+                         [this] { exportMechanismTo(chooseExportFile(QStringLiteral("mechanism.png"))); });
+    exporting->addAction(tr("&Data…"), this, &MainWindow::chooseData);
+    exporting->addAction(tr("&Report…"), this, &MainWindow::chooseReport);
+    exporting->addAction(tr("&Animation…"), this, &MainWindow::chooseAnimation);
     file->addSeparator();
     file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 

@@ -2433,18 +2433,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>G&amp;uardar escena como…</translation>
     </message>
     <message>
-        <source>Export &amp;figure…</source>
-        <translation>Exportar &amp;figura…</translation>
-    </message>
-    <message>
-        <source>Export &amp;plot</source>
-        <translation>Exportar gráf&amp;ica</translation>
-    </message>
-    <message>
-        <source>Export &amp;mechanism…</source>
-        <translation>Exportar &amp;mecanismo…</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Salir</translation>
     </message>
@@ -2657,14 +2645,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Del &amp;sistema</translation>
     </message>
     <message>
-        <source>Export &amp;data…</source>
-        <translation>Exportar &amp;datos…</translation>
-    </message>
-    <message>
-        <source>Export repor&amp;t…</source>
-        <translation>Exportar inf&amp;orme…</translation>
-    </message>
-    <message>
         <source>Copy &amp;plot</source>
         <translation>Copiar la &amp;gráfica</translation>
     </message>
@@ -2745,10 +2725,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Abrir el e&amp;jemplo</translation>
     </message>
     <message>
-        <source>Export a&amp;nimation…</source>
-        <translation>Exportar a&amp;nimación…</translation>
-    </message>
-    <message>
         <source>Rese&amp;t parameters to Table 1</source>
         <translation>Restablecer los &amp;parámetros de la tabla 1</translation>
     </message>
@@ -2759,6 +2735,34 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>M&amp;echanism</source>
         <translation>M&amp;ecanismo</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportar</translation>
+    </message>
+    <message>
+        <source>&amp;Figure…</source>
+        <translation>&amp;Figura…</translation>
+    </message>
+    <message>
+        <source>&amp;Plot</source>
+        <translation>&amp;Gráfica</translation>
+    </message>
+    <message>
+        <source>&amp;Mechanism…</source>
+        <translation>&amp;Mecanismo…</translation>
+    </message>
+    <message>
+        <source>&amp;Data…</source>
+        <translation>&amp;Datos…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Informe…</translation>
+    </message>
+    <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animación…</translation>
     </message>
 </context>
 <context>
