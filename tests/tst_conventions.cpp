@@ -468,7 +468,7 @@ private slots:
     {
         QFETCH(const Fault, fault);
         RandomFiles files(1);
-        for (int i = 0; i < filesOf(50); ++i) {
+        for (int i = 0; i < filesOf(20); ++i) {
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             const std::vector<Convention> expected = fault.inject(table, p, files);
