@@ -114,7 +114,7 @@ void MainWindow::makeRooms()
     m_parameterPanel = new ParameterPanel(this);
     m_plotGrid = new PlotGrid(this);
     if (m_scene) {
-        m_scene->setPlots(m_plotGrid);
+        m_scene->setViews(m_plotGrid, m_mechanismView);
     } else {
         m_scene = new SceneFile(m_session, m_plotGrid, m_mechanismView, this);
     }

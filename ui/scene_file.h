@@ -28,7 +28,11 @@ public:
     SceneFile(Session *session, PlotGrid *plots, MechanismView *mechanism, QWidget *window);
 
     /// Others in place of those before.
-    void setPlots(PlotGrid *plots) { m_plots = plots; }
+    void setViews(PlotGrid *plots, MechanismView *mechanism)
+    {
+        m_plots = plots;
+        m_mechanism = mechanism;
+    }
 
     const QString &path() const { return m_path; } ///< empty: never saved
     bool isModified() const;
