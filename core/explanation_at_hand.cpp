@@ -55,7 +55,9 @@ double minimumBetween(double low, double high, Function f)
 
 Parameters started(Parameters parameters, double shift)
 {
-    parameters.theta20 += parameters.omega2 * shift;
+    // At the end of what a mechanism may have, a turn is next to nothing.
+    parameters.theta20 =
+        std::clamp(parameters.theta20 + parameters.omega2 * shift, -kLargestParameter, kLargestParameter);
     return parameters;
 }
 

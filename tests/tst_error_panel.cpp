@@ -325,6 +325,13 @@ private slots:
         QCOMPARE(table->rowCount(), 1);
         panel.show();
         QCOMPARE(table->rowCount(), 2);
+
+        // Laid out as it comes on show, when the table still has the rows of before.
+        panel.hide();
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)}));
+        panel.resize(panel.width() + 100, panel.height());
+        panel.show();
+        QCOMPARE(table->rowCount(), 1);
     }
 };
 

@@ -330,6 +330,9 @@ bool ErrorPanel::eventFilter(QObject *watched, QEvent *event)
 
 void ErrorPanel::fitColumns()
 {
+    if (!m_result || m_table->rowCount() != static_cast<int>(m_result->comparison.size())) {
+        return; // laid out while it comes on show, with what is not filled in yet
+    }
     constexpr int kMostAir = 28;
     const auto widthNeeded = [this] {
         int width = 0;
