@@ -15,6 +15,7 @@ private slots:
     void roundsARangeOutwards();
     void standsStillWhileTheValuesChangeALittle();
     void givesAConstantARange();
+    void standsValuesThatUnderflow();
     void writesNumbersWithTheirDigits_data();
     void writesNumbersWithTheirDigits();
     void writesLabelsInTheGivenLanguage();
@@ -74,6 +75,14 @@ void TstAxisScale::givesAConstantARange()
         const Interval range = roundedOutwards({value, value});
         QVERIFY(range.length() > 0.0);
         QVERIFY(range.contains(value));
+    }
+}
+
+void TstAxisScale::standsValuesThatUnderflow()
+{
+    for (const double largest : {5e-324, 1e-310, 1e-300, 1e300}) {
+        const AxisScale scale = axisScale({0.0, largest}, 5.0);
+        QVERIFY(scale.decimals >= 0 && scale.decimals <= 17);
     }
 }
 

@@ -85,12 +85,14 @@ AxisScale axisScale(const Interval &range, double intervals)
     constexpr double kSmallestPlain = 1e-4;
     constexpr double kLargestPlain = 1e5;
     const double largest = largestMagnitude(range);
-    if (largest > 0.0 && (largest < kSmallestPlain || largest >= kLargestPlain)) {
+    if (largest > 0.0 && std::isfinite(largest) && (largest < kSmallestPlain || largest >= kLargestPlain)) {
         scale.exponent = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
     }
     constexpr double kRoundingRoom = 1e-9;
-    const double exponentOfStep = std::log10(scale.step) - scale.exponent;
-    scale.decimals = std::clamp(-static_cast<int>(std::floor(exponentOfStep + kRoundingRoom)), 0, 17);
+    constexpr double kMostDecimals = 17.0;
+    const double exponentOfStep = std::log10(scale.step) - scale.exponent; // not finite where the range underflows
+    const double decimals = -std::floor(exponentOfStep + kRoundingRoom);
+    scale.decimals = decimals > 0.0 ? static_cast<int>(std::min(decimals, kMostDecimals)) : 0;
     return scale;
 }
 
