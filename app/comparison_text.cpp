@@ -3,6 +3,7 @@
 
 #include "app/command_line.h"
 #include "app/json_text.h"
+#include "ui/column_text.h"
 #include "ui/core_text.h"
 #include "ui/finding_text.h"
 
@@ -87,6 +88,22 @@ QString aligned(const std::vector<QStringList> &rows, const std::vector<bool> &i
     return table;
 }
 
+/// "P[3.1] (deg)" as theta3 (guessed by its unit)
+QStringList guessesIn(const FileLayout &layout)
+{
+    QStringList guesses;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        if (column.role == ColumnRole::Ignored || !isGuess(column.reason)) {
+            continue;
+        }
+        const QString meaning = column.role == ColumnRole::Time ? CommandLine::tr("the time", "a column is taken for")
+                                                                : columnNameOf(column.channel);
+        guesses += CommandLine::tr("\"%1\" as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
+    }
+    return guesses;
+}
+
 } // namespace
 
 QString headlineOf(const QString &file, const ReferenceData &data)
@@ -168,6 +185,11 @@ void warnOf(const QString &file, const ReferenceData &data)
         }
         say(CommandLine::tr("%1: these columns are no channels and were ignored: %2.")
                 .arg(QDir::toNativeSeparators(file), names.join(QStringLiteral(", "))));
+    }
+    if (const QStringList guesses = guessesIn(data.layout); !guesses.empty()) {
+        say(CommandLine::tr("%1: the names do not tell what these columns are, so they are guessed: %2. Where that is "
+                            "wrong, name them as in theta3, theta3_diff, R4_x.")
+                .arg(QDir::toNativeSeparators(file), guesses.join(QStringLiteral(", "))));
     }
 }
 

@@ -27,7 +27,7 @@ QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &chan
 /// An array, an object a channel.
 QByteArray jsonOf(const std::vector<ChannelComparison> &channels);
 
-/// Says on standard error which rows and columns of the file were left out.
+/// Says on standard error which rows and columns of the file were left out, and which columns were guessed at.
 void warnOf(const QString &file, const ReferenceData &data);
 
 } // namespace slidercrank

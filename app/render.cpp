@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render.h"
 
+#include "app/comparison_text.h"
 #include "app/shortfall.h"
 #include "ui/animation_export.h"
 #include "ui/figure_export.h"
@@ -126,6 +127,7 @@ ExitStatus render(const RenderOptions &options)
             return ExitStatus::FileFailed;
         }
         reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        warnOf(options.reference->path, reference->data);
     }
     Session session;
     settle(session, options, reference);

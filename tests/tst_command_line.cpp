@@ -224,6 +224,7 @@ private slots:
     void saysWhenItFindsNoMechanism();
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
+    void saysWhichColumnsWereGuessed();
     void tellsWhereTheModelOfAFileCannotBeAssembled();
     void studiesSpeedAgainstError();
     void studiesTheMechanismAskedFor();
@@ -1112,6 +1113,33 @@ void TestCommandLine::warnsOfSkippedRowsAndIgnoredColumns()
     QCOMPARE(skipped["column"].toInt(), 2);
     QCOMPARE(skipped["text"].toString(), QStringLiteral("oops"));
     QCOMPARE(entry["channels"].toArray().first().toObject()["count"].toInt(), 2);
+}
+
+void TestCommandLine::saysWhichColumnsWereGuessed()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("grapher.csv"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("Time (s),\"P[3.1] (deg)\",\"P[4.2] (mm)\"\n");
+    for (int row = 0; row <= 80; ++row) {
+        const double t = row / 80.0;
+        const Textbook at = textbook(20, 60, 25, 2 * std::numbers::pi, 2 * std::numbers::pi * t, false);
+        file.write(QByteArray::number(t) + ',' + QByteArray::number(at.theta3 / kDegree) + ',' +
+                   QByteArray::number(at.R4x) + '\n');
+    }
+    file.close();
+    for (const QStringList &arguments :
+         {QStringList{"compare", path, "--b", "60"}, QStringList{"identify", path},
+          QStringList{"render", "--reference", path, "--what", "report", "--output", folder.filePath("x.pdf")}}) {
+        const Outcome outcome = run(arguments);
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(outcome.err.contains("P[3.1]") && outcome.err.contains("as theta3 (guessed by its unit)"),
+                 outcome.err.constData());
+        QVERIFY2(outcome.err.contains("as R4_x (guessed by its unit)"), outcome.err.constData());
+        QVERIFY2(!outcome.err.contains("as the time"), outcome.err.constData());
+    }
+    QVERIFY(!run(QStringLiteral("compare ") + sample()).err.contains("guessed"));
 }
 
 void TestCommandLine::tellsWhereTheModelOfAFileCannotBeAssembled()

@@ -1045,6 +1045,19 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
         <source>There would be more than %1 frames: choose a shorter --duration or a greater --speed.</source>
         <translation>Habría más de %1 fotogramas: elija una --duration menor o una --speed mayor.</translation>
     </message>
+    <message>
+        <source>the time</source>
+        <comment>a column is taken for</comment>
+        <translation>el tiempo</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; as %2 (%3)</source>
+        <translation>&quot;%1&quot; como %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1: the names do not tell what these columns are, so they are guessed: %2. Where that is wrong, name them as in theta3, theta3_diff, R4_x.</source>
+        <translation>%1: los nombres no dicen qué son estas columnas, así que se han deducido: %2. Donde no sea así, póngales nombres como theta3, theta3_diff, R4_x.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CoreText</name>
