@@ -292,6 +292,42 @@ private slots:
         QVERIFY(std::abs(series->values[1] - 0.1 * kDegreesPerRadian) < 1e-12);
     }
 
+    void columnsChosenAnewKeepTheConventionsOfTheOthers()
+    {
+        const Channel theta3{Theta3, Order::Position};
+        const Channel slider{R4x, Order::Position};
+        const QString path = m_folder.filePath(QStringLiteral("columns.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time,theta3,R4_x,x\n0,2,80,7\n1,3,81,8\n");
+        file.close();
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        session.loadReference(path);
+        QVERIFY(loaded.wait());
+        session.apply({Convention::Kind::AngleUnit, {theta3}, 10.0});
+        session.apply({Convention::Kind::LengthUnit, {slider}, 100.0});
+        session.apply({Convention::Kind::TimeShift, {}, 0.5});
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(3));
+
+        rememberChoices(layoutOf(beginningOf(path)), path,
+                        {{2, ColumnRole::Ignored, {}, {}}, {3, ColumnRole::Channel, slider, {}}});
+        loaded.clear();
+        session.readColumnsAnew(path);
+        QVERIFY(loaded.wait());
+        const Reference &anew = *session.reference();
+        QCOMPARE(anew.conventions.size(), std::size_t(2));
+        QCOMPARE(anew.data.find(theta3)->values, (std::vector<double>{20.0, 30.0}));
+        QCOMPARE(anew.data.find(slider)->values, (std::vector<double>{7.0, 8.0})); // of another column: as printed
+        QCOMPARE(anew.data.time, (std::vector<double>{0.5, 1.5}));
+        QCOMPARE(anew.asPrinted->data.time, (std::vector<double>{0.0, 1.0}));
+
+        loaded.clear();
+        session.loadReference(path); // opened again: as it is
+        QVERIFY(loaded.wait());
+        QVERIFY(session.reference()->conventions.empty());
+    }
+
     void thePreviewOfALargeFileIsItsFirstWholeLines()
     {
         QFile file(m_folder.filePath(QStringLiteral("large.csv")));

@@ -251,6 +251,67 @@ private slots:
         QCOMPARE(session.result(), before);
     }
 
+    void cancelWhileComparingTakesTheFileBack()
+    {
+        Session session;
+        session.setReference(std::make_shared<Reference>());
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        const auto before = session.result();
+        auto large = std::make_shared<Reference>();
+        for (int i = 0; i < 1000000; ++i) {
+            large->data.time.push_back(i * 1e-6);
+        }
+        large->data.series = {{{R4x, Order::Position}, std::vector<double>(large->data.time.size(), 80.0), {}}};
+        QSignalSpy busy(&session, &Session::busyChanged);
+        QSignalSpy references(&session, &Session::referenceLoaded);
+        session.setReference(large);
+        QCOMPARE(session.result(), before); // still being compared
+        session.cancel();
+        QCOMPARE(session.result(), before);
+        QCOMPARE(session.reference(), before->reference);
+        QCOMPARE(references.count(), 2); // there and back
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the method"));
+        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        QCOMPARE(session.result(), before);
+    }
+
+    void cancelTakesBackOnlyWhatIsNotOnShowYet()
+    {
+        Session session;
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        Parameters parameters;
+        session.beginDrag();
+        parameters.b = 66.0;
+        session.setParameters(parameters);
+        session.endDrag();
+        Sampling sampling;
+        sampling.steps = 1000000;
+        session.setSampling(sampling);
+        parameters.b = 67.0;
+        session.setParameters(parameters);
+        session.cancel();
+        QCOMPARE(session.parameters().b, 66.0);
+        QCOMPARE(session.sampling(), Sampling());
+        QCOMPARE(session.result()->mechanism.b(), 66.0);
+    }
+
+    void aSearchThatWasCancelledIsOver()
+    {
+        Session session;
+        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference(kSample)));
+        session.cancel();
+        QVERIFY(session.diagnosis());
+        QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
+        QTest::qWait(300); // what was under way does not come back
+        QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
+        session.setParameter(Parameter::B, 64.0);
+        QTRY_COMPARE(session.diagnosis()->found.identification.status, Identification::Status::Found);
+    }
+
     void oneClickTakesTheFoundMechanismOver_data()
     {
         QTest::addColumn<QString>("path");

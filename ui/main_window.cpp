@@ -594,7 +594,7 @@ void MainWindow::chooseColumns(const QString &path)
     }
     auto *dialog = new ColumnMapping(path, beginningOf(path), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ColumnMapping::chosen, m_session, &Session::loadReference);
+    connect(dialog, &ColumnMapping::chosen, m_session, &Session::readColumnsAnew);
     dialog->show();
 }
 

@@ -8,6 +8,10 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 namespace slidercrank
 {
 
@@ -17,6 +21,24 @@ namespace
 std::string_view viewOf(const QByteArray &bytes)
 {
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+}
+
+/// Gaps, which are NaN, are the same.
+bool isSame(std::span<const double> x, std::span<const double> y)
+{
+    return std::ranges::equal(x, y, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+}
+
+/// Whether all that the convention changes reads the same in both.
+bool isOfTheSame(const Convention &convention, const ReferenceData &x, const ReferenceData &y)
+{
+    const bool concernsTime =
+        convention.kind == Convention::Kind::TimeUnit || convention.kind == Convention::Kind::TimeShift;
+    return (!concernsTime || isSame(x.time, y.time)) && std::ranges::all_of(convention.channels, [&](Channel channel) {
+               const ReferenceSeries *of = x.find(channel);
+               const ReferenceSeries *other = y.find(channel);
+               return of && other && isSame(of->values, other->values);
+           });
 }
 
 struct ReferenceFileText {
@@ -91,6 +113,19 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
     reference->conventions.push_back(convention);
     if (!reference->asPrinted) {
         reference->asPrinted = to;
+    }
+    return reference;
+}
+
+std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
+                                                   const std::shared_ptr<const Reference> &printed)
+{
+    const ReferenceData &printedBefore = before.asPrinted ? before.asPrinted->data : before.data;
+    std::shared_ptr<const Reference> reference = printed;
+    for (const Convention &convention : before.conventions) {
+        if (isOfTheSame(convention, printedBefore, printed->data)) {
+            reference = applied(convention, reference);
+        }
     }
     return reference;
 }

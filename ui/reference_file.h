@@ -48,6 +48,11 @@ readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOpti
 /// The same as they read with that convention; Branch changes nothing here.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 
+/// The file as it was printed, read with those conventions of `before` whose columns it still reads as that did: what a
+/// person said of the others was said of other data.
+std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
+                                                   const std::shared_ptr<const Reference> &printed);
+
 /// "results.csv, line 3, column 2 ("abc"): …". `file`: how it is to be called.
 QString sentenceOf(const ReadError &error, const QString &file);
 

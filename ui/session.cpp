@@ -75,6 +75,12 @@ bool takesLong(const Request &request)
     return each * static_cast<double>(static_cast<std::size_t>(request.sampling.steps) + 1 + atReference) > kMoment;
 }
 
+/// What the result was computed from.
+Choices choicesOf(const Result &result)
+{
+    return {result.mechanism.parameters(), result.sampling, result.solver, result.reference};
+}
+
 } // namespace
 
 Pose poseAt(const Parameters &parameters, double seconds)
@@ -252,6 +258,10 @@ void Session::runAside(Work work, Done done)
 void Session::recompute()
 {
     m_computation.request_stop(); // whatever is still under way is out of date
+    if (m_choices == choicesOf(*m_result)) {
+        publish(m_result);
+        return;
+    }
     Request request{Mechanism(m_choices.parameters), m_choices.sampling, m_choices.solver, m_choices.reference};
     if (!takesLong(request)) {
         publish(compute(request, {}));
@@ -304,13 +314,12 @@ void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
     }
 }
 
-void Session::readAside(const QString &path, const std::function<std::vector<ColumnChoice>()> &columns,
-                        const std::vector<Convention> &conventions, const std::function<void(const Reading &)> &done)
+void Session::readAside(const Read &read, const std::function<void(const Reading &)> &done)
 {
     m_reading.request_stop();
     m_reading = std::stop_source();
     const std::stop_token stop = m_reading.get_token();
-    const auto read = [path, columns, conventions, session = QPointer<Session>(this), stop]() -> Reading {
+    const auto work = [read, session = QPointer<Session>(this), stop]() -> Reading {
         ReadOptions options;
         options.progress = [session, stop, told = std::size_t{0}](std::size_t bytes, std::size_t all) mutable {
             constexpr std::size_t kSteps = 200; // more than the bar can show
@@ -328,9 +337,9 @@ void Session::readAside(const QString &path, const std::function<std::vector<Col
                 },
                 Qt::QueuedConnection);
         };
-        return readReference(ReferenceSource{path, columns(), conventions}, stop, options);
+        return read(stop, options);
     };
-    runAside(read, [stop, done](const Reading &outcome) {
+    runAside(work, [stop, done](const Reading &outcome) {
         if (!stop.stop_requested()) {
             done(outcome);
         }
@@ -339,15 +348,32 @@ void Session::readAside(const QString &path, const std::function<std::vector<Col
 
 void Session::loadReference(const QString &path)
 {
-    readAside(
-        path, [path] { return rememberedChoices(layoutOf(beginningOf(path)), path); }, {},
-        [this, path](const Reading &outcome) {
-            if (const QString *sentence = std::get_if<QString>(&outcome)) {
-                emit referenceRefused(path, *sentence);
-            } else {
-                setReference(std::get<std::shared_ptr<const Reference>>(outcome));
-            }
-        });
+    loadReference(path, nullptr);
+}
+
+void Session::readColumnsAnew(const QString &path)
+{
+    const bool isOnShow = m_choices.reference && m_choices.reference->path == path;
+    loadReference(path, isOnShow ? m_choices.reference : nullptr);
+}
+
+void Session::loadReference(const QString &path, const std::shared_ptr<const Reference> &before)
+{
+    const auto read = [path, before](std::stop_token stop, const ReadOptions &options) {
+        const ReferenceSource source{path, rememberedChoices(layoutOf(beginningOf(path)), path), {}};
+        Reading outcome = readReference(source, stop, options);
+        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome); reference && before) {
+            *reference = withConventionsOf(*before, *reference);
+        }
+        return outcome;
+    };
+    readAside(read, [this, path](const Reading &outcome) {
+        if (const QString *sentence = std::get_if<QString>(&outcome)) {
+            emit referenceRefused(path, *sentence);
+        } else {
+            setReference(std::get<std::shared_ptr<const Reference>>(outcome));
+        }
+    });
 }
 
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
@@ -358,15 +384,15 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
         emit opened(QString());
         return;
     }
-    readAside(
-        source->path, [columns = source->columns] { return columns; }, source->conventions,
-        [this, choices, seconds](const Reading &outcome) {
-            const QString *problem = std::get_if<QString>(&outcome);
-            Choices complete = choices;
-            complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
-            startWith(complete, seconds);
-            emit opened(problem ? *problem : QString());
-        });
+    readAside([source = *source](std::stop_token stop,
+                                 const ReadOptions &options) { return readReference(source, stop, options); },
+              [this, choices, seconds](const Reading &outcome) {
+                  const QString *problem = std::get_if<QString>(&outcome);
+                  Choices complete = choices;
+                  complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
+                  startWith(complete, seconds);
+                  emit opened(problem ? *problem : QString());
+              });
 }
 
 void Session::startWith(const Choices &choices, double seconds)
@@ -419,6 +445,24 @@ void Session::cancel()
     m_computation.request_stop();
     m_reading.request_stop();
     m_diagnosing.request_stop();
+    const Choices shown = choicesOf(*m_result);
+    if (m_choices != shown) {
+        if (m_undoStack.canUndo()) { // else they came with a scene, and no edit is to turn it into another
+            m_undoStack.push(new EditCommand(m_choices, shown, changeName(m_choices, shown), m_step,
+                                             [this](const Choices &inForce) { putInForce(inForce); }));
+            m_lastEdit.clear();
+        }
+        return;
+    }
+    const bool isKnown = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
+    if (m_choices.reference && !isKnown) {
+        m_rest.stop();
+        auto stopped = std::make_shared<Diagnosis>();
+        stopped->reference = m_choices.reference;
+        stopped->parameters = m_choices.parameters;
+        stopped->found.identification.status = Identification::Status::Stopped;
+        publishDiagnosis(std::move(stopped));
+    }
 }
 
 } // namespace slidercrank

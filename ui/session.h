@@ -99,6 +99,10 @@ public slots:
     /// follows. What is on show stays until then.
     void loadReference(const QString &path);
 
+    /// The same for the file on show, whose columns a person chose anew; conventions applied stay as far as their
+    /// columns do.
+    void readColumnsAnew(const QString &path);
+
     /// Takes one that is already read, at once; null: none.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
@@ -116,7 +120,8 @@ public slots:
     void beginDrag();
     void endDrag();
 
-    /// Stops what is computed or read aside; what is on show stays.
+    /// Stops what is computed or read aside. What is on show stays, and edits that have not come to be shown are taken
+    /// back.
     void cancel();
 
 signals:
@@ -139,11 +144,14 @@ private:
     void edit(const Choices &choices, const QString &text);
     void putInForce(const Choices &choices);
 
-    /// Reads a file off the GUI thread, its columns as columns() says there; then done(outcome) in this one, unless
-    /// another file was asked for by then, or none.
+    /// Runs read(), which reads a file, off the GUI thread, then done(outcome) in this one, unless another file was
+    /// asked for by then, or none.
     using Reading = std::variant<std::shared_ptr<const Reference>, QString>;
-    void readAside(const QString &path, const std::function<std::vector<ColumnChoice>()> &columns,
-                   const std::vector<Convention> &conventions, const std::function<void(const Reading &)> &done);
+    using Read = std::function<Reading(std::stop_token stop, const ReadOptions &options)>;
+    void readAside(const Read &read, const std::function<void(const Reading &)> &done);
+
+    /// `before`: another reading of the file, whose conventions are to be kept; may be null.
+    void loadReference(const QString &path, const std::shared_ptr<const Reference> &before);
     void startWith(const Choices &choices, double seconds);
 
     void recompute();
