@@ -99,7 +99,8 @@ QStringList guessesIn(const FileLayout &layout)
         }
         const QString meaning = column.role == ColumnRole::Time ? CommandLine::tr("the time", "a column is taken for")
                                                                 : columnNameOf(column.channel);
-        guesses += CommandLine::tr("\"%1\" as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
+        guesses +=
+            CommandLine::tr("\"%1\" as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
     }
     return guesses;
 }

@@ -9,6 +9,7 @@
 #include "ui/reference_file.h"
 
 #include <QDir>
+#include <QLocale>
 
 #include <array>
 #include <memory>
@@ -68,6 +69,7 @@ QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
     }
     return "{\"file\":" + jsonString(file) +
            ",\"mechanism\":" + (found ? jsonMechanism(Mechanism(identification.parameters)) : QByteArray("null")) +
+           ",\"rounded\":" + (found ? jsonMechanism(Mechanism(interpretation.rounded)) : QByteArray("null")) +
            ",\"standardError\":{" + errors.join(',') + "},\"identifiable\":{" + identifiable.join(',') +
            "},\"iterations\":" + QByteArray::number(identification.iterations) +
            ",\"conditionNumber\":" + jsonNumber(found ? std::optional(identification.conditionNumber) : std::nullopt) +
@@ -75,15 +77,15 @@ QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
            "],\"summary\":" + jsonString(summaryOf(identification)) + "}\n";
 }
 
-/// "--a 20.0000012 --b …": to go on with.
+/// "--a 20 --b …": to go on with.
 QString optionsFor(const Parameters &parameters)
 {
-    constexpr int kDigits = 9;
     const std::array values{parameters.a, parameters.b, parameters.c, parameters.omega2, parameters.theta20};
     QString text;
     for (std::size_t i = 0; i < kParameterCount; ++i) {
-        text +=
-            QStringLiteral("--%1 %2 ").arg(QLatin1String(kParameterWords[i]), QString::number(values[i], 'g', kDigits));
+        text += QStringLiteral("--%1 %2 ")
+                    .arg(QLatin1String(kParameterWords[i]),
+                         QString::number(values[i], 'g', QLocale::FloatingPointShortest));
     }
     return text +
            (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
@@ -102,7 +104,10 @@ QString textOf(const QString &file, const ReferenceData &data, const Interpretat
                 .arg(QString::number(identification.conditionNumber, 'g', 3)) +
             u'\n';
     text += u'\n' + tableOf(interpretation.identified) + u'\n' + summaryOf(interpretation.identified) + u'\n';
-    return text + CommandLine::tr("To go on with it: %1").arg(optionsFor(identification.parameters)) + u'\n';
+    if (const QString rounded = roundNumbersText(interpretation); !rounded.isEmpty()) {
+        text += rounded + u'\n';
+    }
+    return text + CommandLine::tr("To go on with it: %1").arg(optionsFor(interpretation.rounded)) + u'\n';
 }
 
 } // namespace

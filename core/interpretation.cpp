@@ -2,6 +2,7 @@
 #include "core/interpretation.h"
 
 #include "core/explanation.h"
+#include "core/round_numbers.h"
 
 #include <algorithm>
 #include <optional>
@@ -61,6 +62,7 @@ Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, 
     if (result.identification.status == Identification::Status::Found) {
         const Mechanism found(result.identification.parameters);
         result.identified = compare(found, exactMotionOf(found, reading, stop), reading);
+        result.rounded = inRoundNumbers(result.identification, reading, result.identified);
     }
     return result;
 }

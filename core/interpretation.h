@@ -23,6 +23,7 @@ struct Interpretation {
     std::vector<Attribution> attribution; ///< as attribute(); empty where no channel differs from the mechanism
     Identification identification;
     std::vector<ChannelComparison> identified; ///< against the identified mechanism; empty where none was found
+    Parameters rounded; ///< what to take over: the identified mechanism in round numbers, as inRoundNumbers()
 };
 
 Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop = {});

@@ -962,7 +962,7 @@ void TestCommandLine::identifiesTheAuthorsFile()
     const QJsonObject found = QJsonDocument::fromJson(outcome.out, &parsing).object();
     QCOMPARE(parsing.error, QJsonParseError::NoError);
     QCOMPARE(found.keys(), QStringList({"channels", "conditionNumber", "conventions", "file", "identifiable",
-                                        "iterations", "mechanism", "standardError", "summary"}));
+                                        "iterations", "mechanism", "rounded", "standardError", "summary"}));
     QCOMPARE(found["file"].toString(), file);
 
     // Other measurements of the same file found these within 3e-5 mm, 1e-6 rad/s and 1e-6 rad.
@@ -988,6 +988,12 @@ void TestCommandLine::identifiesTheAuthorsFile()
         QCOMPARE(identifiable[name], QJsonValue(true));
     }
     QCOMPARE(mechanism["branch"].toString(), QStringLiteral("open"));
+    const QJsonObject rounded = found["rounded"].toObject();
+    QCOMPARE(rounded["a"].toDouble(), 20.0);
+    QCOMPARE(rounded["b"].toDouble(), 60.0);
+    QCOMPARE(rounded["c"].toDouble(), 25.0);
+    QCOMPARE(rounded["omega2"].toDouble(), 2.0 * std::numbers::pi);
+    QCOMPARE(rounded["theta20"].toDouble(), 0.0);
     QVERIFY(found["iterations"].toInt() > 0 && found["iterations"].toInt() < 50);
     QVERIFY(found["conditionNumber"].toDouble() > 1.0 && found["conditionNumber"].toDouble() < 100.0);
     QCOMPARE(found["conventions"].toArray(), QJsonArray());

@@ -65,6 +65,7 @@ std::shared_ptr<Diagnosis> diagnosisOf(const std::shared_ptr<const Reference> &r
     found.identifiable.fill(true);
     found.standardError.fill(1e-6);
     diagnosis->found.identification = found;
+    diagnosis->found.rounded = found.parameters;
     return diagnosis;
 }
 
@@ -231,6 +232,11 @@ private slots:
         QSignalSpy taken(m_panel.get(), &ReferencePanel::takeOverRequested);
         QTest::mouseClick(child<QPushButton>(*m_panel, QStringLiteral("takeOverButton")), Qt::LeftButton);
         QTRY_COMPARE(taken.count(), 1);
+
+        const auto onShow = std::make_shared<Diagnosis>(*diagnosis);
+        onShow->parameters = onShow->found.rounded;
+        m_panel->setDiagnosis(onShow);
+        QVERIFY(!child<QPushButton>(*m_panel, QStringLiteral("takeOverButton"))->isEnabled()); // it is taken over
     }
 
     void aDiagnosisOfAnotherFileIsNotShown()

@@ -293,12 +293,12 @@ QString parameterText(Parameter parameter, double value, int digits)
     return numberText(shownFactor(parameter) * value, digits) + unitBehind(parameter);
 }
 
-QString mechanismText(const Mechanism &mechanism)
+QString mechanismText(const Mechanism &mechanism, int digits)
 {
     QStringList parts;
     for (const Parameter parameter : kParameters) {
-        parts << FindingText::tr("%1 = %2").arg(symbolOf(parameter),
-                                                parameterText(parameter, valueOf(parameter, mechanism.parameters())));
+        parts << FindingText::tr("%1 = %2").arg(
+            symbolOf(parameter), parameterText(parameter, valueOf(parameter, mechanism.parameters()), digits));
     }
     return (parts << assemblyText(mechanism.branch())).join(FindingText::tr(", "));
 }
@@ -392,6 +392,17 @@ QString summaryOf(const Identification &identification)
     const QString caveats = caveatsOf(identification);
     return parts.join(FindingText::tr(", ")) + (caveats.isEmpty() ? QStringLiteral(".") : QStringLiteral(". ")) +
            caveats;
+}
+
+QString roundNumbersText(const Interpretation &interpretation)
+{
+    const Identification &found = interpretation.identification;
+    if (found.status != Identification::Status::Found || interpretation.rounded == found.parameters) {
+        return {};
+    }
+    constexpr int kDigits = 9;
+    return FindingText::tr("In round numbers, which the data agree with as well: %1.")
+        .arg(mechanismText(Mechanism(interpretation.rounded), kDigits));
 }
 
 QString attributionText(std::span<const Attribution> attributions, const Mechanism &mechanism)

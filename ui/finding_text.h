@@ -8,6 +8,7 @@
 #include "core/comparison.h"
 #include "core/conventions.h"
 #include "core/identification.h"
+#include "core/interpretation.h"
 
 #include <QString>
 
@@ -36,7 +37,7 @@ double valueOf(Parameter parameter, const Parameters &parameters);
 QString parameterText(Parameter parameter, double value, int digits = 6);
 
 /// "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
-QString mechanismText(const Mechanism &mechanism);
+QString mechanismText(const Mechanism &mechanism, int digits = 6);
 
 /// A measured value down to the first digit of its standard error: "20.000001 ± 0.000003". Without a standard error
 /// (NaN), or where that is nothing but the rounding of arithmetic on numbers of size `scale`, the value alone.
@@ -52,6 +53,9 @@ QString caveatsOf(const Identification &identification);
 /// The parameters with their standard errors, and in words what the data cannot fix, how far the data are from it, or
 /// why there is none: "a = 20.000001 ± 0.000003 mm, …, open assembly."
 QString summaryOf(const Identification &identification);
+
+/// "In round numbers, which the data agree with as well: a = 20 mm, …". Empty where there are none.
+QString roundNumbersText(const Interpretation &interpretation);
 
 /// "This error looks like b: 60.000 instead of 65 mm explains 99.9999 % of it." Empty where no single parameter
 /// explains nearly all. To be said where the file differs from the mechanism.

@@ -56,9 +56,12 @@ constexpr std::array<Row, kParameterCount> kRows{{{Parameter::A, &Parameters::a}
                                                   {Parameter::Omega2, &Parameters::omega2},
                                                   {Parameter::Theta20, &Parameters::theta20}}};
 
-/// A line a parameter: old → new ± standard error.
-QString changesText(const Parameters &before, const Identification &found)
+/// A line a parameter: old → new, and how it was measured.
+QString changesText(const Parameters &before, const Interpretation &interpretation)
 {
+    const Identification &found = interpretation.identification;
+    const Parameters &after = interpretation.rounded;
+    constexpr int kDigits = 9;
     QString rows;
     for (const Row &row : kRows) {
         const std::size_t i = indexOf(row.parameter);
@@ -67,17 +70,18 @@ QString changesText(const Parameters &before, const Identification &found)
         const QString measured =
             found.identifiable[i] ? measuredText(inShownUnit * value, inShownUnit * found.standardError[i], inShownUnit)
                                   : FindingList::tr("kept");
-        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
-                    .arg(symbolOf(row.parameter), parameterText(row.parameter, before.*row.value), measured);
+        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td><td>  (%4)</td></tr>")
+                    .arg(symbolOf(row.parameter), parameterText(row.parameter, before.*row.value),
+                         parameterText(row.parameter, after.*row.value, kDigits), measured);
     }
-    if (before.branch != found.parameters.branch) {
+    if (before.branch != after.branch) {
         const auto name = [](Branch branch) {
             return branch == Branch::Open ? FindingList::tr("open") : FindingList::tr("crossed");
         };
         rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
-                    .arg(FindingList::tr("assembly"), name(before.branch), name(found.parameters.branch));
+                    .arg(FindingList::tr("assembly"), name(before.branch), name(after.branch));
     }
-    return FindingList::tr("Now → as the file has it ± standard error") +
+    return FindingList::tr("Now → then (as measured ± standard error)") +
            QStringLiteral("<table style='white-space:pre'>%1</table>").arg(rows);
 }
 
@@ -109,7 +113,7 @@ Finding mechanismFinding(const Result &result, const Diagnosis &diagnosis)
     if (isBetter(diagnosis.found.identified, result.comparison)) {
         finding.remedy = Finding::Remedy::TakeOver;
         finding.remedyText = FindingList::tr("Take this mechanism over");
-        finding.details = changesText(result.mechanism.parameters(), found);
+        finding.details = changesText(result.mechanism.parameters(), diagnosis.found);
         if (finding.sentence.isEmpty()) {
             finding.sentence = FindingList::tr("The file fits %1").arg(summaryOf(found));
         }

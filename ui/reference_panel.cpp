@@ -456,6 +456,9 @@ void ReferencePanel::fillFindings()
         rows->addWidget(wrappedText(tr("Being found out…")));
     } else {
         QString summary = summaryOf(m_diagnosis->found.identification);
+        if (const QString rounded = roundNumbersText(m_diagnosis->found); !rounded.isEmpty()) {
+            summary += QLatin1Char('\n') + rounded;
+        }
         for (const char *inOneLine : {" = ", " ± ", " mm", " rad/s"}) {
             const QString part = QString::fromUtf8(inOneLine);
             summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
@@ -465,6 +468,7 @@ void ReferencePanel::fillFindings()
         if (m_diagnosis->found.identification.status == Identification::Status::Found) {
             QPushButton *takeOver = button(tr("Take over"), QStringLiteral("takeOverButton"));
             takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
+            takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);
             rows->addLayout(rowOf(mechanism, takeOver));
         } else {

@@ -213,6 +213,9 @@ void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &co
     if (const QString caveats = caveatsOf(found.identification); !caveats.isEmpty()) {
         text += u' ' + caveats;
     }
+    if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
+        text += u' ' + rounded;
+    }
     blocks.push_back(paragraph(text));
     QString note = Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
                               "%2); ± is one standard deviation.")

@@ -418,7 +418,7 @@ void Session::takeOver()
         return;
     }
     Choices choices = m_choices;
-    choices.parameters = m_diagnosis->found.identification.parameters;
+    choices.parameters = m_diagnosis->found.rounded;
     edit(choices, tr("taking over the file's mechanism"));
 }
 

@@ -106,7 +106,7 @@ public slots:
     /// Takes one that is already read, at once; null: none.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
-    /// The mechanism that was found for the file becomes the model; nothing where none was found.
+    /// The mechanism that was found for the file becomes the model, in round numbers; nothing where none was found.
     void takeOver();
 
     /// The reference as it reads with that convention; for Branch the model's other assembly.

@@ -1600,10 +1600,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>configuración</translation>
     </message>
     <message>
-        <source>Now → as the file has it ± standard error</source>
-        <translation>Ahora → según el archivo ± error estándar</translation>
-    </message>
-    <message>
         <source>%1 Largest error: %2 → %3 % of peak.</source>
         <translation>%1 Error máximo: %2 → %3 % del pico.</translation>
     </message>
@@ -1634,6 +1630,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Now → then (as measured ± standard error)</source>
+        <translation>Ahora → después (medido ± error estándar)</translation>
     </message>
 </context>
 <context>
@@ -1997,6 +1997,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>At %1 of the file&apos;s instants the mechanism cannot be assembled, or has no derivatives.</source>
         <translation>En %1 de los instantes del archivo el mecanismo no se puede ensamblar, o no tiene derivadas.</translation>
+    </message>
+    <message>
+        <source>In round numbers, which the data agree with as well: %1.</source>
+        <translation>En números redondos, con los que los datos concuerdan igual de bien: %1.</translation>
     </message>
 </context>
 <context>
