@@ -165,12 +165,9 @@ void paintArrow(QPainter &painter, const MechanismCanvas &on, const MotionArrow 
 
 void paintScale(QPainter &painter, const MechanismCanvas &on, const ArrowScale &scale, MotionKind kind, int line)
 {
-    constexpr double kInset = 6.0;
     constexpr double kSample = 26.0;
-    const QFontMetricsF metrics(on.smallFont);
     const QString text = scaleText(scale, kind);
-    const QRectF box(kInset, kInset + line * (metrics.height() + 2.0), kSample + metrics.horizontalAdvance(text) + 14.0,
-                     metrics.height() + 2.0);
+    const QRectF box = cornerLine(on, line, kSample + QFontMetricsF(on.smallFont).horizontalAdvance(text) + 14.0);
     painter.fillRect(box, on.colours.background);
     const QPointF left(box.left() + 4.0, box.center().y());
     paintShaftAndHead(painter, left, left + QPointF(kSample, 0.0), kind, false, on.colours);

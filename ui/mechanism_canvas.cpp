@@ -55,6 +55,14 @@ void paintArrowHead(QPainter &painter, QPointF tip, QPointF direction, double le
     painter.drawPolygon(QPolygonF{tip, back + across, back - across});
 }
 
+QRectF cornerLine(const MechanismCanvas &on, int line, double width)
+{
+    constexpr double kLeft = 3.0; // over the numbers of the grid, not beside them
+    constexpr double kTop = 6.0;
+    const double height = QFontMetricsF(on.smallFont).height() + 2.0;
+    return QRectF(kLeft, kTop + line * height, width, height);
+}
+
 void paintNote(QPainter &painter, const MechanismCanvas &on, QPointF centre, const QString &text)
 {
     const QFontMetricsF metrics(on.font);

@@ -45,6 +45,9 @@ void paintJoint(QPainter &painter, QPointF at, const QColor &edge, const QColor 
 /// A filled head with its tip there.
 void paintArrowHead(QPainter &painter, QPointF tip, QPointF direction, double length, const QColor &colour);
 
+/// For a line of small text, that wide, in the upper left corner; lines count from 0.
+QRectF cornerLine(const MechanismCanvas &on, int line, double width);
+
 /// Centred there, on paper, so that lines beneath do not cross it.
 void paintNote(QPainter &painter, const MechanismCanvas &on, QPointF centre, const QString &text);
 

@@ -27,19 +27,9 @@ QString lengthText(const QString &symbol, double length)
     return MechanismLabels::tr("%1 = %2 mm").arg(symbol, numberText(length));
 }
 
-QString crankText(const Mechanism &mechanism)
-{
-    return lengthText(QStringLiteral("a"), mechanism.a());
-}
-
-QString couplerText(const Mechanism &mechanism)
-{
-    return lengthText(QStringLiteral("b"), mechanism.b());
-}
-
-/// Beside the middle of the link, on the side that `away` points to, as near as its slope allows.
+/// Beside the link, on the side that `away` points to; nearer to its end, where there is neither O₂'s name nor G₃.
 void paintBeside(QPainter &painter, const MechanismCanvas &on, QPointF from, QPointF to, QPointF away, double width,
-                 const QString &text)
+                 const QString &letter)
 {
     const QPointF along = unitVector(to - from);
     QPointF across(-along.y(), along.x());
@@ -48,8 +38,8 @@ void paintBeside(QPainter &painter, const MechanismCanvas &on, QPointF from, QPo
     }
     const QFontMetricsF metrics(on.font);
     const double reach =
-        0.5 * (std::abs(across.x()) * metrics.horizontalAdvance(text) + std::abs(across.y()) * metrics.height());
-    paintNote(painter, on, 0.5 * (from + to) + (0.5 * width + kApart + reach) * across, text);
+        0.5 * (std::abs(across.x()) * metrics.horizontalAdvance(letter) + std::abs(across.y()) * metrics.xHeight());
+    paintNote(painter, on, placeOfLetter(from, to) + (0.5 * width + kApart + reach) * across, letter);
 }
 
 } // namespace
@@ -93,7 +83,7 @@ void paintNames(QPainter &painter, const MechanismCanvas &on, const MechanismDra
 
 void paintOffset(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism)
 {
-    constexpr double kBesideCircle = 12.0;
+    constexpr double kBesideCircle = 14.0;
     constexpr double kHead = 8.0;
     const QPointF pivot = on.toPixels({0.0, 0.0});
     const double x = on.toPixels({-mechanism.a(), 0.0}).x() - kBesideCircle;
@@ -107,10 +97,7 @@ void paintOffset(QPainter &painter, const MechanismCanvas &on, const Mechanism &
         paintArrowHead(painter, QPointF(x, line), up, head, on.muted);
         paintArrowHead(painter, QPointF(x, pivot.y()), -up, head, on.muted);
     }
-    const QString text = lengthText(QStringLiteral("c"), mechanism.c());
-    const double half = 0.5 * QFontMetricsF(on.font).horizontalAdvance(text) + kApart;
-    const bool fitsOnTheLeft = x - kApart - 2.0 * half >= 0.0;
-    paintNote(painter, on, QPointF(x + (fitsOnTheLeft ? -half : half), 0.5 * (line + pivot.y())), text);
+    paintNote(painter, on, QPointF(x, 0.5 * (line + pivot.y())), QStringLiteral("c"));
 }
 
 void paintLengths(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
@@ -118,15 +105,38 @@ void paintLengths(QPainter &painter, const MechanismCanvas &on, const MechanismD
     const QPointF pivot = on.toPixels({0.0, 0.0});
     const QPointF crank = on.toPixels(drawing.pins->A);
     const QPointF slider = on.toPixels(drawing.pins->B);
-    paintBeside(painter, on, pivot, crank, pivot - slider, kCrankWidth, crankText(drawing.mechanism()));
-    paintBeside(painter, on, crank, slider, QPointF(0.0, 1.0), kCouplerWidth, couplerText(drawing.mechanism()));
+    paintBeside(painter, on, pivot, crank, pivot - slider, kCrankWidth, QStringLiteral("a"));
+    paintBeside(painter, on, crank, slider, QPointF(0.0, 1.0), kCouplerWidth, QStringLiteral("b"));
 }
 
-double lengthLabelReach(const MechanismCanvas &on, const Mechanism &mechanism)
+QPointF placeOfLetter(QPointF from, QPointF to)
 {
-    const QFontMetricsF metrics(on.font);
-    return kCrankWidth + kApart + metrics.height() +
-           std::max(metrics.horizontalAdvance(crankText(mechanism)), metrics.horizontalAdvance(couplerText(mechanism)));
+    return from + 0.6 * (to - from);
+}
+
+double letterReach(const MechanismCanvas &on)
+{
+    return kCrankWidth + kApart + 1.5 * QFontMetricsF(on.font).height();
+}
+
+int paintValues(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism)
+{
+    constexpr double kPadding = 4.0;
+    QStringList lines{lengthText(QStringLiteral("a"), mechanism.a()), lengthText(QStringLiteral("b"), mechanism.b()),
+                      lengthText(QStringLiteral("c"), mechanism.c())};
+    const QFontMetricsF metrics(on.smallFont);
+    const QString together = lines.join(QStringLiteral("   "));
+    if (cornerLine(on, 0, metrics.horizontalAdvance(together) + 2.0 * kPadding).right() <= on.size.width()) {
+        lines = QStringList{together};
+    }
+    painter.setFont(on.smallFont);
+    painter.setPen(on.colours.text);
+    for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
+        const QRectF box = cornerLine(on, i, metrics.horizontalAdvance(lines[i]) + 2.0 * kPadding);
+        painter.fillRect(box, on.colours.background);
+        painter.drawText(box.adjusted(kPadding, 0.0, 0.0, 0.0), Qt::AlignVCenter | Qt::AlignLeft, lines[i]);
+    }
+    return static_cast<int>(lines.size());
 }
 
 } // namespace slidercrank

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Names of the points and dimensions of the lengths, beside the drawing of the mechanism.
+// Names of the points and letters of the lengths, beside the drawing of the mechanism. What the lengths are stands in a
+// corner: beside short links that move there is no room for it.
 
 #include "ui/mechanism_canvas.h"
 #include "ui/mechanism_drawing.h"
@@ -20,8 +21,12 @@ void paintNames(QPainter &painter, const MechanismCanvas &on, const MechanismDra
 /// c, from O₂ to the slider's line, left of the crank's circle.
 void paintOffset(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism);
 
-/// a and b, beside their links; the texts may reach as far as labelWidth() from the links' middles.
+/// a and b, beside their links: there, px, and no farther from it than letterReach().
 void paintLengths(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing);
-double lengthLabelReach(const MechanismCanvas &on, const Mechanism &mechanism);
+QPointF placeOfLetter(QPointF from, QPointF to);
+double letterReach(const MechanismCanvas &on);
+
+/// How long a, b and c are, in the upper left corner; in so many lines.
+int paintValues(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism);
 
 } // namespace slidercrank

@@ -254,8 +254,8 @@ QRectF linkageArea(const MechanismCanvas &on, const MechanismDrawing &drawing)
     const QPolygonF joints{on.toPixels({0.0, 0.0}), on.toPixels(drawing.pins->A), on.toPixels(drawing.pins->B)};
     QRectF area = around(joints, drawing.settings.names ? kLabelReach : kAroundPins);
     if (drawing.settings.dimensions) {
-        const QPolygonF middles{0.5 * (joints[0] + joints[1]), 0.5 * (joints[1] + joints[2])};
-        area = area.united(around(middles, lengthLabelReach(on, drawing.mechanism())));
+        const QPolygonF letters{placeOfLetter(joints[0], joints[1]), placeOfLetter(joints[1], joints[2])};
+        area = area.united(around(letters, letterReach(on)));
     }
     QPolygonF tips;
     for (const KindOfArrow &shown : arrowsOf(drawing)) {

@@ -194,10 +194,11 @@ void paintScenery(QPainter &painter, const MechanismCanvas &on, const MechanismD
     if (settings.names) {
         paintPivotName(painter, on);
     }
+    int line = 0;
     if (settings.dimensions) {
         paintOffset(painter, on, drawing.mechanism());
+        line += paintValues(painter, on, drawing.mechanism());
     }
-    int line = 0;
     if (settings.velocity) {
         paintScale(painter, on, drawing.velocity, MotionKind::Velocity, line++);
     }
