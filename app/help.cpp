@@ -184,7 +184,10 @@ QString introductionOf(Subcommand subcommand)
         return CommandLine::tr("Usage: slidercrank render --output FILE.png|.svg|.pdf [options]\n"
                                "\n"
                                "Draws what the window shows into a file, or writes a report of it. Needs no "
-                               "display.\n");
+                               "display. A scene (--scene)\n"
+                               "also brings what was on show: arrows, path, names, dimensions and zoom of the "
+                               "mechanism; zoom, abscissa and\n"
+                               "measure of the errors of the plots.\n");
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include "ui/folding_tabs.h"
 #include "ui/help_page.h"
 #include "ui/main_window.h"
+#include "ui/mechanism_view.h"
 #include "ui/message_bar.h"
 #include "ui/newton_panel.h"
 #include "ui/plot_grid.h"
@@ -634,6 +635,11 @@ private slots:
         zoom.values[4] = Interval{-10.0, 20.0};
         grid->setSettings(settings);
         grid->setZoom(zoom);
+        auto *mechanism = m_window->findChild<MechanismView *>();
+        const MechanismSettings drawing{true, false, true, false, true};
+        const QRectF part(-15.0, -10.0, 60.0, 40.0); // mm
+        mechanism->setSettings(drawing);
+        mechanism->setZoom(part);
         QVERIFY(m_window->isWindowModified());
         QVERIFY(m_window->scene().saveTo(path));
         QVERIFY(!m_window->isWindowModified());
@@ -650,6 +656,9 @@ private slots:
         QCOMPARE(m_window->session().time(), 0.3);
         QVERIFY(grid->settings() == settings);
         QVERIFY(grid->zoom() == zoom);
+        mechanism = m_window->findChild<MechanismView *>();
+        QVERIFY(mechanism->settings() == drawing);
+        QVERIFY(mechanism->zoom() == part);
         QCOMPARE(m_window->session().reference()->name, QStringLiteral("inventor_sample.csv"));
         for (const Channel channel : kPlottedChannels) {
             QVERIFY(m_window->session().result()->trajectory[channel] == before[channel]);

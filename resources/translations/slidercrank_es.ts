@@ -666,16 +666,6 @@ Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank render --output FILE.png|.svg|.pdf [options]
-
-Draws what the window shows into a file, or writes a report of it. Needs no display.
-</source>
-        <translation>Uso: slidercrank render --output ARCHIVO.png|.svg|.pdf [opciones]
-
-Dibuja en un archivo lo que muestra la ventana, o escribe un informe de ello. No necesita pantalla.
-</translation>
-    </message>
-    <message>
         <source>A header name stands alone for mm, ° and s; any other unit stands behind it: theta3_diff [rad/s].
 
 JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;method&quot;:&quot;newton&quot;|&quot;closed-form&quot;,
@@ -1057,6 +1047,20 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
     <message>
         <source>%1: the names do not tell what these columns are, so they are guessed: %2. Where that is wrong, name them as in theta3, theta3_diff, R4_x.</source>
         <translation>%1: los nombres no dicen qué son estas columnas, así que se han deducido: %2. Donde no sea así, póngales nombres como theta3, theta3_diff, R4_x.</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank render --output FILE.png|.svg|.pdf [options]
+
+Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene)
+also brings what was on show: arrows, path, names, dimensions and zoom of the mechanism; zoom, abscissa and
+measure of the errors of the plots.
+</source>
+        <translation>Uso: slidercrank render --output ARCHIVO.png|.svg|.pdf [opciones]
+
+Dibuja en un archivo lo que muestra la ventana, o escribe un informe de ello. No necesita pantalla. Una escena
+(--scene) trae además lo que estaba a la vista: flechas, trayectoria, nombres, cotas y zoom del mecanismo; zoom,
+abscisa y medida de los errores de las gráficas.
+</translation>
     </message>
 </context>
 <context>
