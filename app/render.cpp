@@ -56,16 +56,15 @@ void settle(Session &session, const RenderOptions &options, const std::shared_pt
     session.setTime(options.poseInstant);
 }
 
-/// The linkage as the file has it, where that is another than the model's; none where the file reads otherwise.
-ReferencePose ghostOf(const Reference &reference, const Interpretation &interpretation, const RenderOptions &options,
-                      double instant)
+/// The lengths of the linkage as the file has it, where that is another than the model's; none where the file reads
+/// otherwise.
+std::optional<Mechanism> ghostOf(const Interpretation &interpretation, const RenderOptions &options)
 {
     if (!interpretation.conventions.empty() || interpretation.attribution.empty()) {
-        return {};
+        return std::nullopt;
     }
     const bool isFound = interpretation.identification.status == Identification::Status::Found;
-    const Mechanism own = isFound ? Mechanism(interpretation.identification.parameters) : options.mechanism;
-    return referencePoseAt(reference.data, own, instant);
+    return isFound ? Mechanism(interpretation.identification.parameters) : options.mechanism;
 }
 
 Animation filmOf(const RenderOptions &options)
@@ -145,12 +144,19 @@ ExitStatus render(const RenderOptions &options)
     mechanism.setZoom(options.mechanismFrame);
     mechanism.setPose(session.pose());
     ReportContent content{session.result(), {}, false};
+    std::optional<Mechanism> ghost;
+    const auto showGhost = [&](double instant) {
+        mechanism.setGhost(ghost ? referencePoseAt(reference->data, *ghost, instant) : ReferencePose());
+    };
     if (reference && options.subject != RenderOptions::Subject::Figure &&
         options.subject != RenderOptions::Subject::Plot) {
         content.interpretation = interpret(reference->data, options.mechanism);
-        const ReferencePose ghost = ghostOf(*reference, content.interpretation, options, options.poseInstant);
-        content.hasGhost = ghost.exists;
-        mechanism.setGhost(ghost);
+        ghost = ghostOf(content.interpretation, options);
+        if (ghost) {
+            mechanism.setGhostReach(reachOf(reference->data, *ghost));
+        }
+        showGhost(options.poseInstant);
+        content.hasGhost = mechanism.hasGhost();
     }
 
     const QPalette palette = paletteFor(options.theme);
@@ -165,9 +171,7 @@ ExitStatus render(const RenderOptions &options)
     };
     const FrameDrawing drawFrame = [&](QPainter &painter, const QSize &size, double instant) {
         mechanism.setPose(poseAt(options.mechanism.parameters(), instant));
-        if (reference) {
-            mechanism.setGhost(ghostOf(*reference, content.interpretation, options, instant));
-        }
+        showGhost(instant);
         mechanism.paintMechanism(painter, size, palette);
     };
     const auto exported = [&](const FigureDrawing &draw) {

@@ -3,7 +3,9 @@
 #include "ui/session.h"
 #include "ui/theme.h"
 
+#include <QFontMetricsF>
 #include <QImage>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QPicture>
 #include <QSignalSpy>
@@ -13,6 +15,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 using namespace slidercrank;
 
@@ -89,6 +93,49 @@ int largestDifference(const QImage &one, const QImage &other)
     }
     return largest;
 }
+
+/// A device that keeps the texts drawn on it, each with the ink's bounds.
+class TextRecorder : public QPaintDevice, private QPaintEngine
+{
+public:
+    using Text = std::pair<QString, QRectF>;
+
+    explicit TextRecorder(const QSize &size)
+        : QPaintEngine(QPaintEngine::AllFeatures)
+        , m_size(size)
+    {
+    }
+
+    QPaintEngine *paintEngine() const override { return const_cast<TextRecorder *>(this); }
+
+    std::vector<Text> texts;
+
+private:
+    bool begin(QPaintDevice *) override { return true; }
+    bool end() override { return true; }
+    Type type() const override { return QPaintEngine::User; }
+    void updateState(const QPaintEngineState &) override {}
+    void drawPath(const QPainterPath &) override {}
+    void drawPolygon(const QPointF *, int, PolygonDrawMode) override {}
+    void drawPixmap(const QRectF &, const QPixmap &, const QRectF &) override {}
+    void drawTextItem(const QPointF &at, const QTextItem &item) override
+    {
+        texts.emplace_back(item.text(), QFontMetricsF(item.font()).tightBoundingRect(item.text()).translated(at));
+    }
+    int metric(PaintDeviceMetric metric) const override
+    {
+        switch (metric) {
+        case PdmWidth: return m_size.width();
+        case PdmHeight: return m_size.height();
+        case PdmDepth: return 32;
+        case PdmDevicePixelRatio: return 1;
+        case PdmDevicePixelRatioScaled: return static_cast<int>(devicePixelRatioFScale());
+        default: return 96;
+        }
+    }
+
+    QSize m_size;
+};
 
 } // namespace
 
@@ -352,6 +399,73 @@ private slots:
         QVERIFY(countOf(with, colours.model) > countOf(without, colours.model) / 2); // the model is still the thicker
         bench.view.setGhost({});
         QCOMPARE(bench.picture(), without);
+    }
+
+    void widensTheViewToAReferenceThatReachesBeyondIt()
+    {
+        Bench bench;
+        const QRectF beyond(QPointF(-20.0, -20.0), QPointF(120.0, 25.0)); // mm
+        const auto isInView = [&bench](QPointF model) {
+            return QRectF(bench.view.rect()).contains(bench.view.toPixels(model));
+        };
+        QVERIFY(!isInView(beyond.bottomRight()));
+        bench.view.setGhostReach(beyond);
+        QVERIFY(isInView(beyond.topLeft()) && isInView(beyond.bottomRight()));
+        QVERIFY(isInView({84.0, 25.0}) && isInView({-20.0, 0.0})); // the model's own
+        bench.view.setZoom(QRectF(-10.0, -10.0, 20.0, 20.0));
+        bench.view.fit();
+        QVERIFY(isInView(beyond.bottomRight()));
+    }
+
+    void doesNotShrinkTheModelToNothingForAReferenceInAnotherUnit()
+    {
+        Bench bench;
+        const QPointF before = bench.view.toPixels({20.0, 0.0});
+        bench.view.setGhostReach(QRectF(QPointF(-2e4, -2e4), QPointF(8e4, 2.5e4)));
+        QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
+        bench.view.setGhostReach(QRectF(QPointF(0.0, 0.0), QPointF(qInf(), 0.0)));
+        QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
+        bench.view.setGhostReach(QRectF());
+        QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
+    }
+
+    void keepsNamesAndLettersApart_data()
+    {
+        QTest::addColumn<Parameters>("parameters");
+        QTest::newRow("Table 1") << Parameters();
+        Parameters parameters;
+        parameters.b = 60.0;
+        QTest::newRow("the reference's") << parameters;
+        parameters.branch = Branch::Crossed;
+        QTest::newRow("crossed") << parameters;
+    }
+
+    void keepsNamesAndLettersApart()
+    {
+        QFETCH(const Parameters, parameters);
+        Bench bench(parameters);
+        bench.view.resize(430, 560); // as in the window
+        bench.view.fit();
+        MechanismSettings settings;
+        settings.names = settings.dimensions = true;
+        bench.view.setSettings(settings);
+        for (int i = 0; i < 120; ++i) {
+            bench.session.setTime(i / 120.0);
+            TextRecorder recorder(bench.view.size());
+            QPainter painter(&recorder);
+            bench.view.paintMechanism(painter, bench.view.size(), bench.view.palette());
+            painter.end();
+            std::erase_if(recorder.texts, [](const TextRecorder::Text &text) {
+                return !QStringList{"O₂", "A", "B", "G₃", "a", "b"}.contains(text.first);
+            });
+            QCOMPARE(recorder.texts.size(), std::size_t{6});
+            for (const auto &[name, place] : recorder.texts) {
+                for (const auto &[other, itsPlace] : recorder.texts) {
+                    QVERIFY2(name == other || !place.intersects(itsPlace),
+                             qPrintable(QStringLiteral("%1 over %2 at %3 s").arg(name, other).arg(i / 120.0)));
+                }
+            }
+        }
     }
 
     void aGhostRepaintsWhatItLeft()

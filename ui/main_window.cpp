@@ -139,6 +139,7 @@ void MainWindow::makeRooms()
     m_errorPanel->setDiagnosis(m_session->diagnosis());
     m_closeReferenceAction->setEnabled(m_session->reference() != nullptr);
     m_ghostAction->setEnabled(m_session->reference() != nullptr);
+    findGhost();
     showAgreement(result);
     showStatus(result);
 }
@@ -150,8 +151,7 @@ void MainWindow::remakeRooms()
     const PlotSettings plots = m_plotGrid->settings();
     const PlotZoom zoom = m_plotGrid->zoom();
     const QString maximized = m_plotGrid->maximized();
-    const MechanismSettings drawing = m_mechanismView->settings();
-    const std::optional<QRectF> drawingZoom = m_mechanismView->zoom();
+    const MechanismView::Look drawing = m_mechanismView->look();
     const auto measured = m_plotGrid->measured();
     const bool isPlaying = m_timeline->isPlaying();
     const bool isFolded = m_tabs->isFolded();
@@ -189,8 +189,7 @@ void MainWindow::remakeRooms()
     m_plotGrid->setSettings(plots);
     m_plotGrid->setZoom(zoom);
     m_plotGrid->maximize(maximized);
-    m_mechanismView->setSettings(drawing);
-    m_mechanismView->setZoom(drawingZoom);
+    m_mechanismView->setLook(drawing);
     m_plotGrid->setMeasured(measured);
     if (study) {
         m_tabs->setCurrent(studyTab);
@@ -320,7 +319,7 @@ void MainWindow::buildMenus()
     fold->setChecked(true);
     connect(fold, &QAction::triggered, this, [this](bool shown) { m_tabs->setFolded(!shown); });
     connect(m_tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    m_ghostAction = view->addAction(tr("Show the file's &motion"), this, &MainWindow::showGhost);
+    m_ghostAction = view->addAction(tr("Show the file's &motion"), this, &MainWindow::findGhost);
     m_ghostAction->setCheckable(true);
     m_ghostAction->setChecked(true);
     m_ghostAction->setEnabled(false);
@@ -440,7 +439,8 @@ void MainWindow::connectRooms()
     connect(m_session, &Session::resultChanged, this, &MainWindow::showAgreement);
     connect(m_session, &Session::diagnosisChanged, m_errorPanel, &ErrorPanel::setDiagnosis);
     connect(m_session, &Session::diagnosisChanged, this, &MainWindow::announce);
-    connect(m_session, &Session::diagnosisChanged, this, &MainWindow::showGhost);
+    connect(m_session, &Session::resultChanged, this, &MainWindow::findGhost);
+    connect(m_session, &Session::diagnosisChanged, this, &MainWindow::findGhost);
     connect(m_session, &Session::timeChanged, this, &MainWindow::showGhost);
     connect(m_errorPanel, &ErrorPanel::remedyRequested, this, &MainWindow::remedy);
 
@@ -648,12 +648,11 @@ void MainWindow::exportAnimationTo(const QString &path)
     animation.speed = m_timeline->speed();
     const auto view = std::make_shared<MechanismView>();
     view->setResult(m_session->result());
-    view->setSettings(m_mechanismView->settings());
-    view->setZoom(m_mechanismView->zoom());
-    const auto draw = [view, parameters = m_session->parameters(), ghostAt = ghost()](QPainter &painter,
-                                                                                      const QSize &size, double time) {
+    view->setLook(m_mechanismView->look());
+    const auto draw = [view, parameters = m_session->parameters(), ghost = m_ghost](QPainter &painter,
+                                                                                    const QSize &size, double time) {
         view->setPose(poseAt(parameters, time));
-        view->setGhost(ghostAt(time));
+        view->setGhost(ghost ? ghost(time) : ReferencePose());
         view->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
     m_animation = new AnimationExport(animation, draw, this);
@@ -965,27 +964,31 @@ void MainWindow::remedy(const Finding &finding)
     }
 }
 
-/// The linkage as the file has it at any instant, where that is another one; its lengths, which the file does not tell,
-/// those of the mechanism found for it.
-std::function<ReferencePose(double)> MainWindow::ghost() const
+/// The linkage as the file has it, where that is another one; its lengths, which the file does not tell, those of the
+/// mechanism found for it.
+void MainWindow::findGhost()
 {
     const Result &result = *m_session->result();
     const bool differs = std::ranges::any_of(
         result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
-    if (!differs || !m_ghostAction->isChecked()) {
-        return [](double) { return ReferencePose(); };
+    if (differs && m_ghostAction->isChecked()) {
+        const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+        const bool found = diagnosis && diagnosis->found.identification.status == Identification::Status::Found;
+        const Mechanism lengths(found ? diagnosis->found.identification.parameters : m_session->parameters());
+        m_ghost = [lengths, reference = result.reference](double time) {
+            return referencePoseAt(reference->data, lengths, time);
+        };
+        m_mechanismView->setGhostReach(reachOf(result.reference->data, lengths));
+    } else {
+        m_ghost = nullptr;
+        m_mechanismView->setGhostReach(QRectF());
     }
-    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
-    const bool found = diagnosis && diagnosis->found.identification.status == Identification::Status::Found;
-    const Mechanism lengths(found ? diagnosis->found.identification.parameters : m_session->parameters());
-    return [lengths, reference = result.reference](double time) {
-        return referencePoseAt(reference->data, lengths, time);
-    };
+    showGhost();
 }
 
 void MainWindow::showGhost()
 {
-    m_mechanismView->setGhost(ghost()(m_session->time()));
+    m_mechanismView->setGhost(m_ghost ? m_ghost(m_session->time()) : ReferencePose());
 }
 
 void MainWindow::showAbout()

@@ -110,7 +110,7 @@ private:
     void showAgreement(const std::shared_ptr<const Result> &result);
     void announce(const std::shared_ptr<const Diagnosis> &diagnosis);
     void remedy(const Finding &finding);
-    std::function<ReferencePose(double)> ghost() const;
+    void findGhost();
     void showGhost();
     void rememberReference(const QString &path);
     void rememberLayout() const;
@@ -138,9 +138,10 @@ private:
     QMenu *m_recentMenu = nullptr;
     QAction *m_closeReferenceAction = nullptr;
     QAction *m_ghostAction = nullptr;
-    bool m_announceReference = false; ///< the next diagnosis is the first of a newly loaded file
-    bool m_isLeaving = false;         ///< unsaved changes were asked about
-    bool m_foldedByHand = false;      ///< the person chose; a resize no longer does
+    std::function<ReferencePose(double)> m_ghost; ///< where the reference's linkage is at any instant; empty: not shown
+    bool m_announceReference = false;             ///< the next diagnosis is the first of a newly loaded file
+    bool m_isLeaving = false;                     ///< unsaved changes were asked about
+    bool m_foldedByHand = false;                  ///< the person chose; a resize no longer does
 };
 
 } // namespace slidercrank

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism_frame.h"
 
+#include "core/reference_pose.h"
 #include "ui/number_box.h"
+
+#include <QPolygonF>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +31,14 @@ QRectF frameAround(const QRectF &reach, double room)
                   QPointF(up(reach.right() + margin), up(reach.bottom() + margin)));
 }
 
-constexpr double kRoom = 0.08; ///< beside what moves, for slider and names; of its extent
+constexpr double kRoom = 0.08;      ///< beside what moves, for slider and names; of its extent
+constexpr double kLeastRoom = 0.03; ///< with less of it, the view is widened
+
+QRectF withLeastRoom(const QRectF &reach)
+{
+    const double least = kLeastRoom * std::max(reach.width(), reach.height());
+    return reach.adjusted(-least, -least, least, least);
+}
 
 MechanismProjection projectionOf(const QRectF &frame, const QSizeF &size)
 {
@@ -64,13 +74,26 @@ QRectF reachOf(const Mechanism &mechanism, const MotionLimits &limits)
     return QRectF(QPointF(left, std::min(-a, c)), QPointF(right, std::max(a, c)));
 }
 
+QRectF reachOf(const ReferenceData &data, const Mechanism &lengths)
+{
+    constexpr std::size_t kInstants = 400; // enough for tens of turns, in a moment
+    QPolygonF pins;
+    const std::size_t rows = data.time.size();
+    const std::size_t step = std::max<std::size_t>(1, rows / kInstants);
+    for (std::size_t i = 0; i < rows; i += step) {
+        const ReferencePose pose = referencePoseAt(data, lengths, data.time[i]);
+        if (pose.exists) {
+            pins << QPointF(pose.pinX, pose.pinY) << QPointF(pose.sliderX, pose.sliderY);
+        }
+    }
+    return pins.boundingRect();
+}
+
 void MechanismFrame::follow(const QRectF &reach)
 {
     constexpr double kRoomToGrow = 0.22; // where the reach has just outgrown the frame: it will grow on
-    constexpr double kLeastRoom = 0.03;
     constexpr double kMuchTooLarge = 0.65;
-    const double least = kLeastRoom * std::max(reach.width(), reach.height());
-    const QRectF needed = reach.adjusted(-least, -least, least, least);
+    const QRectF needed = withLeastRoom(reach);
     const QRectF wanted = frameAround(reach, kRoom);
     if (m_fitted.isNull() || wanted.width() < kMuchTooLarge * m_fitted.width() ||
         wanted.height() < kMuchTooLarge * m_fitted.height()) {
@@ -81,6 +104,13 @@ void MechanismFrame::follow(const QRectF &reach)
                                   needed.top() < m_fitted.top() ? grown.top() : m_fitted.top()),
                           QPointF(needed.right() > m_fitted.right() ? grown.right() : m_fitted.right(),
                                   needed.bottom() > m_fitted.bottom() ? grown.bottom() : m_fitted.bottom()));
+    }
+}
+
+void MechanismFrame::include(const QRectF &reach)
+{
+    if (!reach.isNull() && !m_fitted.contains(withLeastRoom(reach))) {
+        m_fitted = m_fitted.united(frameAround(reach, kRoom));
     }
 }
 

@@ -8,6 +8,7 @@
 // top().
 
 #include "core/mobility.h"
+#include "core/reference_data.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -37,11 +38,17 @@ struct MechanismProjection {
 /// Everywhere that the pins A and B can be, mm. Empty rectangles do not occur: the crank has a length.
 QRectF reachOf(const Mechanism &mechanism, const MotionLimits &limits);
 
+/// Everywhere that they are in the data, which tell nothing of those lengths, mm; null where the data have no pose.
+QRectF reachOf(const ReferenceData &data, const Mechanism &lengths);
+
 class MechanismFrame
 {
 public:
     /// Puts the reach into view, at once where it is out of it, and closer where it has become small.
     void follow(const QRectF &reach);
+
+    /// Widens the view where the reach is beyond it, and never brings it closer.
+    void include(const QRectF &reach);
 
     /// The reach with room around it, whatever was in view; no longer zoomed.
     void fit(const QRectF &reach);

@@ -132,6 +132,14 @@ void MechanismView::setSettings(const MechanismSettings &settings)
     refreshScenery();
 }
 
+void MechanismView::setLook(const Look &look)
+{
+    setSettings(look.settings);
+    m_drawing.pins = look.pins;
+    changeFrame([this, &look] { m_frame = look.frame; });
+    update();
+}
+
 void MechanismView::setZoom(const std::optional<QRectF> &zoom)
 {
     changeFrame([this, &zoom] { m_frame.setZoomed(zoom); });
@@ -198,6 +206,14 @@ void MechanismView::setGhost(const ReferencePose &ghost)
     updateArea(ghostArea(on, m_drawing));
 }
 
+void MechanismView::setGhostReach(const QRectF &reach)
+{
+    if (reach != m_ghostReach) {
+        m_ghostReach = reach;
+        changeFrame([this] { m_frame.include(visibleGhostReach()); });
+    }
+}
+
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
     const MechanismCanvas on = canvas(size, palette);
@@ -222,7 +238,21 @@ MechanismCanvas MechanismView::canvas(const QSizeF &size, const QPalette &palett
 /// Of the mechanism and of what is compared with it.
 QRectF MechanismView::reach() const
 {
-    return reachOf(m_drawing.mechanism(), m_drawing.result->limits);
+    return reachOf(m_drawing.mechanism(), m_drawing.result->limits).united(visibleGhostReach());
+}
+
+/// As far as the drawing follows it; null where that would leave too little of the model to be seen.
+QRectF MechanismView::visibleGhostReach() const
+{
+    if (!m_drawing.result) {
+        return {};
+    }
+    constexpr double kMost = 3.0; // times the model's
+    const QRectF own = reachOf(m_drawing.mechanism(), m_drawing.result->limits);
+    const QRectF both = own.united(m_ghostReach);
+    const double extent = std::max(own.width(), own.height());
+    const bool fits = std::max(both.width(), both.height()) <= kMost * extent; // not so, too, where it is not finite
+    return fits ? m_ghostReach : QRectF();
 }
 
 void MechanismView::changeFrame(const std::function<void()> &change)

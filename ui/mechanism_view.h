@@ -42,6 +42,15 @@ public:
     const MechanismSettings &settings() const { return m_drawing.settings; }
     void setSettings(const MechanismSettings &settings);
 
+    /// What it shows beside the result, for another view in its place.
+    struct Look {
+        MechanismSettings settings;
+        MechanismFrame frame;
+        std::optional<MechanismDrawing::Pins> pins; ///< of the last pose that existed
+    };
+    Look look() const { return {m_drawing.settings, m_frame, m_drawing.pins}; }
+    void setLook(const Look &look);
+
     /// The part of the plane that somebody zoomed to, mm; none: all of the mechanism.
     const std::optional<QRectF> &zoom() const { return m_frame.zoomed(); }
     void setZoom(const std::optional<QRectF> &zoom);
@@ -58,6 +67,9 @@ public slots:
 
     /// The reference's linkage at the instant of the pose; one that does not exist is not drawn.
     void setGhost(const slidercrank::ReferencePose &ghost);
+
+    /// Everywhere that the reference's linkage goes, mm: it, too, is to be in view. Null where none is drawn.
+    void setGhostReach(const QRectF &reach);
 
     void fit(); ///< all of the mechanism into view
 
@@ -98,6 +110,7 @@ private:
     MechanismCanvas canvas(const QSizeF &size, const QPalette &palette) const;
     MechanismProjection projection() const { return m_frame.projection(size()); }
     QRectF reach() const;
+    QRectF visibleGhostReach() const;
     void makeChoices();
     void changeFrame(const std::function<void()> &change);
     void refreshCycle();
@@ -115,8 +128,9 @@ private:
 
     MechanismDrawing m_drawing;
     MechanismFrame m_frame;
-    QPixmap m_grid;    ///< of this view; null when out of date
-    QPixmap m_scenery; ///< the grid and the parts that stand still; null when out of date
+    QRectF m_ghostReach; ///< mm; may be null
+    QPixmap m_grid;      ///< of this view; null when out of date
+    QPixmap m_scenery;   ///< the grid and the parts that stand still; null when out of date
     std::optional<Hold> m_hold;
     DrawnPart m_pointed = DrawnPart::Background; ///< at
     MechanismNote *m_note;
