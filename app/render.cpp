@@ -13,7 +13,11 @@
 
 #include <QEventLoop>
 #include <QPalette>
+#include <QTimer>
 
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <optional>
 #include <span>
 #include <variant>
@@ -77,9 +81,17 @@ Animation filmOf(const RenderOptions &options)
     return film;
 }
 
-/// As exportFigure(); returns when everything is written.
+std::atomic<int> interruption = 0; // the signal that asks to end, e.g. of Control C
+static_assert(std::atomic<int>::is_always_lock_free, "what a signal's handler may write");
+
+/// As exportFigure(); returns when everything is written. Interrupted, it leaves nothing half done behind and does not
+/// return.
 std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawing &draw)
 {
+    constexpr auto kLookEvery = std::chrono::milliseconds(50);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        std::signal(signal, [](int which) { interruption = which; });
+    }
     AnimationExport film(filmOf(options), draw);
     std::optional<QString> problem;
     QEventLoop loop;
@@ -87,9 +99,22 @@ std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawi
         problem = sentence;
         loop.quit();
     });
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &film, [&film] {
+        if (interruption != 0) {
+            film.cancel();
+        }
+    });
+    look.start(kLookEvery);
     film.start(options.output);
     if (!problem) {
         loop.exec();
+    }
+    for (const int signal : {SIGINT, SIGTERM}) {
+        std::signal(signal, SIG_DFL);
+    }
+    if (const int signal = interruption; signal != 0) {
+        std::raise(signal); // so that who started the program sees how it ended
     }
     return problem->isEmpty() ? std::nullopt : problem;
 }

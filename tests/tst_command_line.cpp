@@ -245,6 +245,8 @@ private slots:
     void rendersWhatWasChosen();
     void rendersFrames();
     void filmsFrames();
+    void leavesNothingBehindWhenInterrupted_data();
+    void leavesNothingBehindWhenInterrupted();
     void refusesToRenderABadReference();
     void writesAReport();
     void reportsTheSameNumbersAsItCompares();
@@ -1310,6 +1312,29 @@ void TestCommandLine::rendersASceneAsItWasSaved()
     QCOMPARE(pose, picture(said + QStringList{"--what", "mechanism", "--at", "0.75", "--reference", sample()}));
     QVERIFY(pose != picture({"--what", "mechanism", "--scene", scene, "--at", "0.8"}));
 
+    // Beside it what was on show, as large as it was.
+    const auto drawn = [&](const QByteArray &choices) {
+        const QByteArray view = QByteArray("\"view\": {\"mechanism\": {") + choices + "}, ";
+        const QString chosen =
+            writeFile(folder.filePath(QStringLiteral("chosen.json")), sceneText().replace("\"view\": {", view));
+        const QString path = folder.filePath(QStringLiteral("picture.svg"));
+        const Outcome outcome = run({"render", "--what", "mechanism", "--scene", chosen, "--output", path});
+        return outcome.status == 0 ? contentOf(path) : outcome.err;
+    };
+    const QByteArray plain = drawn("\"frame\": null");
+    QVERIFY2(plain.contains("<svg"), plain.constData());
+    const std::pair<QByteArray, QByteArray> choices[] = {{"\"velocity\": true", ">velocity: "},
+                                                         {"\"acceleration\": true", ">acceleration: "},
+                                                         {"\"path\": true", {}},
+                                                         {"\"names\": true", ">O₂<"},
+                                                         {"\"dimensions\": true", ">a = 20 mm"},
+                                                         {"\"frame\": [-10, -5, 20, 15]", {}}};
+    for (const auto &[choice, text] : choices) {
+        const QByteArray with = drawn(choice);
+        QVERIFY2(with.contains("<svg") && with != plain, with.constData());
+        QVERIFY2(text.isEmpty() || (with.contains(text) && !plain.contains(text)), choice.constData());
+    }
+
     // The same curves, but as far as they were in view, and the errors in the measure chosen.
     const QImage figure = picture({"--scene", scene});
     QVERIFY(!figure.isNull());
@@ -1622,6 +1647,35 @@ void TestCommandLine::filmsFrames()
                           "csv=p=0", line.last()});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.readAllStandardOutput().trimmed(), QByteArray("122,102,16")); // even sides
+}
+
+void TestCommandLine::leavesNothingBehindWhenInterrupted_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::newRow("frames") << "motion.png";
+    QTest::newRow("video") << "motion.mp4";
+}
+
+void TestCommandLine::leavesNothingBehindWhenInterrupted()
+{
+#ifdef Q_OS_WIN
+    QSKIP("Windows has no signal by which one program asks another to end.");
+#endif
+    QFETCH(const QString, name);
+    if (!name.endsWith(QLatin1String("png")) && QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
+        QSKIP("There is no ffmpeg here to make a video.");
+    }
+    const QTemporaryDir folder;
+    QProcess process;
+    process.setProcessEnvironment(withoutDisplay());
+    process.start(QStringLiteral(SLIDERCRANK_PROGRAM),
+                  {"render", "--what", "frames", "--duration", "1000", "--output", folder.filePath(name)});
+    QTRY_VERIFY(!QDir(folder.path()).isEmpty()); // it is at work
+    process.terminate();
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit); // by the signal
+    QCOMPARE(process.readAllStandardError(), QByteArray());
+    QVERIFY(QDir(folder.path()).isEmpty());
 }
 
 void TestCommandLine::refusesToRenderABadReference()
