@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "text_recorder.h"
 #include "ui/mechanism_view.h"
 #include "ui/session.h"
 #include "ui/theme.h"
 
-#include <QFontMetricsF>
 #include <QImage>
-#include <QPaintEngine>
 #include <QPainter>
 #include <QPicture>
 #include <QSignalSpy>
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 using namespace slidercrank;
@@ -93,49 +91,6 @@ int largestDifference(const QImage &one, const QImage &other)
     }
     return largest;
 }
-
-/// A device that keeps the texts drawn on it, each with the ink's bounds.
-class TextRecorder : public QPaintDevice, private QPaintEngine
-{
-public:
-    using Text = std::pair<QString, QRectF>;
-
-    explicit TextRecorder(const QSize &size)
-        : QPaintEngine(QPaintEngine::AllFeatures)
-        , m_size(size)
-    {
-    }
-
-    QPaintEngine *paintEngine() const override { return const_cast<TextRecorder *>(this); }
-
-    std::vector<Text> texts;
-
-private:
-    bool begin(QPaintDevice *) override { return true; }
-    bool end() override { return true; }
-    Type type() const override { return QPaintEngine::User; }
-    void updateState(const QPaintEngineState &) override {}
-    void drawPath(const QPainterPath &) override {}
-    void drawPolygon(const QPointF *, int, PolygonDrawMode) override {}
-    void drawPixmap(const QRectF &, const QPixmap &, const QRectF &) override {}
-    void drawTextItem(const QPointF &at, const QTextItem &item) override
-    {
-        texts.emplace_back(item.text(), QFontMetricsF(item.font()).tightBoundingRect(item.text()).translated(at));
-    }
-    int metric(PaintDeviceMetric metric) const override
-    {
-        switch (metric) {
-        case PdmWidth: return m_size.width();
-        case PdmHeight: return m_size.height();
-        case PdmDepth: return 32;
-        case PdmDevicePixelRatio: return 1;
-        case PdmDevicePixelRatioScaled: return static_cast<int>(devicePixelRatioFScale());
-        default: return 96;
-        }
-    }
-
-    QSize m_size;
-};
 
 } // namespace
 

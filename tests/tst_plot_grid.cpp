@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot_grid.h"
 
+#include "text_recorder.h"
+#include "ui/plot_arrangement.h"
 #include "ui/theme.h"
 
 #include <QApplication>
@@ -155,6 +157,7 @@ private slots:
     void drawsAsManyPointsAsPixelsAtMost();
     void keepsTheAxesInPlaceWhileValuesChange();
     void alignsThePlotsOfAColumn();
+    void keepsTheLegendWithinTheFigure();
     void recoloursWithThePalette();
 };
 
@@ -688,6 +691,39 @@ void TstPlotGrid::alignsThePlotsOfAColumn()
         const QRect below = shown.plot(names[i])->axisRect()->rect();
         QCOMPARE(below.left(), above.left());
         QCOMPARE(below.size(), above.size());
+    }
+}
+
+void TstPlotGrid::keepsTheLegendWithinTheFigure()
+{
+    QFont large = QApplication::font();
+    large.setPixelSize(20);
+    const PlotTypography typography(large);
+    const SeriesColours colours = seriesColours(paletteFor(Theme::Light));
+    using Sample = LegendEntry::Sample;
+    const std::vector<LegendEntry> entries{{Sample::Solid, Ink::Model, "model"},
+                                           {Sample::Dashed, Ink::Reference, "simulation_of_june.csv", true},
+                                           {Sample::Solid, Ink::Error, "error of θ³"},
+                                           {Sample::Solid, Ink::ErrorOther, "error of Rₓ⁴"},
+                                           {Sample::Band, Ink::Error, "file's rounding", false, true},
+                                           {Sample::Mark, Ink::Text, "reference is 0", false, true}};
+    for (int width = 1400; width >= 525; width -= 5) {
+        const QRect rect(0, 0, width, typography.legendHeight());
+        TextRecorder recorder(rect.size());
+        QPainter painter(&recorder);
+        drawLegend(painter, rect, entries, typography, colours);
+        painter.end();
+        QString shown; // in pieces where a sign is of another font
+        double right = 0.0;
+        for (const auto &[text, place] : recorder.texts) {
+            QVERIFY2(place.left() > right && place.right() <= width, qPrintable(text + QString::number(width)));
+            right = place.right();
+            shown += text;
+        }
+        for (const char *needed : {"model", "error of θ³", "error of Rₓ⁴"}) {
+            QVERIFY2(shown.contains(QString::fromUtf8(needed)), needed);
+        }
+        QVERIFY(width < 1400 || shown.endsWith(QLatin1String("file's roundingreference is 0")));
     }
 }
 

@@ -141,20 +141,21 @@ void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour)
 void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEntry> &entries,
                 const PlotTypography &typography, const SeriesColours &colours)
 {
-    constexpr int kSample = 33; // three dashes and their gaps
+    int lineSample = 33;             // px: three dashes and their gaps
+    constexpr int kShortSample = 20; // two
     constexpr int kMark = 9;
     constexpr int kBand = 14;
     constexpr int kGap = 5;
     constexpr int kBetween = 14;
     const QFontMetricsF metrics(typography.title);
-    const auto sampleWidth = [](const LegendEntry &entry) {
+    const auto sampleWidth = [&lineSample](const LegendEntry &entry) {
         switch (entry.sample) {
         case LegendEntry::Sample::Mark: return kMark;
         case LegendEntry::Sample::Band: return kBand;
         case LegendEntry::Sample::Solid:
-        case LegendEntry::Sample::Dashed: return kSample;
+        case LegendEntry::Sample::Dashed: return lineSample;
         }
-        return kSample;
+        return lineSample;
     };
     constexpr double kShortest = 60.0; // of an elided name
     const auto excessOf = [&](const std::vector<LegendEntry> &shown) {
@@ -170,8 +171,15 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
     for (const LegendEntry &entry : shown) {
         spare += entry.mayBeElided ? std::max(0.0, metrics.horizontalAdvance(entry.text) - kShortest) : 0.0;
     }
-    if (excess > spare) {
-        std::erase_if(shown, [](const LegendEntry &entry) { return entry.mayBeLeftOut; });
+    while (excess > spare) {
+        const auto first = std::ranges::find_if(shown, &LegendEntry::mayBeLeftOut);
+        if (first != shown.end()) {
+            shown.erase(first);
+        } else if (lineSample > kShortSample) {
+            lineSample = kShortSample;
+        } else {
+            break;
+        }
         excess = excessOf(shown);
     }
     painter.save();
@@ -190,11 +198,11 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
             break;
         case LegendEntry::Sample::Solid:
             painter.setPen(penOf(entry.ink, colours));
-            painter.drawLine(QPointF(x, middle), QPointF(x + kSample, middle));
+            painter.drawLine(QPointF(x, middle), QPointF(x + lineSample, middle));
             break;
         case LegendEntry::Sample::Dashed:
             painter.setPen(penOf(entry.ink, colours));
-            for (double start = 0.0; start < kSample; start += kDash + kDashGap) {
+            for (double start = 0.0; start < lineSample; start += kDash + kDashGap) {
                 painter.drawLine(QPointF(x + start, middle), QPointF(x + start + kDash, middle));
             }
             break;

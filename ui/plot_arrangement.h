@@ -66,7 +66,8 @@ QColor bandColourOf(Ink ink, const SeriesColours &colours);
 /// The sign for a percentage that does not exist: a triangle pointing up to its tip.
 void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour);
 
-/// One line; a name that may be elided gives way to the rest.
+/// One line. Where that is too short a name that may be elided gives way, then what may be left out, then the length of
+/// the samples.
 void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEntry> &entries,
                 const PlotTypography &typography, const SeriesColours &colours);
 

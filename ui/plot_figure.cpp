@@ -515,7 +515,7 @@ std::vector<LegendEntry> PlotFigure::legend(bool hasModel, bool hasErrors) const
             entries.push_back({Sample::Band, Ink::Error, tr("file's rounding"), false, true});
         }
         if (m_settings.error == ErrorMeasure::Percent) {
-            entries.push_back({Sample::Mark, Ink::Text, tr("reference is 0")});
+            entries.push_back({Sample::Mark, Ink::Text, tr("reference is 0"), false, true});
         }
     }
     return entries;

@@ -114,7 +114,7 @@ struct LegendEntry {
     Ink ink = Ink::Model;
     QString text;
     bool mayBeElided = false;
-    bool mayBeLeftOut = false; ///< where there is no room for all
+    bool mayBeLeftOut = false; ///< where there is no room for all; the first such entry first
 };
 
 /// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks.
