@@ -110,6 +110,8 @@ void TstAxisScale::writesNumbersWithTheirDigits()
 
 void TstAxisScale::writesLabelsInTheGivenLanguage()
 {
+    QCOMPARE(shortNumber(-12316.06, 7, QLocale(QLocale::English)), QStringLiteral("-12316.06")); // as the axes
+    QCOMPARE(shortNumber(-12316.06, 7, QLocale(QLocale::Spanish)), QStringLiteral("-12316,06"));
     QCOMPARE(axisScale({0.0, 1.0}, 5.0).label(0.2, QLocale(QLocale::Spanish)), QStringLiteral("0,2"));
 }
 

@@ -157,6 +157,7 @@ private slots:
     void drawsAsManyPointsAsPixelsAtMost();
     void keepsTheAxesInPlaceWhileValuesChange();
     void alignsThePlotsOfAColumn();
+    void framesThePlotWithTheFocusAndNoMore();
     void keepsTheLegendWithinTheFigure();
     void recoloursWithThePalette();
 };
@@ -622,7 +623,8 @@ void TstPlotGrid::maximizesAPlotByItsTitle()
     ShownGrid::settle();
     QVERIFY(shown.plot(name)->width() > 2 * small.width());
     QVERIFY(!shown.plot(QStringLiteral("plot_theta3"))->isVisible());
-    QTest::keyClick(shown.plot(name), Qt::Key_Escape);
+    QCOMPARE(shown.grid.focusWidget(), shown.plot(name)); // whose key Escape is
+    QTest::keyClick(shown.grid.focusWidget(), Qt::Key_Escape);
     ShownGrid::settle();
     QCOMPARE(shown.plot(name)->size(), small);
     QVERIFY(shown.plot(QStringLiteral("plot_theta3"))->isVisible());
@@ -692,6 +694,23 @@ void TstPlotGrid::alignsThePlotsOfAColumn()
         QCOMPARE(below.left(), above.left());
         QCOMPARE(below.size(), above.size());
     }
+}
+
+void TstPlotGrid::framesThePlotWithTheFocusAndNoMore()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const QString name = QStringLiteral("plot_R4_x");
+    shown.grid.setMeasuring(true); // the box over the plot stays
+    ShownGrid::settle();
+    const QImage before = pictureOf(shown, name);
+    shown.grid.activateWindow();
+    shown.plot(name)->setFocus(Qt::TabFocusReason);
+    QTRY_VERIFY(shown.plot(name)->hasFocus());
+    ShownGrid::settle();
+    const QImage after = pictureOf(shown, name);
+    QVERIFY(after != before);
+    const QRect inside = before.rect().adjusted(3, 3, -3, -3);
+    QCOMPARE(after.copy(inside), before.copy(inside));
 }
 
 void TstPlotGrid::keepsTheLegendWithinTheFigure()

@@ -143,9 +143,11 @@ QString shortNumber(double value, int digits, const QLocale &locale)
     if (value == 0.0) {
         return locale.toString(0);
     }
+    QLocale plain = locale; // groups of three are for counts: beside a decimal comma they mislead
+    plain.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
     int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (exponent >= -6 && exponent < 6) {
-        return locale.toString(value, 'f', std::max(0, digits - 1 - exponent));
+        return plain.toString(value, 'f', std::max(0, digits - 1 - exponent));
     }
     double mantissa = value / std::pow(10.0, exponent);
     const double unit = std::pow(10.0, digits - 1);

@@ -389,6 +389,7 @@ void PlotGrid::maximize(const QString &name)
 void PlotGrid::toggleMaximized(std::size_t plot)
 {
     maximize(m_maximized ? QString() : plotName(plot));
+    m_plots[plot]->setFocus(Qt::OtherFocusReason); // Escape brings the nine back
 }
 
 void PlotGrid::setMeasuring(bool measuring)
@@ -686,7 +687,9 @@ void PlotGrid::paintEvent(QPaintEvent *)
         painter.drawText(legend.adjusted(0, 0, -kGap, 0), Qt::AlignRight | Qt::AlignVCenter, measured);
         legend.setRight(legend.right() - QFontMetrics(m_typography.title).horizontalAdvance(measured) - 2 * kGap);
     }
-    drawLegend(painter, legend, m_figure.legend(true, true), m_typography, colours);
+    const bool hasModel = !m_maximized || !isErrorPlot(*m_maximized);
+    const bool hasErrors = !m_maximized || isErrorPlot(*m_maximized);
+    drawLegend(painter, legend, m_figure.legend(hasModel, hasErrors), m_typography, colours);
 }
 
 void PlotGrid::resizeEvent(QResizeEvent *event)

@@ -67,6 +67,7 @@ void PlotOverlay::paintEvent(QPaintEvent *)
     }
     if (m_content.hasFocus) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.setBrush(Qt::NoBrush); // the box left its own
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
 }
