@@ -315,6 +315,16 @@ private slots:
         QTest::keyClick(slider, Qt::Key_Right);
         QVERIFY(m_window->session().parameters().b > b);
         QCOMPARE(m_window->session().time(), 0.0);
+
+        auto *box = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("box_b")); // a number has no spaces
+        box->setFocus();
+        const QString text = box->text();
+        const auto *timeline = m_window->findChild<Timeline *>();
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(timeline->isPlaying());
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(!timeline->isPlaying());
+        QCOMPARE(box->text(), text);
     }
 
     void droppingACsvFillsOverlayAndTable()

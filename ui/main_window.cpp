@@ -26,6 +26,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
@@ -1087,6 +1088,12 @@ bool MainWindow::eventFilter(QObject *watched, QEvent *event)
                             qobject_cast<QAbstractItemView *>(watched) || watched->inherits("QTabBar"));
         if (activates || moves) {
             event->accept();
+            return true;
+        }
+        const bool isInNumber = qobject_cast<QAbstractSpinBox *>(watched) ||
+                                qobject_cast<QAbstractSpinBox *>(watched->parent()); // or in the line within
+        if (key == Qt::Key_Space && isInNumber) {
+            event->ignore(); // no number has a space
             return true;
         }
     }
