@@ -243,6 +243,20 @@ Deviation worstDeviation(const State &got, const ExactState<Real> &exact, double
     return worst;
 }
 
+// Compiled once, in exact_motion.cpp: these take their time.
+extern template ExactState<Digits50> exactState(const ExactInput<Digits50> &);
+extern template ExactState<Digits100> exactState(const ExactInput<Digits100> &);
+extern template std::array<double, kChannelCount> conditioning<Digits50>(const Parameters &, double);
+extern template std::array<double, kChannelCount> conditioning<Digits100>(const Parameters &, double);
+extern template std::array<double, kChannelCount> channelSizes(const Parameters &,
+                                                               std::span<const ExactState<Digits50>>);
+extern template std::array<double, kChannelCount> channelSizes(const Parameters &,
+                                                               std::span<const ExactState<Digits100>>);
+extern template Deviation worstDeviation(const State &, const ExactState<Digits50> &, double,
+                                         const std::array<double, kChannelCount> &, Order);
+extern template Deviation worstDeviation(const State &, const ExactState<Digits100> &, double,
+                                         const std::array<double, kChannelCount> &, Order);
+
 inline std::string describe(const Parameters &p)
 {
     char text[256];
