@@ -20,6 +20,7 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// So many rows tell a motion of a few turns from any other.
 constexpr std::size_t kMostRows = 64;
+constexpr int kMostUnknowns = 6;
 constexpr std::size_t kFewestRows = 8;
 
 /// A window holds at most so many turning points, two a turn.
@@ -133,13 +134,13 @@ struct Candidate {
     Parameters parameters;
 };
 
-/// The linear least-squares problem of a route: at most so many unknowns, two equations a row.
-template <int Unknowns>
+/// The linear least-squares problem of a route: a few unknowns, at most two equations a row. One type for all routes;
+/// it takes no memory from the heap.
 class Equations
 {
 public:
-    explicit Equations(std::size_t count)
-        : m_matrix(static_cast<Eigen::Index>(count), Unknowns)
+    Equations(std::size_t count, Eigen::Index unknowns)
+        : m_matrix(static_cast<Eigen::Index>(count), unknowns)
         , m_right(static_cast<Eigen::Index>(count))
     {
     }
@@ -147,29 +148,30 @@ public:
     template <typename... Coefficients>
     void add(double right, Coefficients... coefficients)
     {
-        m_matrix.row(m_used) = Eigen::Matrix<double, 1, Unknowns>{coefficients...};
+        Eigen::Index column = 0;
+        ((m_matrix(m_used, column++) = coefficients), ...);
         m_right[m_used++] = right;
     }
 
     struct Solution {
-        Eigen::Matrix<double, Unknowns, 1> x;
+        Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1> x;
         double misfit; ///< norm of what is left
     };
-    Solution solve()
+    Solution solve() const
     {
-        m_qr.compute(m_matrix);
+        const Eigen::ColPivHouseholderQR<Matrix> qr(m_matrix);
         Solution solution;
-        solution.x = m_qr.solve(m_right);
+        solution.x = qr.solve(m_right);
         solution.misfit = (m_matrix * solution.x - m_right).norm();
         return solution;
     }
 
 private:
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Unknowns, 0, 2 * static_cast<int>(kMostRows), Unknowns>;
+    static constexpr int kMostEquations = 2 * static_cast<int>(kMostRows);
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostEquations, kMostUnknowns>;
     Matrix m_matrix;
-    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * static_cast<int>(kMostRows), 1> m_right;
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostEquations, 1> m_right;
     Eigen::Index m_used = 0;
-    Eigen::ColPivHouseholderQR<Matrix> m_qr;
 };
 
 double mean(const std::vector<double> &values)
@@ -183,7 +185,7 @@ double mean(const std::vector<double> &values)
 
 Candidate fromBoth(const Samples &samples, double speed)
 {
-    Equations<4> equations(2 * samples.time.size());
+    Equations equations(2 * samples.time.size(), 4);
     double cosines = 0.0;
     for (std::size_t i = 0; i < samples.time.size(); ++i) {
         const double sine = std::sin(speed * samples.time[i]);
@@ -207,7 +209,7 @@ Candidate fromTheta3(const Samples &samples, double speed, Order order, double s
     candidate.speed = speed;
     double ratioC = 0.0, u = 0.0, v = 0.0;
     if (order == Order::Position) {
-        Equations<3> equations(samples.time.size());
+        Equations equations(samples.time.size(), 3);
         double cosines = 0.0;
         for (std::size_t i = 0; i < samples.time.size(); ++i) {
             const double t = speed * samples.time[i];
@@ -221,7 +223,7 @@ Candidate fromTheta3(const Samples &samples, double speed, Order order, double s
         u = x[1];
         v = x[2];
     } else {
-        Equations<4> equations(samples.time.size());
+        Equations equations(samples.time.size(), 4);
         const double centre = mean(samples.theta3);
         for (std::size_t i = 0; i < samples.time.size(); ++i) {
             const double t = speed * samples.time[i];
@@ -251,7 +253,7 @@ Candidate fromR4x(const Samples &samples, double speed, Order order)
     double R = centre;
     double u = 0.0, v = 0.0, inCos = 0.0, inSin = 0.0, rest = 0.0, misfit = 0.0;
     if (order == Order::Position) {
-        Equations<5> equations(samples.time.size());
+        Equations equations(samples.time.size(), 5);
         for (std::size_t i = 0; i < samples.time.size(); ++i) {
             const double sine = std::sin(speed * samples.time[i]);
             const double cosine = std::cos(speed * samples.time[i]);
@@ -266,7 +268,7 @@ Candidate fromR4x(const Samples &samples, double speed, Order order)
         inSin = solution.x[3];
         rest = solution.x[4];
     } else {
-        Equations<6> equations(samples.time.size());
+        Equations equations(samples.time.size(), 6);
         for (std::size_t i = 0; i < samples.time.size(); ++i) {
             const double sine = std::sin(speed * samples.time[i]);
             const double cosine = std::cos(speed * samples.time[i]);
