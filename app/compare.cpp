@@ -28,7 +28,6 @@ namespace
 struct Compared {
     QString file;
     std::shared_ptr<const Reference> reference;
-    Trajectory model; ///< at the file's instants
     std::vector<ChannelComparison> channels;
 
     bool differs() const { return worstVerdict() == Verdict::Differs; }
@@ -176,8 +175,8 @@ ExitStatus compareFiles(const CompareOptions &options)
         compared.file = file;
         compared.reference = std::get<std::shared_ptr<const Reference>>(outcome);
         const ReferenceData &data = compared.reference->data;
-        compared.model = exactMotionOf(options.mechanism, data);
-        compared.channels = compare(options.mechanism, compared.model, data);
+        ExactComparison exact = compareExactly(options.mechanism, data);
+        compared.channels = std::move(exact.channels);
 
         // Opened late: where no file can be read, none is written.
         if (!isOpen) {
@@ -195,7 +194,7 @@ ExitStatus compareFiles(const CompareOptions &options)
 
         tally.add(compared.worstVerdict());
         Shortfall shortfall;
-        shortfall.add(compared.model.time, compared.model.status);
+        shortfall.add(data.time, exact.status);
         if (shortfall.exitStatus() != ExitStatus::Done) {
             const QString sentence = shortfall.sentence(options.mechanism, SolverSettings().newton.maxIterations);
             say(several ? QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(file), sentence) : sentence);

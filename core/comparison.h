@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace slidercrank
@@ -63,6 +64,13 @@ inline constexpr double kArithmeticStep = 1e-12;
 /// `scale`: naturalScale() of the channel.
 ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
                                  const ReferenceSeries &reference, double scale);
+
+/// Every series of the file against the exact motion, which is never in memory as a whole. Incomplete when stopped.
+struct ExactComparison {
+    std::vector<ChannelComparison> channels;
+    std::vector<Status> status; ///< of the motion, one an instant
+};
+ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {});
 
 /// Every series of the file against a trajectory sampled at the file's own instants.
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,

@@ -22,19 +22,12 @@ Mechanism otherAssembly(const Mechanism &mechanism)
 
 bool isDifferent(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
 {
-    const std::vector<ChannelComparison> channels = compare(mechanism, exactMotionOf(mechanism, data, stop), data);
+    const std::vector<ChannelComparison> channels = compareExactly(mechanism, data, stop).channels;
     return std::any_of(channels.begin(), channels.end(),
                        [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
 }
 
 } // namespace
-
-Trajectory exactMotionOf(const Mechanism &mechanism, const ReferenceData &data, std::stop_token stop)
-{
-    SolverSettings exact;
-    exact.method = Method::ClosedForm;
-    return sample(mechanism, data.time, channelsOf(data), exact, stop);
-}
 
 Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
 {
@@ -61,7 +54,7 @@ Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, 
     }
     if (result.identification.status == Identification::Status::Found) {
         const Mechanism found(result.identification.parameters);
-        result.identified = compare(found, exactMotionOf(found, reading, stop), reading);
+        result.identified = compareExactly(found, reading, stop).channels;
         result.rounded = inRoundNumbers(result.identification, reading, result.identified);
     }
     return result;

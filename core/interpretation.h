@@ -8,7 +8,6 @@
 #include "core/comparison.h"
 #include "core/conventions.h"
 #include "core/identification.h"
-#include "core/trajectory.h"
 
 #include <stop_token>
 #include <vector>
@@ -27,8 +26,5 @@ struct Interpretation {
 };
 
 Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop = {});
-
-/// The exact motion at the data's own instants, in the channels that they have.
-Trajectory exactMotionOf(const Mechanism &mechanism, const ReferenceData &data, std::stop_token stop = {});
 
 } // namespace slidercrank

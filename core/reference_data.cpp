@@ -431,11 +431,13 @@ private:
     std::vector<RoundingObserver> m_observers;
 };
 
-/// About how many rows there are: from the length of the first, or the shortest that can fill the columns.
+/// How many rows there hardly are more of: from the length of the first, or the shortest that can fill the columns.
+/// Room that is never written to costs next to nothing, a move to more room much.
 std::size_t estimateRows(std::string_view lines, std::size_t columns)
 {
     const std::size_t firstLine = std::min(lines.find_first_of("\r\n"), lines.size()) + 1;
-    return lines.size() / std::max(firstLine, columns) + 1;
+    const std::size_t rows = lines.size() / std::max(firstLine, columns) + 1;
+    return rows + rows / 4;
 }
 
 /// Some lines of the table. They are counted from 1 until it is known how many stand before them.

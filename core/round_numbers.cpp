@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/round_numbers.h"
 
-#include "core/interpretation.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,7 +63,7 @@ std::optional<Candidate> roundNumber(double value, double standardError)
 /// Whether the data are as near to the rounded mechanism as to the fitted one.
 bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
 {
-    const std::vector<ChannelComparison> channels = compare(rounded, exactMotionOf(rounded, data), data);
+    const std::vector<ChannelComparison> channels = compareExactly(rounded, data).channels;
     double growth = 0.0;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const double before =

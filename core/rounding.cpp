@@ -127,6 +127,25 @@ double Rounding::stepAt(double value) const
     return 0.0;
 }
 
+double RoundingSteps::stepElsewhere(double value)
+{
+    const double step = m_rounding.stepAt(value);
+    const double printed = std::abs(value) / m_rounding.unitFactor;
+    if (m_rounding.rule != Rounding::Rule::SignificantDigits) {
+        m_from = 0.0;
+        m_to = std::numeric_limits<double>::infinity();
+        m_step = step;
+    } else if (printed > 0.0 && std::isfinite(printed)) {
+        // Short of the decade's ends, where the slack decides.
+        const Powers &powers = powersOfTen();
+        const int decade = decadeOf(powers, printed);
+        m_from = m_rounding.unitFactor * powerOfTen(powers, decade) * (1.0 + 4.0 * kConversionSlack);
+        m_to = m_rounding.unitFactor * powerOfTen(powers, decade + 1) * (1.0 - 4.0 * kConversionSlack);
+        m_step = step;
+    }
+    return step;
+}
+
 PrintedPlaces placesOf(std::string_view digits)
 {
     const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };

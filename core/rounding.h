@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -35,6 +36,31 @@ struct Rounding {
 
     /// The step at a value, both in the author's unit; 0 when unknown.
     double stepAt(double value) const;
+};
+
+/// Rounding::stepAt() of one value after the other: quick where neighbours lie in the same decade, as those of a motion
+/// do.
+class RoundingSteps
+{
+public:
+    explicit RoundingSteps(const Rounding &rounding)
+        : m_rounding(rounding)
+    {
+    }
+
+    double at(double value)
+    {
+        const double magnitude = std::abs(value);
+        return magnitude >= m_from && magnitude < m_to ? m_step : stepElsewhere(value);
+    }
+
+private:
+    double stepElsewhere(double value);
+
+    const Rounding &m_rounding;
+    double m_from = 0.0; ///< magnitudes from here to there have the step
+    double m_to = 0.0;
+    double m_step = 0.0;
 };
 
 /// Where the digits of a printed number stand, as powers of ten: 0.0120 has its first digit other than zero at -2, the

@@ -23,7 +23,7 @@ constexpr std::uint64_t kSeed = 20240917;
 bool allAgree(const Parameters &parameters, const ReferenceData &data)
 {
     const Mechanism mechanism(parameters);
-    return std::ranges::all_of(compare(mechanism, exactMotionOf(mechanism, data), data),
+    return std::ranges::all_of(compareExactly(mechanism, data).channels,
                                [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
 }
 
@@ -126,9 +126,9 @@ private slots:
             }
             ++found;
             const Mechanism fitted(identification.parameters);
-            const std::vector<ChannelComparison> before = compare(fitted, exactMotionOf(fitted, data), data);
+            const std::vector<ChannelComparison> before = compareExactly(fitted, data).channels;
             const Mechanism rounded(inRoundNumbers(identification, data, before));
-            const std::vector<ChannelComparison> after = compare(rounded, exactMotionOf(rounded, data), data);
+            const std::vector<ChannelComparison> after = compareExactly(rounded, data).channels;
             for (std::size_t k = 0; k < before.size(); ++k) {
                 QVERIFY(after[k].verdict <= before[k].verdict);
                 const double floor = 1e-12 * naturalScale(rounded, after[k].channel);
