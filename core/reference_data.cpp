@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -57,6 +58,7 @@ struct Layout {
     std::vector<Column> columns;
     std::vector<Channel> channels;
     std::size_t timeColumn = 0;
+    bool isSampled = false; ///< names did not tell all: values from all over the table were asked
 };
 
 /// Rows from all over the table, all of them where there are few.
@@ -133,7 +135,10 @@ std::variant<Layout, ReadError> layOut(Table table, const ReadOptions &options)
         error.layout = std::move(table.layout);
         return error;
     };
-    const auto outcome = assignColumns(table.headings, options.columns, [&table] { return sampleRows(table); });
+    const auto outcome = assignColumns(table.headings, options.columns, [&] {
+        layout.isSampled = true;
+        return sampleRows(table);
+    });
     if (const ColumnFault *fault = std::get_if<ColumnFault>(&outcome)) {
         return refused(atCell(headerLine, fault->column + 1, table.headings[fault->column].printed, fault->reason));
     }
@@ -371,6 +376,16 @@ public:
 
     const std::vector<double> &time() const { return m_data.time; }
 
+    /// Without rows again, but with the room for them.
+    void clear()
+    {
+        m_data.time.clear();
+        for (ReferenceSeries &series : m_data.series) {
+            series.values.clear();
+        }
+        std::fill(m_observers.begin(), m_observers.end(), RoundingObserver());
+    }
+
     /// The rows that follow.
     void add(const SeriesBuilder &later)
     {
@@ -433,18 +448,18 @@ private:
 
 /// How many rows there hardly are more of: from the length of the first, or the shortest that can fill the columns.
 /// Room that is never written to costs next to nothing, a move to more room much.
-std::size_t estimateRows(std::string_view lines, std::size_t columns)
+std::size_t estimateRows(std::string_view lines, std::size_t bytes, std::size_t columns)
 {
     const std::size_t firstLine = std::min(lines.find_first_of("\r\n"), lines.size()) + 1;
-    const std::size_t rows = lines.size() / std::max(firstLine, columns) + 1;
+    const std::size_t rows = bytes / std::max(firstLine, columns) + 1;
     return rows + rows / 4;
 }
 
 /// Some lines of the table. They are counted from 1 until it is known how many stand before them.
 struct Part {
-    Part(std::string_view text, const Layout &layout, std::size_t expectedRows)
+    Part(std::string_view text, SeriesBuilder into)
         : lines(text)
-        , builder(layout, expectedRows)
+        , builder(std::move(into))
     {
     }
 
@@ -500,14 +515,19 @@ void readPart(Part &part, const Layout &layout, const std::function<bool(std::si
     part.lineCount = scanner.line() - 1;
 }
 
+/// Threads that so many bytes are worth.
+std::size_t threadsFor(std::size_t bytes)
+{
+    constexpr std::size_t kLeast = std::size_t{1} << 20U; // bytes each
+    constexpr std::size_t kMost = 8;
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    return std::clamp<std::size_t>(bytes / kLeast, 1, std::min(processors, kMost));
+}
+
 /// The lines in pieces of like size, one for each processor where there are enough of them.
 std::vector<std::string_view> partsOf(std::string_view lines)
 {
-    constexpr std::size_t kSmallestPart = std::size_t{1} << 20U; // bytes: less does not pay for a thread
-    constexpr std::size_t kMostParts = 8;
-    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t count =
-        std::clamp<std::size_t>(lines.size() / kSmallestPart, 1, std::min(processors, kMostParts));
+    const std::size_t count = threadsFor(lines.size());
     std::vector<std::string_view> parts;
     for (std::size_t left = count; left > 0; --left) {
         std::size_t end = lines.size() / left;
@@ -532,7 +552,8 @@ std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_t
     for (const std::string_view lines : partsOf(table.data)) {
         // The first takes the others in: its room is for all.
         const std::string_view roomFor = parts.empty() ? table.data : lines;
-        parts.emplace_back(lines, layout, estimateRows(roomFor, layout.columns.size()));
+        const std::size_t rows = estimateRows(roomFor, roomFor.size(), layout.columns.size());
+        parts.emplace_back(lines, SeriesBuilder(layout, rows));
     }
     std::atomic<std::size_t> done = 0;
     const auto readAside = [&](std::size_t bytes) {
@@ -604,6 +625,97 @@ std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_t
     return data;
 }
 
+// ---- large files
+// ----------------------------------------------------------------------------------------------------------
+
+constexpr std::size_t kPiece = std::size_t{1} << 18U;       // bytes: stays in the processor's cache
+constexpr std::size_t kLongestLine = std::size_t{1} << 12U; // bytes
+
+/// The lines that begin in the piece at offset `from`, read into `buffer`; none where they are not plain. The table
+/// begins at offset `dataBegin`.
+std::optional<std::string_view> plainLines(const ByteSource &source, std::size_t from, std::size_t dataBegin,
+                                           std::vector<char> &buffer)
+{
+    const std::size_t before = from > dataBegin ? 1 : 0; // that byte tells whether a line begins with the piece
+    const std::size_t start = from - before;
+    const std::size_t length = std::min(source.size - start, before + kPiece + kLongestLine);
+    buffer.resize(length);
+    if (!source.read(start, buffer)) {
+        return std::nullopt;
+    }
+    const std::string_view text(buffer.data(), length);
+    const bool toTheEnd = start + length == source.size;
+    const auto behindLine = [&](std::size_t at) {
+        const std::size_t end = text.find('\n', at);
+        return end == text.npos ? (toTheEnd ? std::optional(length) : std::nullopt) : std::optional(end + 1);
+    };
+    const std::optional<std::size_t> begin = before > 0 ? behindLine(0) : std::optional<std::size_t>(0);
+    const std::optional<std::size_t> end = behindLine(std::min(before + kPiece - 1, length));
+    if (!begin || !end || *begin > *end) {
+        return std::nullopt;
+    }
+    const std::string_view lines = text.substr(*begin, *end - *begin);
+    unsigned char all = 0;
+    bool hasZero = false;
+    for (const char c : lines) {
+        all |= static_cast<unsigned char>(c);
+        hasZero |= c == '\0';
+    }
+    return all < 0x80 && !hasZero ? std::optional(lines) : std::nullopt;
+}
+
+/// The rows of pieces that come in any order, and in turn from several threads.
+class JoinedRows
+{
+public:
+    JoinedRows(const Layout &layout, std::size_t expectedRows, std::size_t pieces)
+        : m_layout(layout)
+        , m_all(layout, expectedRows)
+        , m_waiting(pieces)
+    {
+    }
+
+    /// To read a piece into.
+    SeriesBuilder empty()
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_spare.empty()) {
+            return SeriesBuilder(m_layout, 0);
+        }
+        SeriesBuilder spare = std::move(m_spare.back());
+        m_spare.pop_back();
+        return spare;
+    }
+
+    /// False where its instants do not follow those of the piece before.
+    bool add(std::size_t piece, SeriesBuilder rows)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting[piece] = std::move(rows);
+        for (; m_joined < m_waiting.size() && m_waiting[m_joined]; ++m_joined) {
+            SeriesBuilder &next = *m_waiting[m_joined];
+            if (!next.time().empty() && !m_all.time().empty() && !(next.time().front() > m_all.time().back())) {
+                return false;
+            }
+            m_all.add(next);
+            next.clear();
+            m_spare.push_back(std::move(next));
+            m_waiting[m_joined].reset();
+        }
+        return true;
+    }
+
+    SeriesBuilder &all() { return m_all; }
+
+private:
+    const Layout &m_layout;
+    std::mutex m_mutex;
+    SeriesBuilder m_all;
+    std::vector<std::optional<SeriesBuilder>> m_waiting;
+    std::size_t m_joined = 0; ///< so many pieces are in
+    std::vector<SeriesBuilder> m_spare;
+};
+
 } // namespace
 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
@@ -641,6 +753,84 @@ std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes,
         return std::move(*error);
     }
     return readRows(std::get<Layout>(std::move(layout)), stop, options);
+}
+
+std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, std::stop_token stop,
+                                                    const ReadOptions &options)
+{
+    constexpr std::size_t kBeginning = std::size_t{1} << 20U; // bytes
+    if (source.size < 4 * kBeginning) {
+        return std::nullopt; // nothing to gain
+    }
+    std::vector<char> bytes(kBeginning);
+    if (!source.read(0, bytes)) {
+        return std::nullopt;
+    }
+    std::string_view beginning(bytes.data(), bytes.size());
+    beginning = beginning.substr(0, beginning.rfind('\n') + 1);
+    const EncodingFound encoding = findEncoding(beginning);
+    const std::string_view text = beginning.substr(encoding.markLength);
+    if (findForeignFormat(beginning) || encoding.encoding != TextEncoding::Utf8 || findZeroByte(text)) {
+        return std::nullopt;
+    }
+    std::variant<Table, ReadError> table = findTable(text);
+    if (std::holds_alternative<ReadError>(table)) {
+        return std::nullopt;
+    }
+    Table &found = std::get<Table>(table);
+    found.layout.encoding = encoding.encoding;
+    found.layout.byteOrderMark = encoding.markLength > 0;
+    const auto dataBegin = static_cast<std::size_t>(found.data.data() - bytes.data());
+    std::variant<Layout, ReadError> outcome = layOut(std::move(found), options);
+    Layout *layout = std::get_if<Layout>(&outcome);
+    if (!layout || layout->isSampled || layout->table.layout.decimalSign != DecimalSign::Point) {
+        return std::nullopt;
+    }
+
+    const std::size_t size = source.size - dataBegin;
+    const std::size_t pieces = (size + kPiece - 1) / kPiece;
+    JoinedRows rows(*layout, estimateRows(layout->table.data, size, layout->columns.size()), pieces);
+    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> done = 0;
+    std::atomic<bool> isPlain = true;
+    const auto readSome = [&](const std::function<void()> &tell) {
+        std::vector<char> buffer;
+        for (std::size_t i = next++; i < pieces && isPlain && !stop.stop_requested(); i = next++) {
+            const std::optional<std::string_view> lines = plainLines(source, dataBegin + i * kPiece, dataBegin, buffer);
+            if (!lines) {
+                isPlain = false;
+                return;
+            }
+            Part part(*lines, rows.empty());
+            readPart(part, *layout, [&stop](std::size_t) { return !stop.stop_requested(); });
+            if (part.error || !part.skipped.take().empty() || !rows.add(i, std::move(part.builder))) {
+                isPlain = false;
+                return;
+            }
+            done += lines->size();
+            tell();
+        }
+    };
+    {
+        std::vector<std::jthread> aside;
+        for (std::size_t i = 1; i < threadsFor(size); ++i) {
+            aside.emplace_back([&] { readSome([] {}); });
+        }
+        readSome([&] {
+            if (options.progress) {
+                options.progress(done, size);
+            }
+        });
+    }
+    if (!isPlain || stop.stop_requested() || rows.all().time().empty()) {
+        return std::nullopt;
+    }
+    if (options.progress) {
+        options.progress(size, size);
+    }
+    SkippedRows none;
+    ReferenceData data = rows.all().take(*layout, none);
+    return data.series.empty() ? std::nullopt : std::optional(std::move(data));
 }
 
 } // namespace slidercrank

@@ -20,6 +20,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -75,5 +77,19 @@ struct ReadOptions {
 /// Watches `stop`.
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
                                                          const ReadOptions &options = {});
+
+/// A file that is read in pieces, by several threads at once.
+struct ByteSource {
+    std::size_t size = 0;
+
+    /// Fills `room` from that offset on; false where there is not so much.
+    std::function<bool(std::size_t offset, std::span<char> room)> read;
+};
+
+/// The same of a large file, most of which is never in memory: where its beginning tells all of its form, its table is
+/// ASCII with decimal points, and every line can be read. None where anything is otherwise, or when stopped:
+/// readReferenceData() of all its bytes then says what.
+std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, std::stop_token stop = {},
+                                                    const ReadOptions &options = {});
 
 } // namespace slidercrank

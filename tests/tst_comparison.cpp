@@ -4,8 +4,10 @@
 #include <QFile>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 using namespace slidercrank;
@@ -241,6 +243,63 @@ private slots:
         QCOMPARE(result.maxPercent.value(), 100.0);
         QVERIFY(std::isfinite(result.rms.value()));
         QCOMPARE(result.maxAbs.value(), 1e300);
+    }
+
+    void theExactMotionBlockByBlockIsThatAsAWhole()
+    {
+        constexpr std::size_t kMany = 100001; // several blocks, the last one not full; several threads
+        ReferenceData data;
+        std::mt19937 random(20240919); // fixed: a failure can be repeated
+        for (std::size_t i = 0; i < kMany; ++i) {
+            data.time.push_back(1e-5 * static_cast<double>(i));
+        }
+        Parameters parameters;
+        parameters.b = 44.0; // cannot be assembled everywhere
+        const Mechanism mechanism(parameters);
+        SolverSettings exact;
+        exact.method = Method::ClosedForm;
+        const Channel channels[] = {kTheta3, {R4x, Order::Velocity}, {Theta2, Order::Position}};
+        ChannelSet asked;
+        for (const Channel channel : channels) {
+            asked.set(indexOf(channel));
+        }
+        const Trajectory model = sample(mechanism, data.time, asked, exact);
+        for (const Channel channel : channels) {
+            ReferenceSeries series{channel, {}, {Rounding::Rule::SignificantDigits, 5}};
+            for (std::size_t i = 0; i < kMany; ++i) {
+                const double off = 1e-3 * (static_cast<double>(random()) / 4294967296.0 - 0.5);
+                series.values.push_back(random() % 100 == 0   ? kNaN
+                                        : random() % 100 == 0 ? 0.0
+                                                              : model[channel][i] + off);
+            }
+            data.series.push_back(series);
+        }
+        const ExactComparison blockwise = compareExactly(mechanism, data);
+        QVERIFY(blockwise.status == model.status);
+        const std::vector<ChannelComparison> whole = compare(mechanism, model, data);
+        for (std::size_t k = 0; k < whole.size(); ++k) {
+            const ChannelComparison &x = blockwise.channels[k];
+            const ChannelComparison &y = whole[k];
+            QVERIFY(y.count > kMany / 2 && y.zeroReference > 0);
+            QVERIFY(x.channel == y.channel && x.count == y.count && x.missingModel == y.missingModel);
+            QVERIFY(x.maxAbs == y.maxAbs && x.timeOfMaxAbs == y.timeOfMaxAbs && x.rms == y.rms);
+            QVERIFY(x.maxPercent == y.maxPercent && x.timeOfMaxPercent == y.timeOfMaxPercent);
+            QVERIFY(x.zeroReference == y.zeroReference && x.withinHalfStep == y.withinHalfStep);
+            QVERIFY(x.worstHalfSteps == y.worstHalfSteps && x.verdict == y.verdict && x.roundingStep == y.roundingStep);
+
+            long double squares = 0.0L;
+            long double percent = 0.0L;
+            for (std::size_t i = 0; i < kMany; ++i) {
+                const long double value = data.series[k].values[i];
+                const long double error = model[data.series[k].channel][i] - value;
+                squares += std::isfinite(error) ? error * error : 0.0L;
+                percent = std::isfinite(error) && value != 0.0L ? std::max(percent, std::abs(error / value) * 100.0L)
+                                                                : percent;
+            }
+            const double rms = static_cast<double>(std::sqrt(squares / static_cast<long double>(y.count)));
+            QVERIFY(std::abs(*y.rms - rms) <= 1e-12 * rms);
+            QVERIFY(std::abs(*y.maxPercent - static_cast<double>(percent)) <= 1e-12 * *y.maxPercent);
+        }
     }
 
     void confirmsTheReportWithTheLengthOfItsData_data()

@@ -64,6 +64,31 @@ QString described(const std::variant<ReferenceData, ReadError> &outcome)
     return QString::fromStdString(text);
 }
 
+/// Some 5 MB: three columns, lines of different lengths, now and then a gap.
+QByteArray largeFile(const QByteArray &head, const QByteArray &lineEnd)
+{
+    QByteArray bytes = head;
+    for (int row = 0; row < 220000; ++row) {
+        const double t = row * 0.001;
+        bytes += QByteArray::number(t) + ',' +
+                 (row % 1000 == 7 ? QByteArray() : QByteArray::number(std::sin(t), 'g', 9)) + ',' +
+                 QByteArray::number(80.0 + std::cos(t), 'f', 3) + lineEnd;
+    }
+    return bytes;
+}
+
+ByteSource sourceOf(const QByteArray &bytes)
+{
+    const auto size = static_cast<std::size_t>(bytes.size());
+    return {size, [bytes, size](std::size_t offset, std::span<char> room) {
+                if (offset > size || size - offset < room.size()) {
+                    return false;
+                }
+                std::copy_n(bytes.constData() + offset, room.size(), room.begin());
+                return true;
+            }};
+}
+
 /// What each column became: "time R4_x theta3? -", with a question mark where it was guessed.
 std::string rolesOf(const FileLayout &layout)
 {
@@ -537,6 +562,91 @@ private slots:
             QVERIFY(error);
             QCOMPARE(error->line, row + 2);
         }
+    }
+
+    void aLargePlainFileReadsInPiecesAsItReadsAsAWhole_data()
+    {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::addColumn<QByteArray>("tail");
+        QTest::newRow("plain") << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("CR LF") << QByteArray("time,theta3,R4_x\r\n") << QByteArray("\r\n") << QByteArray();
+        QTest::newRow("last line not ended")
+            << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray("1e9,1,2");
+        QTest::newRow("preamble, units, a mark") << QByteArray("\xEF\xBB\xBF"
+                                                               "A title\ntime,theta3,R4_x\ns,\xC2\xB0,m\n")
+                                                 << QByteArray("\n") << QByteArray();
+        QTest::newRow("a column left out") << QByteArray("time,theta3,notes\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("blank lines at the end")
+            << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray("\n\n\n");
+    }
+
+    void aLargePlainFileReadsInPiecesAsItReadsAsAWhole()
+    {
+        QFETCH(const QByteArray, head);
+        QFETCH(const QByteArray, lineEnd);
+        QFETCH(const QByteArray, tail);
+        const QByteArray bytes = largeFile(head, lineEnd) + tail;
+        std::vector<std::size_t> told;
+        ReadOptions options;
+        options.progress = [&told](std::size_t done, std::size_t) { told.push_back(done); };
+        const std::optional<ReferenceData> inPieces = readPlainReferenceData(sourceOf(bytes), {}, options);
+        QVERIFY(inPieces);
+        QVERIFY(told.size() > 3 && std::is_sorted(told.begin(), told.end()));
+        const auto outcome = read(bytes);
+        const ReferenceData &whole = std::get<ReferenceData>(outcome);
+        QCOMPARE(inPieces->time, whole.time);
+        QVERIFY(described(*inPieces) == described(outcome));
+        QCOMPARE(rolesOf(inPieces->layout), rolesOf(whole.layout));
+        QCOMPARE(inPieces->layout.headerLine, whole.layout.headerLine);
+        QCOMPARE(inPieces->layout.unitsLine, whole.layout.unitsLine);
+        QCOMPARE(inPieces->layout.byteOrderMark, whole.layout.byteOrderMark);
+        QCOMPARE(inPieces->layout.rows, whole.layout.rows);
+        for (std::size_t i = 0; i < whole.series.size(); ++i) {
+            const Rounding &x = inPieces->series[i].rounding;
+            const Rounding &y = whole.series[i].rounding;
+            QVERIFY(x.rule == y.rule && x.digits == y.digits && x.unitFactor == y.unitFactor &&
+                    x.smallestExponent == y.smallestExponent && x.finestPlace == y.finestPlace);
+        }
+    }
+
+    void whatIsNotPlainIsLeftToWhoReadsItAsAWhole_data()
+    {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::addColumn<QByteArray>("tail");
+        const QByteArray names = "time,theta3,R4_x\n";
+        QTest::newRow("a row that cannot be read") << names << QByteArray("\n") << QByteArray("1e9,oops,2\n");
+        QTest::newRow("a time that does not increase") << names << QByteArray("\n") << QByteArray("0,1,2\n");
+        QTest::newRow("beyond ASCII, late") << names << QByteArray("\n") << QByteArray("1e9,1,2,\xB0\n");
+        QTest::newRow("no text, late") << names << QByteArray("\n") << QByteArray("1e9,1,\0\n", 8);
+        QTest::newRow("a very long line")
+            << names << QByteArray("\n") << "1e9,1,2" + QByteArray(300000, ' ') + "\n1e10,1,2";
+        QTest::newRow("lines end with CR") << QByteArray("time,theta3,R4_x\r") << QByteArray("\r") << QByteArray();
+        QTest::newRow("names that leave a guess")
+            << QByteArray("t,P[1] (deg),P[2] (mm)\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("names that say nothing") << QByteArray("a,b,c\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("a web page") << QByteArray("<html>\n") + names << QByteArray("\n") << QByteArray();
+    }
+
+    void whatIsNotPlainIsLeftToWhoReadsItAsAWhole()
+    {
+        QFETCH(const QByteArray, head);
+        QFETCH(const QByteArray, lineEnd);
+        QFETCH(const QByteArray, tail);
+        QVERIFY(!readPlainReferenceData(sourceOf(largeFile(head, lineEnd) + tail)));
+    }
+
+    void aFileThatShrinksWhileItIsReadIsNotPlain()
+    {
+        const QByteArray bytes = largeFile("time,theta3,R4_x\n", "\n");
+        ByteSource source = sourceOf(bytes);
+        source.size += 1000;
+        QVERIFY(!readPlainReferenceData(source));
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!readPlainReferenceData(sourceOf(bytes), stop.get_token()));
+        QVERIFY(!readPlainReferenceData(sourceOf("time,theta3,R4_x\n0,1,2\n"))); // small: nothing to gain
     }
 
     void stopsWhenAsked()

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <random>
 
 using namespace slidercrank;
 using Rule = Rounding::Rule;
@@ -198,6 +199,30 @@ private slots:
                 QVERIFY2(std::abs(rounding.stepAt(value) - step) < 1e-9 * step,
                          qPrintable(QStringLiteral("10^%1 · %2").arg(exponent).arg(factor)));
             }
+        }
+    }
+
+    void stepsInARowAreThoseOfEachValue_data()
+    {
+        QTest::addColumn<int>("rule");
+        QTest::newRow("significant digits") << int(Rule::SignificantDigits);
+        QTest::newRow("decimals") << int(Rule::Decimals);
+        QTest::newRow("unknown") << int(Rule::Unknown);
+    }
+
+    void stepsInARowAreThoseOfEachValue()
+    {
+        QFETCH(const int, rule);
+        Rounding rounding{static_cast<Rule>(rule), 6, 57.29577951308232, -4};
+        rounding.finestPlace = -7;
+        RoundingSteps steps(rounding);
+        std::mt19937 random(20240918); // fixed: a failure can be repeated
+        double value = 1.0;
+        for (int i = 0; i < 100000; ++i) {
+            value *= random() % 8 == 0 ? -1.9 : 1.01; // neighbours alike, through all decades
+            value = std::abs(value) > 1e8 ? 1e-7 : value;
+            const double next = i % 1000 == 0 ? 0.0 : i % 777 == 0 ? rounding.unitFactor * 100.0 : value;
+            QCOMPARE(steps.at(next), rounding.stepAt(next));
         }
     }
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <span>
 
 namespace slidercrank
@@ -21,6 +23,18 @@ namespace
 std::string_view viewOf(const QByteArray &bytes)
 {
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+}
+
+/// The file, for several threads. It outlives what is returned.
+ByteSource piecesOf(QFile &file)
+{
+    const auto mutex = std::make_shared<std::mutex>();
+    const auto read = [&file, mutex](std::size_t offset, std::span<char> room) {
+        const std::lock_guard lock(*mutex);
+        const auto wanted = static_cast<qint64>(room.size());
+        return file.seek(static_cast<qint64>(offset)) && file.read(room.data(), wanted) == wanted;
+    };
+    return {static_cast<std::size_t>(std::max<qint64>(file.size(), 0)), read};
 }
 
 /// Gaps, which are NaN, are the same.
@@ -72,6 +86,19 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     if (!file.open(QIODevice::ReadOnly)) {
         return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
     }
+    const auto referenceOf = [&](ReferenceData data) {
+        auto reference = std::make_shared<Reference>();
+        reference->path = path;
+        reference->name = QFileInfo(path).fileName();
+        reference->data = std::move(data);
+        reference->columns = options.columns;
+        return reference;
+    };
+    if (std::optional<ReferenceData> data = readPlainReferenceData(piecesOf(file), stop, options)) {
+        return referenceOf(*std::move(data));
+    }
+    file.seek(0); // a pipe has no such place, and nothing was read from it yet
+    file.unsetError();
     const QByteArray bytes = file.readAll();
     if (file.error() != QFileDevice::NoError) {
         return ReferenceFileText::tr("%1 cannot be read: %2.").arg(shown, file.errorString());
@@ -80,12 +107,7 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         return sentenceOf(*error, shown);
     }
-    auto reference = std::make_shared<Reference>();
-    reference->path = path;
-    reference->name = QFileInfo(path).fileName();
-    reference->data = std::move(std::get<ReferenceData>(outcome));
-    reference->columns = options.columns;
-    return reference;
+    return referenceOf(std::move(std::get<ReferenceData>(outcome)));
 }
 
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const ReferenceSource &source,
