@@ -176,7 +176,7 @@ void warnOf(const QString &file, const ReferenceData &data)
         const SkippedRow &first = data.skipped.front();
         say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
                             "(\"%5\"): %6.")
-                .arg(QDir::toNativeSeparators(file), QString::number(data.skipped.size()), QString::number(first.line),
+                .arg(QDir::toNativeSeparators(file), QString::number(data.skippedRowCount()), QString::number(first.line),
                      QString::number(first.column), QString::fromStdString(first.text), coreText(first.reason)));
     }
     if (!data.ignoredColumns.empty()) {

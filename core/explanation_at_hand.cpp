@@ -2,6 +2,7 @@
 #include "core/explanation.h"
 
 #include "core/column_reading.h"
+#include "core/round_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -118,7 +119,17 @@ Explanation withBestShift(const ReferenceData &data, Explanation explanation)
         return sum;
     };
     const double near = 2.0 * std::numbers::pi / std::abs(explanation.parameters.omega2) / (100.0 * kPhases);
-    shift->amount += minimumBetween(-near, near, misfit);
+    const double best = minimumBetween(-near, near, misfit);
+    shift->amount += best;
+
+    // The sum of squares grows with the square of the distance from the best: that gives its standard error, within
+    // which a round number is the better guess of how late a clock was started.
+    const double least = misfit(best);
+    const double growth = misfit(best + near) - least;
+    const double standardError = near * std::sqrt(least / growth / static_cast<double>(motion.read.time.size()));
+    if (standardError > 0.0 && std::isfinite(standardError)) {
+        shift->amount = roundest(shift->amount, standardError, std::array{1.0});
+    }
     return explanation;
 }
 

@@ -290,7 +290,7 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
     units.origin = 0.5 * (data.time[supply.rows.front()] + data.time[supply.rows.back()]);
     Observations all = observe(data, units, spread(supply.rows, kMostFitRows));
     if (!moves(all)) {
-        return endedBy(IdentificationStatus::TooFewData);
+        return endedBy(IdentificationStatus::NothingMoves);
     }
     const Parameters given = units.toFit(start.parameters());
     const Courses courses = coursesOf(data, supply, units);

@@ -29,9 +29,10 @@ constexpr std::size_t indexOf(Parameter parameter)
 
 struct Identification {
     enum class Status {
-        Found,      ///< the data agree with it, or come as close as a least-squares minimum does
-        TooFewData, ///< fewer values than parameters, none of the six channels, or nothing moves
-        NotFound,   ///< no start led to a mechanism that resembles the data; what came nearest, if anything
+        Found,        ///< the data agree with it, or come as close as a least-squares minimum does
+        TooFewData,   ///< fewer values than parameters, or none of the six channels
+        NothingMoves, ///< the values are the same throughout
+        NotFound,     ///< no start led to a mechanism that resembles the data; what came nearest, if anything
         Stopped
     };
     Status status = Status::NotFound;

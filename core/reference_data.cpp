@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -317,7 +318,8 @@ public:
                 {m_firstUnlisted,
                  0,
                  {},
-                 "this line and " + std::to_string(m_unlisted - 1) + " more below it cannot be read either"});
+                 "this line and " + std::to_string(m_unlisted - 1) + " more below it cannot be read either",
+                 m_unlisted});
         }
         return std::move(m_rows);
     }
@@ -723,6 +725,12 @@ const ReferenceSeries *ReferenceData::find(Channel channel) const
     const auto found = std::find_if(series.begin(), series.end(),
                                     [channel](const ReferenceSeries &each) { return each.channel == channel; });
     return found == series.end() ? nullptr : &*found;
+}
+
+std::size_t ReferenceData::skippedRowCount() const
+{
+    return std::accumulate(skipped.begin(), skipped.end(), std::size_t{0},
+                           [](std::size_t count, const SkippedRow &row) { return count + row.rows; });
 }
 
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop,

@@ -42,8 +42,9 @@ struct ReferenceSeries {
 struct SkippedRow {
     std::size_t line = 0;
     std::size_t column = 0;
-    std::string text;   ///< the offending cell, shortened
-    std::string reason; ///< a clause: "not a number"
+    std::string text;     ///< the offending cell, shortened
+    std::string reason;   ///< a clause: "not a number"
+    std::size_t rows = 1; ///< that it stands for
 };
 
 struct ReferenceData {
@@ -54,6 +55,8 @@ struct ReferenceData {
     FileLayout layout;                       ///< how the file is written, and what each column became and why
 
     const ReferenceSeries *find(Channel channel) const;
+
+    std::size_t skippedRowCount() const; ///< listed and not
 };
 
 /// Why nothing sensible could be read. line 0: the file as a whole.

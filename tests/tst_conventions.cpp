@@ -3,6 +3,7 @@
 
 #include "core/comparison.h"
 
+#include "printed_motion.h"
 #include "random_mechanisms.h"
 
 #include <QFile>
@@ -824,6 +825,17 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         QVERIFY(findConventions(writtenAndRead(table), Mechanism(), stop.get_token()).empty());
+    }
+
+    void aClockStartedLateIsFoundToTheDigitsThatSomebodyChose()
+    {
+        ReferenceData data = printedData(Parameters());
+        for (double &t : data.time) {
+            t += 0.137;
+        }
+        const std::vector<ConventionFinding> findings = findConventions(data, Mechanism());
+        QCOMPARE(findings.size(), std::size_t(1));
+        QVERIFY(findings[0].convention == (Convention{Kind::TimeShift, {}, -0.137}));
     }
 
     void appliesAHalfTurnWithoutPromisingDigits()

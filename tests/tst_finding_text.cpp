@@ -177,8 +177,8 @@ private slots:
     {
         Identification none;
         QStringList sentences;
-        for (const auto status :
-             {Identification::Status::TooFewData, Identification::Status::NotFound, Identification::Status::Stopped}) {
+        for (const auto status : {Identification::Status::TooFewData, Identification::Status::NothingMoves,
+                                  Identification::Status::NotFound, Identification::Status::Stopped}) {
             none.status = status;
             sentences << summaryOf(none);
             QVERIFY(sentences.last().endsWith(u'.'));

@@ -496,6 +496,7 @@ private slots:
         const auto outcome = read(bytes);
         const std::vector<SkippedRow> &skipped = std::get<ReferenceData>(outcome).skipped;
         QCOMPARE(skipped.size(), std::size_t(1001));
+        QCOMPARE(std::get<ReferenceData>(outcome).skippedRowCount(), std::size_t(2500));
         QCOMPARE(skipped.back().line, std::size_t(1003));
         QVERIFY2(skipped.back().reason.find("1499 more") != std::string::npos, skipped.back().reason.c_str());
     }

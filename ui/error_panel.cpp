@@ -120,9 +120,9 @@ LeftOut leftOutOf(const ReferenceData &data)
     QStringList parts;
     QStringList details;
     if (!data.skipped.empty()) {
-        parts << (data.skipped.size() == 1
-                      ? ErrorPanel::tr("1 row of the file was skipped (line %1)").arg(data.skipped[0].line)
-                      : ErrorPanel::tr("%1 rows of the file were skipped").arg(data.skipped.size()));
+        const std::size_t skipped = data.skippedRowCount();
+        parts << (skipped == 1 ? ErrorPanel::tr("1 row of the file was skipped (line %1)").arg(data.skipped[0].line)
+                               : ErrorPanel::tr("%1 rows of the file were skipped").arg(skipped));
         for (std::size_t i = 0; i < std::min(kMostDetails, data.skipped.size()); ++i) {
             const SkippedRow &row = data.skipped[i];
             details << ErrorPanel::tr("Line %1, column %2: “%3” %4")
@@ -130,8 +130,8 @@ LeftOut leftOutOf(const ReferenceData &data)
                            .arg(row.column)
                            .arg(text(row.text), coreText(row.reason));
         }
-        if (data.skipped.size() > kMostDetails) {
-            details << ErrorPanel::tr("… and %1 more").arg(data.skipped.size() - kMostDetails);
+        if (skipped > kMostDetails) {
+            details << ErrorPanel::tr("… and %1 more").arg(skipped - kMostDetails);
         }
     }
     if (!data.ignoredColumns.empty()) {

@@ -384,6 +384,8 @@ QString summaryOf(const Identification &identification)
     case Identification::Status::TooFewData:
         return FindingText::tr("There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: "
                                "export more instants, or more columns.");
+    case Identification::Status::NothingMoves:
+        return FindingText::tr("Nothing moves in these data: export the motion of a turning crank.");
     case Identification::Status::NotFound:
         return FindingText::tr("No slider-crank moves as these data do: check which column is which, and their units.");
     case Identification::Status::Stopped: return FindingText::tr("The search was stopped.");
@@ -401,7 +403,7 @@ QString roundNumbersText(const Interpretation &interpretation)
         return {};
     }
     constexpr int kDigits = 9;
-    return FindingText::tr("In round numbers, which the data agree with as well: %1.")
+    return FindingText::tr("Round numbers come as near to the data: %1.")
         .arg(mechanismText(Mechanism(interpretation.rounded), kDigits));
 }
 

@@ -54,7 +54,7 @@ QString caveatsOf(const Identification &identification);
 /// why there is none: "a = 20.000001 ± 0.000003 mm, …, open assembly."
 QString summaryOf(const Identification &identification);
 
-/// "In round numbers, which the data agree with as well: a = 20 mm, …". Empty where there are none.
+/// "Round numbers come as near to the data: a = 20 mm, …". Empty where there are none.
 QString roundNumbersText(const Interpretation &interpretation);
 
 /// "This error looks like b: 60.000 instead of 65 mm explains 99.9999 % of it." Empty where no single parameter

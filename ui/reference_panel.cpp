@@ -387,7 +387,8 @@ void ReferencePanel::fillColumns()
 void ReferencePanel::fillSkipped()
 {
     const std::vector<SkippedRow> &skipped = m_reference->data.skipped;
-    m_choice->button(SkippedView)->setText(tr("Rows left out (%1)").arg(countText(skipped.size())));
+    m_choice->button(SkippedView)
+        ->setText(tr("Rows left out (%1)").arg(countText(m_reference->data.skippedRowCount())));
     m_skipped->setRowCount(static_cast<int>(skipped.size()));
     for (std::size_t i = 0; i < skipped.size(); ++i) {
         const int row = static_cast<int>(i);

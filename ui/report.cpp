@@ -123,7 +123,7 @@ QString leftOutText(const ReferenceData &data)
     QStringList parts;
     if (!data.skipped.empty()) {
         parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
-                     .arg(count(data.skipped.size()), count(data.skipped.front().line),
+                     .arg(count(data.skippedRowCount()), count(data.skipped.front().line),
                           QString::fromStdString(data.skipped.front().text), coreText(data.skipped.front().reason));
     }
     if (!data.ignoredColumns.empty()) {

@@ -2003,8 +2003,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>En %1 de los instantes del archivo el mecanismo no se puede ensamblar, o no tiene derivadas.</translation>
     </message>
     <message>
-        <source>In round numbers, which the data agree with as well: %1.</source>
-        <translation>En números redondos, con los que los datos concuerdan igual de bien: %1.</translation>
+        <source>Nothing moves in these data: export the motion of a turning crank.</source>
+        <translation>En estos datos no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
+    </message>
+    <message>
+        <source>Round numbers come as near to the data: %1.</source>
+        <translation>Unos números redondos se acercan igual de bien a los datos: %1.</translation>
     </message>
 </context>
 <context>
