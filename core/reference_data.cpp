@@ -657,13 +657,8 @@ std::optional<std::string_view> plainLines(const ByteSource &source, std::size_t
         return std::nullopt;
     }
     const std::string_view lines = text.substr(*begin, *end - *begin);
-    unsigned char all = 0;
-    bool hasZero = false;
-    for (const char c : lines) {
-        all |= static_cast<unsigned char>(c);
-        hasZero |= c == '\0';
-    }
-    return all < 0x80 && !hasZero ? std::optional(lines) : std::nullopt;
+    const bool isAscii = findBeyondAscii(lines, 0) == lines.size();
+    return isAscii && lines.find('\0') == lines.npos ? std::optional(lines) : std::nullopt;
 }
 
 /// The rows of pieces that come in any order, and in turn from several threads.

@@ -91,22 +91,6 @@ std::string fromWindows1252(std::string_view bytes)
     return text;
 }
 
-/// To the first byte beyond ASCII, eight at a time: nearly all of a table is ASCII.
-std::size_t findBeyondAscii(std::string_view bytes, std::size_t from)
-{
-    std::uint64_t eight = 0;
-    for (; from + sizeof eight <= bytes.size(); from += sizeof eight) {
-        std::memcpy(&eight, bytes.data() + from, sizeof eight);
-        if ((eight & 0x8080808080808080U) != 0) {
-            break;
-        }
-    }
-    while (from < bytes.size() && byteAt(bytes, from) < 0x80) {
-        ++from;
-    }
-    return from;
-}
-
 bool isUtf8(std::string_view bytes)
 {
     std::size_t sound = 0;
@@ -136,6 +120,21 @@ std::optional<TextEncoding> findUtf16(std::string_view bytes)
 }
 
 } // namespace
+
+std::size_t findBeyondAscii(std::string_view bytes, std::size_t from)
+{
+    std::uint64_t eight = 0; // at a time: nearly all of a table is ASCII
+    for (; from + sizeof eight <= bytes.size(); from += sizeof eight) {
+        std::memcpy(&eight, bytes.data() + from, sizeof eight);
+        if ((eight & 0x8080808080808080U) != 0) {
+            break;
+        }
+    }
+    while (from < bytes.size() && byteAt(bytes, from) < 0x80) {
+        ++from;
+    }
+    return from;
+}
 
 std::size_t sequenceLength(std::string_view text)
 {

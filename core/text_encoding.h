@@ -24,6 +24,9 @@ EncodingFound findEncoding(std::string_view bytes);
 /// The text without its byte order mark. What is no character becomes U+FFFD.
 std::string toUtf8(std::string_view bytes, const EncodingFound &found);
 
+/// Where the first byte beyond ASCII stands, from that place on; the size where there is none.
+std::size_t findBeyondAscii(std::string_view bytes, std::size_t from);
+
 /// Of a UTF-8 sequence that begins `text`; 0 where none does.
 std::size_t sequenceLength(std::string_view text);
 
