@@ -126,16 +126,18 @@ QString introductionOf(Subcommand subcommand)
 {
     switch (subcommand) {
     case Subcommand::Window:
-        return CommandLine::tr("Usage: slidercrank [SCENE.json] [options]      opens the window\n"
-                               "       slidercrank solve [options]             the motion as CSV or JSON\n"
-                               "       slidercrank compare FILE… [options]     how far simulations' files are from "
-                               "the model\n"
-                               "       slidercrank identify FILE [options]     the mechanism that a file belongs to\n"
-                               "       slidercrank study [options]             speed against error of every method\n"
-                               "       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF\n"
-                               "\n"
-                               "Motion of an offset slider-crank. \"slidercrank solve --help\" and so on tell the "
-                               "options of each.\n");
+        return CommandLine::tr(
+            "Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a "
+            "reference\n"
+            "       slidercrank solve [options]             the motion as CSV or JSON\n"
+            "       slidercrank compare FILE… [options]     how far simulations' files are from "
+            "the model\n"
+            "       slidercrank identify FILE [options]     the mechanism that a file belongs to\n"
+            "       slidercrank study [options]             speed against error of every method\n"
+            "       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF\n"
+            "\n"
+            "Motion of an offset slider-crank. \"slidercrank solve --help\" and so on tell the "
+            "options of each.\n");
     case Subcommand::Solve:
         return CommandLine::tr("Usage: slidercrank solve [options]\n"
                                "\n"

@@ -636,6 +636,8 @@ Command readWindow(OptionReader &reader, const QStringList &positional)
         reader.refuse(CommandLine::tr("The window opens one scene, not %1: remove \"%2\".")
                           .arg(positional.size())
                           .arg(positional[1]));
+    } else if (!options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) && options.reference.isEmpty()) {
+        options.reference = std::exchange(options.scene, {}); // as what is dropped on the window
     } else {
         reader.takeScene(options.scene); // to know before there is a window whether it is one
     }

@@ -230,6 +230,7 @@ private slots:
     void studiesTheMechanismAskedFor();
     void takesAnyFileName();
     void speaksTheSameNumbersInEveryLocale();
+    void takesAFileThatIsNoSceneForAReference();
     void takesASceneForWhatIsNotSaid();
     void goesOnFromAScene();
     void rendersASceneAsItWasSaved();
@@ -1231,6 +1232,14 @@ void TestCommandLine::speaksTheSameNumbersInEveryLocale()
         QCOMPARE(outcome.status, 0);
         QCOMPARE(outcome.out, run(arguments).out);
     }
+}
+
+void TestCommandLine::takesAFileThatIsNoSceneForAReference()
+{
+    const Outcome outcome = run({sample()}); // for the window, which it misses here: nothing is wrong with the file
+    QCOMPARE(outcome.status, 2);
+    QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("There is no display"), outcome.err.constData());
+    QCOMPARE(run({sample(), QStringLiteral("--reference"), sample()}).status, 3);
 }
 
 void TestCommandLine::takesASceneForWhatIsNotSaid()

@@ -578,26 +578,6 @@
         <translation>Otras</translation>
     </message>
     <message>
-        <source>Usage: slidercrank [SCENE.json] [options]      opens the window
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE [options]     the mechanism that a file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ESCENA.json] [opciones]     abre la ventana
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>Usage: slidercrank solve [options]
 
 Computes the motion and writes a row an instant: time (s), then the channels asked for: positions
@@ -1060,6 +1040,26 @@ measure of the errors of the plots.
 Dibuja en un archivo lo que muestra la ventana, o escribe un informe de ello. No necesita pantalla. Una escena
 (--scene) trae además lo que estaba a la vista: flechas, trayectoria, nombres, cotas y zoom del mecanismo; zoom,
 abscisa y medida de los errores de las gráficas.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE [options]     the mechanism that a file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
     </message>
 </context>
