@@ -119,24 +119,27 @@ double letterReach(const MechanismCanvas &on)
     return kCrankWidth + kApart + 1.5 * QFontMetricsF(on.font).height();
 }
 
-int paintValues(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism)
+QStringList valueLines(const MechanismCanvas &on, const Mechanism &mechanism)
 {
-    constexpr double kPadding = 4.0;
-    QStringList lines{lengthText(QStringLiteral("a"), mechanism.a()), lengthText(QStringLiteral("b"), mechanism.b()),
-                      lengthText(QStringLiteral("c"), mechanism.c())};
-    const QFontMetricsF metrics(on.smallFont);
+    const QStringList lines{lengthText(QStringLiteral("a"), mechanism.a()),
+                            lengthText(QStringLiteral("b"), mechanism.b()),
+                            lengthText(QStringLiteral("c"), mechanism.c())};
     const QString together = lines.join(QStringLiteral("   "));
-    if (cornerLine(on, 0, metrics.horizontalAdvance(together) + 2.0 * kPadding).right() <= on.size.width()) {
-        lines = QStringList{together};
-    }
+    const double width = QFontMetricsF(on.smallFont).horizontalAdvance(together) + 2.0 * kApart;
+    return cornerLine(on, 0, width).right() <= on.size.width() ? QStringList{together} : lines;
+}
+
+void paintValues(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism)
+{
+    const QStringList lines = valueLines(on, mechanism);
     painter.setFont(on.smallFont);
     painter.setPen(on.colours.text);
     for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
-        const QRectF box = cornerLine(on, i, metrics.horizontalAdvance(lines[i]) + 2.0 * kPadding);
+        const double width = QFontMetricsF(on.smallFont).horizontalAdvance(lines[i]);
+        const QRectF box = cornerLine(on, i, width + 2.0 * kApart);
         painter.fillRect(box, on.colours.background);
-        painter.drawText(box.adjusted(kPadding, 0.0, 0.0, 0.0), Qt::AlignVCenter | Qt::AlignLeft, lines[i]);
+        painter.drawText(box.adjusted(kApart, 0.0, 0.0, 0.0), Qt::AlignVCenter | Qt::AlignLeft, lines[i]);
     }
-    return static_cast<int>(lines.size());
 }
 
 } // namespace slidercrank

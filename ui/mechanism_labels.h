@@ -26,7 +26,8 @@ void paintLengths(QPainter &painter, const MechanismCanvas &on, const MechanismD
 QPointF placeOfLetter(QPointF from, QPointF to);
 double letterReach(const MechanismCanvas &on);
 
-/// How long a, b and c are, in the upper left corner; in so many lines.
-int paintValues(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism);
+/// How long a, b and c are, in the upper left corner.
+QStringList valueLines(const MechanismCanvas &on, const Mechanism &mechanism);
+void paintValues(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism);
 
 } // namespace slidercrank

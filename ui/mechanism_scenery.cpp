@@ -24,6 +24,12 @@ struct MechanismScenery {
 
 constexpr double kHatchSpacing = 7.0; ///< px
 
+/// In the upper left corner.
+int valueLineCount(const MechanismCanvas &on, const MechanismDrawing &drawing)
+{
+    return drawing.settings.dimensions ? static_cast<int>(valueLines(on, drawing.mechanism()).size()) : 0;
+}
+
 /// A line of ground with short strokes below it.
 void paintGround(QPainter &painter, QPointF from, QPointF to)
 {
@@ -170,9 +176,12 @@ void paintGrid(QPainter &painter, const MechanismCanvas &on, const MechanismDraw
             painter.drawText(QPointF(left, on.size.height() - 4.0), text);
         }
     });
+    const int lines =
+        valueLineCount(on, drawing) + (drawing.settings.velocity ? 1 : 0) + (drawing.settings.acceleration ? 1 : 0);
+    const double highest = lines > 0 ? cornerLine(on, lines, 0.0).top() : 0.0;
     forEachLine(visible.top(), visible.bottom(), [&](double y) {
         const double baseline = on.toPixels({0.0, y}).y() - 3.0;
-        if (baseline > textHeight && baseline < on.size.height() - 1.5 * textHeight) {
+        if (baseline > highest + textHeight && baseline < on.size.height() - 1.5 * textHeight) {
             painter.drawText(QPointF(4.0, baseline), numberText(y));
         }
     });
@@ -194,10 +203,10 @@ void paintScenery(QPainter &painter, const MechanismCanvas &on, const MechanismD
     if (settings.names) {
         paintPivotName(painter, on);
     }
-    int line = 0;
+    int line = valueLineCount(on, drawing);
     if (settings.dimensions) {
         paintOffset(painter, on, drawing.mechanism());
-        line += paintValues(painter, on, drawing.mechanism());
+        paintValues(painter, on, drawing.mechanism());
     }
     if (settings.velocity) {
         paintScale(painter, on, drawing.velocity, MotionKind::Velocity, line++);
