@@ -4,6 +4,7 @@
 #include "ui/axis_scale.h"
 #include "ui/core_text.h"
 #include "ui/figure_export.h"
+#include "ui/number_box.h"
 #include "ui/study_figure.h"
 
 #include <QComboBox>
@@ -451,7 +452,7 @@ void StudyPanel::fillTable(const CaseResult &which)
             return item;
         };
         set(Name, titleOf(method));
-        set(Tolerance, method.tolerance ? QLocale().toString(*method.tolerance, 'g', 3) : QStringLiteral("–"));
+        set(Tolerance, method.tolerance ? numberText(*method.tolerance, 3) : QStringLiteral("–"));
         set(Time, shownNumber(method.nsPerState));
         set(Iterations, shownNumber(method.iterationsPerState));
         set(Error, shownNumber(method.maxError));
