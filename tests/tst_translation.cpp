@@ -8,6 +8,7 @@
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/mechanism_view.h"
+#include "ui/message_bar.h"
 #include "ui/plot_grid.h"
 #include "ui/study_panel.h"
 
@@ -606,6 +607,21 @@ private slots:
         QVERIFY(window.session().undoStack().undoText().contains(QStringLiteral("cambio")));
         speak(Language::English);
         QCOMPARE(window.menuBar()->actions().first()->text(), QStringLiteral("&File"));
+    }
+
+    void theGreetingIsSaidInTheOtherLanguageToo()
+    {
+        QSettings().remove(QStringLiteral("greeted"));
+        MainWindow window;
+        window.show();
+        auto *bar = window.findChild<MessageBar *>();
+        QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("Space plays")));
+        speak(Language::Spanish);
+        bar = window.findChild<MessageBar *>();
+        QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("espaciadora")));
+        bar->hide();
+        speak(Language::English);
+        QVERIFY(window.findChild<MessageBar *>()->isHidden());
     }
 
     void switchingKeepsTheDrawingOfAMechanismThatCannotBeAssembled()

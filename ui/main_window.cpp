@@ -158,6 +158,7 @@ void MainWindow::remakeRooms()
     const bool isFolded = m_tabs->isFolded();
     const bool wasFoldedByHand = m_foldedByHand;
     const bool hasMessage = m_messageBar->isVisibleTo(this);
+    const bool greets = hasMessage && m_messageBar->text() == m_greeting;
     const int tab = m_tabs->current();
     auto *study = findChild<StudyPanel *>(); // made anew only where it has been opened
     const int studyTab = study ? m_tabs->indexOf(study) : tab;
@@ -210,6 +211,9 @@ void MainWindow::remakeRooms()
     }
     m_announceReference = hasMessage; // said again
     announce(m_session->diagnosis());
+    if (greets) {
+        greet();
+    }
     setUpdatesEnabled(true);
 }
 
@@ -1015,11 +1019,14 @@ void MainWindow::greetOnce()
         return;
     }
     QSettings().setValue(key, true);
-    m_messageBar->showMessage(
-        MessageBar::Kind::Hint,
-        tr("Move a slider and everything follows; Space plays. Drop a simulation's CSV here to see "
-           "how far it is from this mechanism, or try it with the sample."),
-        tr("Open the sample"), [this] { openSample(); });
+    greet();
+}
+
+void MainWindow::greet()
+{
+    m_greeting = tr("Move a slider and everything follows; Space plays. Drop a simulation's CSV here to see "
+                    "how far it is from this mechanism, or try it with the sample.");
+    m_messageBar->showMessage(MessageBar::Kind::Hint, m_greeting, tr("Open the sample"), [this] { openSample(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -118,6 +118,7 @@ private:
     void fillRecentMenu();
     void showAbout();
     void greetOnce();
+    void greet();
 
     Session *m_session;
     QObjectList m_foundation; ///< what was there before the rooms
@@ -139,6 +140,7 @@ private:
     QAction *m_closeReferenceAction = nullptr;
     QAction *m_ghostAction = nullptr;
     std::function<ReferencePose(double)> m_ghost; ///< where the reference's linkage is at any instant; empty: not shown
+    QString m_greeting;                           ///< as it was said; empty: it was not
     bool m_announceReference = false;             ///< the next diagnosis is the first of a newly loaded file
     bool m_isLeaving = false;                     ///< unsaved changes were asked about
     bool m_foldedByHand = false;                  ///< the person chose; a resize no longer does
