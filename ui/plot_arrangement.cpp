@@ -171,15 +171,16 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
     for (const LegendEntry &entry : shown) {
         spare += entry.mayBeElided ? std::max(0.0, metrics.horizontalAdvance(entry.text) - kShortest) : 0.0;
     }
+    if (excess > spare) {
+        lineSample = kShortSample;
+        excess = excessOf(shown);
+    }
     while (excess > spare) {
         const auto first = std::ranges::find_if(shown, &LegendEntry::mayBeLeftOut);
-        if (first != shown.end()) {
-            shown.erase(first);
-        } else if (lineSample > kShortSample) {
-            lineSample = kShortSample;
-        } else {
+        if (first == shown.end()) {
             break;
         }
+        shown.erase(first);
         excess = excessOf(shown);
     }
     painter.save();

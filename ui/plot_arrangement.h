@@ -66,8 +66,8 @@ QColor bandColourOf(Ink ink, const SeriesColours &colours);
 /// The sign for a percentage that does not exist: a triangle pointing up to its tip.
 void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour);
 
-/// One line. Where that is too short a name that may be elided gives way, then what may be left out, then the length of
-/// the samples.
+/// One line. Where that is too short a name that may be elided gives way, then the length of the samples, then what may
+/// be left out.
 void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEntry> &entries,
                 const PlotTypography &typography, const SeriesColours &colours);
 
