@@ -157,6 +157,7 @@ private slots:
     void drawsAsManyPointsAsPixelsAtMost();
     void keepsTheAxesInPlaceWhileValuesChange();
     void alignsThePlotsOfAColumn();
+    void keepsReadingsWithinNarrowPlots();
     void framesThePlotWithTheFocusAndNoMore();
     void keepsTheLegendWithinTheFigure();
     void recoloursWithThePalette();
@@ -696,6 +697,39 @@ void TstPlotGrid::alignsThePlotsOfAColumn()
     }
 }
 
+void TstPlotGrid::keepsReadingsWithinNarrowPlots()
+{
+    const std::shared_ptr<const Result> result = resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0)));
+    const QSize small(580, 600);
+    const auto keepsWithin = [](const ShownGrid &shown) {
+        const QFontMetricsF metrics(PlotTypography(shown.grid.font()).tick);
+        for (const QString &name : PlotGrid::plotNames()) {
+            const PlotOverlay *overlay = shown.overlay(name);
+            const QStringList rows = overlay->text().split(u'\n', Qt::SkipEmptyParts);
+            for (const QString &row : rows) {
+                if (metrics.horizontalAdvance(row) > overlay->width()) {
+                    qWarning() << name << row;
+                    return false;
+                }
+            }
+            if (rows.isEmpty()) {
+                return false;
+            }
+        }
+        return true;
+    };
+    ShownGrid measuring(result, small);
+    measuring.grid.setMeasuring(true);
+    QVERIFY(keepsWithin(measuring));
+    for (const QString &name : {QStringLiteral("plot_theta3"), QStringLiteral("plot_R4_x_diff2")}) {
+        const ShownGrid shown(result, small);
+        const QPointF at = shown.pointAt(name, 0.9);
+        QMouseEvent move(QEvent::MouseMove, at, shown.plot(name)->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+        QCoreApplication::sendEvent(shown.plot(name), &move);
+        QVERIFY(keepsWithin(shown));
+    }
+}
+
 void TstPlotGrid::framesThePlotWithTheFocusAndNoMore()
 {
     ShownGrid shown(resultOf(withCoupler(60.0)));
@@ -722,8 +756,8 @@ void TstPlotGrid::keepsTheLegendWithinTheFigure()
     using Sample = LegendEntry::Sample;
     const std::vector<LegendEntry> entries{{Sample::Solid, Ink::Model, "model"},
                                            {Sample::Dashed, Ink::Reference, "simulation_of_june.csv", true},
-                                           {Sample::Solid, Ink::Error, "error of θ³"},
-                                           {Sample::Solid, Ink::ErrorOther, "error of Rₓ⁴"},
+                                           {Sample::Solid, Ink::Error, "error of θ³", false, true},
+                                           {Sample::Solid, Ink::ErrorOther, "error of Rₓ⁴", false, true},
                                            {Sample::Band, Ink::Error, "file's rounding", false, true},
                                            {Sample::Mark, Ink::Text, "reference is 0", false, true}};
     for (int width = 1400; width >= 525; width -= 5) {

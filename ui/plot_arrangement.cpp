@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -176,11 +178,11 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
         excess = excessOf(shown);
     }
     while (excess > spare) {
-        const auto first = std::ranges::find_if(shown, &LegendEntry::mayBeLeftOut);
-        if (first == shown.end()) {
+        const auto last = std::find_if(shown.rbegin(), shown.rend(), std::mem_fn(&LegendEntry::mayBeLeftOut));
+        if (last == shown.rend()) {
             break;
         }
-        shown.erase(first);
+        shown.erase(std::prev(last.base()));
         excess = excessOf(shown);
     }
     painter.save();

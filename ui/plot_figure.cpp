@@ -43,7 +43,7 @@ QString unitOf(std::size_t channel)
 /// "24.6°", "74.5 mm".
 QString withUnit(const QString &number, const QString &unit)
 {
-    return unit.startsWith(u'°') ? number + unit : QStringLiteral("%1 %2").arg(number, unit);
+    return unit.isEmpty() || unit.startsWith(u'°') ? number + unit : QStringLiteral("%1 %2").arg(number, unit);
 }
 
 Interval sampledRange(const Sampling &sampling)
@@ -91,6 +91,7 @@ AxisScale timeScale(const Interval &range, bool isAngle, double width, double di
 
 constexpr int kDigits = 6;
 constexpr int kErrorDigits = 3;
+constexpr int kBriefDigits = 4; // where there is little room
 
 /// For reading, with its unit.
 QString numberText(double value, const QString &unit, int digits = kDigits)
@@ -509,8 +510,8 @@ std::vector<LegendEntry> PlotFigure::legend(bool hasModel, bool hasErrors) const
         entries.push_back({Sample::Dashed, Ink::Reference, result->reference->name, true});
     }
     if (hasErrors) {
-        entries.push_back({Sample::Solid, Ink::Error, tr("error of %1").arg(quantity(0))});
-        entries.push_back({Sample::Solid, Ink::ErrorOther, tr("error of %1").arg(quantity(1))});
+        entries.push_back({Sample::Solid, Ink::Error, tr("error of %1").arg(quantity(0)), false, true});
+        entries.push_back({Sample::Solid, Ink::ErrorOther, tr("error of %1").arg(quantity(1)), false, true});
         if (m_settings.roundingBand) {
             entries.push_back({Sample::Band, Ink::Error, tr("file's rounding"), false, true});
         }
@@ -550,7 +551,7 @@ QString PlotFigure::errorText(std::size_t channel, std::size_t atReference) cons
     return numberText(m_settings.logarithmicError ? std::pow(10.0, error) : error, errorUnit(channel), kErrorDigits);
 }
 
-std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t)
+std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t, Wording wording)
 {
     convert();
     std::vector<InkedText> values;
@@ -560,10 +561,13 @@ std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t)
     if (!isErrorPlot(plot)) {
         const std::size_t index = channelOf(plot);
         const ShownChannel &channel = m_channels[index];
-        values.push_back({numberText(channel.model[nearest(m_time, t)], unitOf(index)), Ink::Model});
+        const auto text = [&](double value) {
+            return wording == Wording::Full ? numberText(value, unitOf(index))
+                                            : numberText(value, QString(), kBriefDigits);
+        };
+        values.push_back({text(channel.model[nearest(m_time, t)]), Ink::Model});
         if (!channel.reference.empty()) {
-            const double reference = channel.reference[nearest(m_referenceTime, t)];
-            values.push_back({numberText(reference, unitOf(index)), Ink::Reference});
+            values.push_back({text(channel.reference[nearest(m_referenceTime, t)]), Ink::Reference});
         }
         return values;
     }
@@ -576,7 +580,7 @@ std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t)
     return values;
 }
 
-std::vector<InkedText> PlotFigure::changesBetween(std::size_t plot, double from, double to)
+std::vector<InkedText> PlotFigure::changesBetween(std::size_t plot, double from, double to, Wording wording)
 {
     convert();
     std::vector<InkedText> changes;
@@ -586,7 +590,9 @@ std::vector<InkedText> PlotFigure::changesBetween(std::size_t plot, double from,
     const std::size_t index = channelOf(plot);
     const ShownChannel &channel = m_channels[index];
     const auto change = [&](std::span<const double> instants, std::span<const double> values) {
-        return numberText(values[nearest(instants, to)] - values[nearest(instants, from)], unitOf(index));
+        const double difference = values[nearest(instants, to)] - values[nearest(instants, from)];
+        return wording == Wording::Full ? numberText(difference, unitOf(index))
+                                        : numberText(difference, QString(), kBriefDigits);
     };
     changes.push_back({change(m_time, channel.model), Ink::Model});
     if (!channel.reference.empty()) {
@@ -595,7 +601,7 @@ std::vector<InkedText> PlotFigure::changesBetween(std::size_t plot, double from,
     return changes;
 }
 
-std::vector<InkedText> PlotFigure::readout(std::size_t plot, double t)
+std::vector<InkedText> PlotFigure::readout(std::size_t plot, double t, Wording wording)
 {
     convert();
     std::vector<InkedText> rows;
@@ -622,15 +628,23 @@ std::vector<InkedText> PlotFigure::readout(std::size_t plot, double t)
     rows.push_back({tr("%1 = %2").arg(quantity(index), numberText(channel.model[k], unit)), Ink::Model});
     if (kPlottedChannels[index] == Channel{Theta3, Order::Position} && std::isfinite(channel.model[k])) {
         constexpr double kHalfTurn = 180.0;
-        rows.push_back({tr("textbook's θ₃ = θ³ + 180° = %1").arg(numberText(channel.model[k] + kHalfTurn, unit))});
+        const QString textbook =
+            wording == Wording::Full ? tr("textbook's θ₃ = θ³ + 180° = %1") : tr("textbook's θ₃ = %1");
+        rows.push_back({textbook.arg(numberText(channel.model[k] + kHalfTurn, unit))});
     }
     if (!channel.reference.empty()) {
         const std::size_t r = nearest(m_referenceTime, t);
-        const QString value = numberText(channel.reference[r], unit);
-        rows.push_back({m_referenceTime[r] == m_time[k]
-                            ? tr("reference: %1").arg(value)
-                            : tr("reference: %1 at %2").arg(value, instantText(m_referenceTime[r])),
-                        Ink::Reference});
+        const double value = channel.reference[r];
+        QString text = tr("reference: %1").arg(numberText(value, unit));
+        if (m_referenceTime[r] != m_time[k]) {
+            text =
+                tr("reference: %1 at %2")
+                    .arg(wording == Wording::Full ? numberText(value, unit)
+                                                  : numberText(value, QString(), kBriefDigits),
+                         wording == Wording::Full ? instantText(m_referenceTime[r])
+                                                  : numberText(m_referenceTime[r], QStringLiteral("s"), kBriefDigits));
+        }
+        rows.push_back({text, Ink::Reference});
     }
     return rows;
 }

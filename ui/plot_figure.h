@@ -114,7 +114,7 @@ struct LegendEntry {
     Ink ink = Ink::Model;
     QString text;
     bool mayBeElided = false;
-    bool mayBeLeftOut = false; ///< where there is no room for all; the first such entry first
+    bool mayBeLeftOut = false; ///< where there is no room for all; the last such entry first
 };
 
 /// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks.
@@ -147,14 +147,17 @@ public:
     /// "t = 0.25 s"; the crank angle first where that is the abscissa.
     QString instantText(double seconds) const;
 
+    /// How much room there is: fewer digits, without what can be read elsewhere.
+    enum class Wording { Full, Brief };
+
     /// What the plot shows next to time t (s): model and reference, or the two errors; empty where it shows nothing.
-    std::vector<InkedText> valuesAt(std::size_t plot, double t);
+    std::vector<InkedText> valuesAt(std::size_t plot, double t, Wording wording = Wording::Full);
 
     /// The same for the differences from one instant to another, of model and reference.
-    std::vector<InkedText> changesBetween(std::size_t plot, double from, double to);
+    std::vector<InkedText> changesBetween(std::size_t plot, double from, double to, Wording wording = Wording::Full);
 
     /// At length, a row each: the instant, the values with their names, the textbook's θ₃.
-    std::vector<InkedText> readout(std::size_t plot, double t);
+    std::vector<InkedText> readout(std::size_t plot, double t, Wording wording = Wording::Full);
 
     Interval wholeRange() const; ///< the sampled one
     Interval timeRange() const { return timeZoom.value_or(wholeRange()); }

@@ -415,21 +415,23 @@ void PlotGrid::setMeasured(const std::optional<std::array<double, 2>> &instants)
     updateOverlays();
 }
 
-QString PlotGrid::measuredText() const
+/// Where the measuring cursors are, in as many words as have room beside a legend of the curves; empty without them.
+QString PlotGrid::measuredText(int room) const
 {
     if (!m_measured) {
         return {};
     }
     const auto [a, b] = *m_measured;
     constexpr int kDigits = 6;
-    QString text = tr("A %1 s · B %2 s · B − A = %3 s", "instants of the measuring cursors")
-                       .arg(shortNumber(a, kDigits, QLocale()), shortNumber(b, kDigits, QLocale()),
-                            shortNumber(b - a, kDigits, QLocale()));
+    QString change =
+        tr("B − A = %1 s", "the time between the measuring cursors").arg(shortNumber(b - a, kDigits, QLocale()));
     if (m_figure.result) {
         const double turned = m_figure.result->mechanism.omega2() * (b - a) * kDegreesPerRadian;
-        text += tr(" = %1° of the crank").arg(shortNumber(turned, kDigits, QLocale()));
+        change += QStringLiteral(" = %1°").arg(shortNumber(turned, kDigits, QLocale()));
     }
-    return text;
+    const QString text = tr("A %1 s · B %2 s · %3", "instants of the measuring cursors, the time between them")
+                             .arg(shortNumber(a, kDigits, QLocale()), shortNumber(b, kDigits, QLocale()), change);
+    return QFontMetrics(m_typography.title).horizontalAdvance(text) <= room ? text : change;
 }
 
 void PlotGrid::hoverOver(std::optional<std::size_t> plot, double time)
@@ -453,36 +455,47 @@ OverlayContent PlotGrid::overlayOf(std::size_t plot)
             content.lines.push_back({static_cast<int>(std::lround(shown.xAxis->coordToPixel(time))), name, isSolid});
         }
     };
-    const auto rowOf = [&content](const QString &name, const std::vector<InkedText> &values) {
+    if (m_measured) {
+        const auto [a, b] = *m_measured;
+        lineAt(a, QStringLiteral("A"), true);
+        lineAt(b, QStringLiteral("B"), true);
+    }
+    if (m_hovered) {
+        lineAt(m_hoverTime, {}, false);
+    }
+    content.box = readingsOf(plot, PlotFigure::Wording::Full);
+    if (!m_overlays[plot]->fits(content.box)) {
+        content.box = readingsOf(plot, PlotFigure::Wording::Brief);
+    }
+    return content;
+}
+
+/// What the plot shows under the mouse, or else at the measuring cursors.
+std::vector<InkedRow> PlotGrid::readingsOf(std::size_t plot, PlotFigure::Wording wording)
+{
+    std::vector<InkedRow> rows;
+    const auto addRow = [&rows](const QString &name, const std::vector<InkedText> &values) {
         InkedRow row{{name}};
         for (const InkedText &value : values) {
             row.push_back({row.size() > 1 ? QStringLiteral("   ") + value.text : value.text, value.ink});
         }
         if (!values.empty()) {
-            content.box.push_back(row);
+            rows.push_back(row);
         }
     };
-    if (m_measured) {
+    if (m_hovered == plot) {
+        for (const InkedText &row : m_figure.readout(plot, m_hoverTime, wording)) {
+            rows.push_back({row});
+        }
+    } else if (m_hovered) {
+        addRow({}, m_figure.valuesAt(plot, m_hoverTime, wording));
+    } else if (m_measured) {
         const auto [a, b] = *m_measured;
-        lineAt(a, QStringLiteral("A"), true);
-        lineAt(b, QStringLiteral("B"), true);
-        if (!m_hovered) {
-            rowOf(QStringLiteral("A  "), m_figure.valuesAt(plot, a));
-            rowOf(QStringLiteral("B  "), m_figure.valuesAt(plot, b));
-            rowOf(QStringLiteral("B − A  "), m_figure.changesBetween(plot, a, b));
-        }
+        addRow(QStringLiteral("A  "), m_figure.valuesAt(plot, a, wording));
+        addRow(QStringLiteral("B  "), m_figure.valuesAt(plot, b, wording));
+        addRow(QStringLiteral("B − A  "), m_figure.changesBetween(plot, a, b, wording));
     }
-    if (m_hovered) {
-        lineAt(m_hoverTime, {}, false);
-        if (m_hovered == plot) {
-            for (const InkedText &row : m_figure.readout(plot, m_hoverTime)) {
-                content.box.push_back({row});
-            }
-        } else {
-            rowOf({}, m_figure.valuesAt(plot, m_hoverTime));
-        }
-    }
-    return content;
+    return rows;
 }
 
 void PlotGrid::updateOverlays()
@@ -678,8 +691,11 @@ void PlotGrid::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Base));
     const SeriesColours colours = seriesColours(palette());
+    const bool hasModel = !m_maximized || !isErrorPlot(*m_maximized);
+    const bool hasErrors = !m_maximized || isErrorPlot(*m_maximized);
     QRect legend(0, 0, width(), m_typography.legendHeight());
-    const QString measured = measuredText();
+    constexpr int kRoomForCurves = 300; // px: model, reference and a gap
+    const QString measured = measuredText(width() - kRoomForCurves);
     if (!measured.isEmpty()) {
         constexpr int kGap = 12;
         painter.setFont(m_typography.title);
@@ -687,8 +703,6 @@ void PlotGrid::paintEvent(QPaintEvent *)
         painter.drawText(legend.adjusted(0, 0, -kGap, 0), Qt::AlignRight | Qt::AlignVCenter, measured);
         legend.setRight(legend.right() - QFontMetrics(m_typography.title).horizontalAdvance(measured) - 2 * kGap);
     }
-    const bool hasModel = !m_maximized || !isErrorPlot(*m_maximized);
-    const bool hasErrors = !m_maximized || isErrorPlot(*m_maximized);
     drawLegend(painter, legend, m_figure.legend(hasModel, hasErrors), m_typography, colours);
 }
 

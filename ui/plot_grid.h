@@ -118,9 +118,10 @@ private:
     void hoverOver(std::optional<std::size_t> plot, double time);
     void updateOverlays();
     OverlayContent overlayOf(std::size_t plot);
+    std::vector<InkedRow> readingsOf(std::size_t plot, PlotFigure::Wording wording);
     std::optional<std::size_t> measuringCursorAt(std::size_t plot, const QPoint &position) const;
     bool pressKey(std::size_t plot, int key);
-    QString measuredText() const;
+    QString measuredText(int room) const; ///< px
 
     PlotFigure m_figure;
     PlotTypography m_typography;

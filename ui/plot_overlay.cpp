@@ -12,6 +12,27 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+constexpr int kPadding = 4; // px
+constexpr int kInset = 3;   // px
+
+double boxWidth(const std::vector<InkedRow> &box, const QFontMetricsF &metrics)
+{
+    double width = 0.0;
+    for (const InkedRow &row : box) {
+        double length = 0.0;
+        for (const InkedText &part : row) {
+            length += metrics.horizontalAdvance(part.text);
+        }
+        width = std::max(width, length);
+    }
+    return width + 2 * kPadding;
+}
+
+} // namespace
+
 PlotOverlay::PlotOverlay(QWidget *plot)
     : QWidget(plot)
 {
@@ -72,26 +93,23 @@ void PlotOverlay::paintEvent(QPaintEvent *)
     }
 }
 
-/// At the top, on the side where the last line is not.
+bool PlotOverlay::fits(const std::vector<InkedRow> &box) const
+{
+    return boxWidth(box, QFontMetricsF(m_font)) <= parentWidget()->width() - 2 * kInset;
+}
+
+/// At the top, on the side where the last line is not; over the margins where the axes are too narrow.
 void PlotOverlay::paintBox(QPainter &painter) const
 {
-    constexpr int kPadding = 4;
-    constexpr int kInset = 3;
     const QFontMetricsF metrics(m_font);
-    double width = 0.0;
-    for (const InkedRow &row : m_content.box) {
-        double length = 0.0;
-        for (const InkedText &part : row) {
-            length += metrics.horizontalAdvance(part.text);
-        }
-        width = std::max(width, length);
-    }
     const double lineHeight = metrics.height();
-    QRectF box(0.0, 0.0, width + 2 * kPadding, lineHeight * static_cast<double>(m_content.box.size()) + 2 * kPadding);
+    QRectF box(0.0, 0.0, boxWidth(m_content.box, metrics),
+               lineHeight * static_cast<double>(m_content.box.size()) + 2 * kPadding);
     const QRect &axes = m_content.axes;
     const bool toTheRight = !m_content.lines.empty() && m_content.lines.back().x < axes.center().x();
     box.moveTopLeft(
         QPointF(toTheRight ? axes.right() - kInset - box.width() : axes.left() + kInset, axes.top() + kInset));
+    box.moveLeft(std::max(1.0, std::min(box.left(), width() - kInset - box.width())));
     constexpr int kOpacity = 225; // of 255
     QColor background = m_colours.background;
     background.setAlpha(kOpacity);

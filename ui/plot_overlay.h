@@ -47,6 +47,9 @@ public:
     /// The rows of the box, a line each.
     QString text() const;
 
+    /// Whether a box of these rows has room in the plot.
+    bool fits(const std::vector<InkedRow> &box) const;
+
 protected:
     void paintEvent(QPaintEvent *event) override;
 
