@@ -133,7 +133,15 @@ Shortfall shortfallOf(const RenderOptions &options, const Session &session)
         shortfall.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
     } else {
         const Result &result = *session.result();
-        shortfall.add(result.trajectory.time, result.trajectory.status);
+        if (result.isKept()) {
+            shortfall.add(result.trajectory.time, result.trajectory.status);
+        } else {
+            const auto add = [&shortfall](const Trajectory &piece) {
+                shortfall.add(piece.time, piece.status);
+                return true;
+            };
+            sampleInPieces(result.mechanism, result.sampling, {}, result.solver, add);
+        }
         shortfall.add(result.atReference.time, result.atReference.status);
     }
     return shortfall;

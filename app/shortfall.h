@@ -33,7 +33,7 @@ private:
     };
     const Instants &of(Status status) const { return m_instants[static_cast<std::size_t>(status)]; }
 
-    std::array<Instants, 5> m_instants; ///< by Status
+    std::array<Instants, kStatusCount> m_instants; ///< by Status
     std::size_t m_total = 0;
 };
 

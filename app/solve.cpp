@@ -6,7 +6,6 @@
 #include "app/shortfall.h"
 #include "ui/motion_csv.h"
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -80,7 +79,7 @@ ExitStatus solve(const SolveOptions &options)
         output.write(csvHeader(channels, options.angleUnit));
     }
     if (options.atInstant) {
-        take(sample(options.mechanism, std::span(&*options.atInstant, 1), options.channels, options.solver));
+        take(sample(options.mechanism, {*options.atInstant}, options.channels, options.solver));
     } else if (options.format == Format::Json) { // which has a channel's values in a row
         take(sample(options.mechanism, options.sampling.instants(), options.channels, options.solver));
     } else {

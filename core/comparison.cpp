@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison.h"
 
+#include "core/in_parallel.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <vector>
 
 namespace slidercrank
@@ -163,24 +163,6 @@ ChannelComparison comparisonOf(const Seen &seen, const Measure &measure)
     return result;
 }
 
-/// Does work(0) … work(count - 1), in several threads where `worthIt`.
-template <typename Work>
-void doAll(std::size_t count, bool worthIt, Work work)
-{
-    std::atomic<std::size_t> next = 0;
-    const auto some = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            work(i);
-        }
-    };
-    std::vector<std::jthread> aside;
-    const std::size_t threads = worthIt ? std::max(1U, std::thread::hardware_concurrency()) : 1;
-    for (std::size_t i = 1; i < std::min(threads, count); ++i) {
-        aside.emplace_back(some);
-    }
-    some();
-}
-
 constexpr std::size_t kWorthAThread = 50000; // instants
 
 std::vector<Measure> measuresOf(const Mechanism &mechanism, const ReferenceData &reference)
@@ -222,17 +204,18 @@ ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &
     }
     SolverSettings exact;
     exact.method = Method::ClosedForm;
-    doAll(blocks, time.size() > kWorthAThread, [&](std::size_t block) {
+    const auto compareBlock = [&](std::size_t block) {
         const std::size_t from = block * kBlock;
         const std::span<const double> instants = time.subspan(from, std::min(kBlock, time.size() - from));
-        const Trajectory model = sample(mechanism, instants, channels, exact, stop);
+        const Trajectory model = sample(mechanism, {instants.begin(), instants.end()}, channels, exact, stop);
         std::copy(model.status.begin(), model.status.end(), result.status.begin() + static_cast<std::ptrdiff_t>(from));
         for (std::size_t i = 0; i < measures.size(); ++i) {
             const ReferenceSeries &series = measures[i].reference;
             seen[block * measures.size() + i] = seenIn(
                 instants, model[series.channel], std::span(series.values).subspan(from, instants.size()), measures[i]);
         }
-    });
+    };
+    inParallel(blocks, compareBlock, time.size() > kWorthAThread);
     for (std::size_t i = 0; i < measures.size(); ++i) {
         Seen all;
         for (std::size_t block = 0; block < blocks; ++block) {
@@ -247,11 +230,12 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
                                        const ReferenceData &reference)
 {
     std::vector<ChannelComparison> comparisons(reference.series.size());
-    doAll(comparisons.size(), reference.time.size() > kWorthAThread, [&](std::size_t i) {
+    const auto compareOne = [&](std::size_t i) {
         const ReferenceSeries &series = reference.series[i];
         comparisons[i] =
             compareChannel(reference.time, model[series.channel], series, naturalScale(mechanism, series.channel));
-    });
+    };
+    inParallel(comparisons.size(), compareOne, reference.time.size() > kWorthAThread);
     return comparisons;
 }
 

@@ -255,7 +255,7 @@ Trajectory motionOf(const Parameters &parameters, std::span<const double> time, 
 {
     SolverSettings settings;
     settings.method = Method::ClosedForm;
-    return sample(Mechanism(parameters), time, channels, settings);
+    return sample(Mechanism(parameters), {time.begin(), time.end()}, channels, settings);
 }
 
 ReadMotion::ReadMotion(const ReferenceData &data, const Explanation &explanation)

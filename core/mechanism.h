@@ -103,6 +103,8 @@ enum class Status {
     NotFinite       ///< the instant, or what follows from it, is not a finite number
 };
 
+inline constexpr std::size_t kStatusCount = 5;
+
 /// One instant: coordinates and their first and second time derivatives (mm, rad, s); NaN where they do not exist.
 struct State {
     Vector12 q;

@@ -38,8 +38,6 @@ struct StudyRequest {
     double secondsPerRound = 150e-6;
 };
 
-inline constexpr std::size_t kStatusCount = 5;
-
 /// A row of the study.
 struct MethodResult {
     std::string method;              ///< newton-dense, closed-form-batch, harmonic-4, …

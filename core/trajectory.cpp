@@ -3,9 +3,11 @@
 
 #include "core/batch.h"
 #include "core/closed_form.h"
+#include "core/in_parallel.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace slidercrank
 {
@@ -99,14 +101,16 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
     const ClosedFormBatch batch(mechanism);
     const std::span<const double> instants(trajectory.time);
     const std::span<Status> statuses(trajectory.status);
-    for (std::size_t i = 0; i < instants.size(); i += kInstantsPerLook) {
-        if (stop.stop_requested()) {
-            trajectory.complete = false;
-            return;
+    const auto evaluate = [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end && !stop.stop_requested(); i += kInstantsPerLook) {
+            const std::size_t count = std::min(kInstantsPerLook, end - i);
+            batch.evaluate(instants.subspan(i, count), columns.behind(i), statuses.subspan(i, count));
         }
-        const std::size_t count = std::min(kInstantsPerLook, instants.size() - i);
-        batch.evaluate(instants.subspan(i, count), columns.behind(i), statuses.subspan(i, count));
-    }
+    };
+    constexpr std::size_t kPiece = 1U << 15U; // instants: worth a thread
+    const std::size_t pieces = (instants.size() + kPiece - 1) / kPiece;
+    inParallel(pieces, [&](std::size_t i) { evaluate(i * kPiece, std::min((i + 1) * kPiece, instants.size())); });
+    trajectory.complete = !stop.stop_requested();
 }
 
 } // namespace
@@ -125,12 +129,23 @@ std::size_t Trajectory::count(Status wanted) const
     return static_cast<std::size_t>(std::count(status.begin(), status.end(), wanted));
 }
 
-Trajectory sample(const Mechanism &mechanism, std::span<const double> instants, const ChannelSet &channels,
+void RunSummary::add(const Trajectory &piece)
+{
+    instants += piece.status.size();
+    for (const Status status : piece.status) {
+        ++endedWith[static_cast<std::size_t>(status)];
+    }
+    iterations += piece.iterations;
+    mostIterations = std::max(mostIterations, piece.mostIterations);
+    largestResidual = std::max(largestResidual, piece.largestResidual);
+}
+
+Trajectory sample(const Mechanism &mechanism, std::vector<double> instants, const ChannelSet &channels,
                   const SolverSettings &settings, std::stop_token stop)
 {
     Trajectory trajectory;
-    trajectory.time.assign(instants.begin(), instants.end());
-    trajectory.status.resize(instants.size());
+    trajectory.time = std::move(instants);
+    trajectory.status.resize(trajectory.time.size());
     const Columns columns(trajectory, channels);
     switch (settings.method) {
     case Method::Newton: sampleByNewton(mechanism, settings.newton, columns, trajectory, stop); break;
@@ -160,7 +175,7 @@ void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const 
         for (int i = first; i < std::min(first + length, count); ++i) {
             instants.push_back(sampling.instant(i));
         }
-        const Trajectory piece = sample(mechanism, instants, channels, settings, stop);
+        const Trajectory piece = sample(mechanism, std::move(instants), channels, settings, stop);
         if (!piece.complete || !take(piece)) {
             return;
         }

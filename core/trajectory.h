@@ -9,7 +9,6 @@
 
 #include <array>
 #include <functional>
-#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -60,8 +59,24 @@ struct Trajectory {
     std::size_t count(Status wanted) const;
 };
 
+/// How a run went, without its instants.
+struct RunSummary {
+    std::size_t instants = 0;
+    std::array<std::size_t, kStatusCount> endedWith{}; ///< how many instants, by Status
+
+    // Of Newton-Raphson, as in Trajectory.
+    long long iterations = 0;
+    int mostIterations = 0;
+    double largestResidual = 0.0;
+
+    std::size_t count(Status status) const { return endedWith[static_cast<std::size_t>(status)]; }
+
+    /// The next piece of the run.
+    void add(const Trajectory &piece);
+};
+
 /// Computes the instants in their order (Newton-Raphson starts each from the one before), watching `stop`.
-Trajectory sample(const Mechanism &mechanism, std::span<const double> instants, const ChannelSet &channels,
+Trajectory sample(const Mechanism &mechanism, std::vector<double> instants, const ChannelSet &channels,
                   const SolverSettings &settings, std::stop_token stop = {});
 
 /// The whole run, piece after piece in their order, for who passes it on and does not keep it: a long one in closed

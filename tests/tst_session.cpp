@@ -219,6 +219,10 @@ private slots:
         QSignalSpy busy(&session, &Session::busyChanged);
         Sampling sampling;
         sampling.steps = 400000;
+        SolverSettings solver = session.solver();
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        results.clear();
         session.setSampling(sampling);
         QCOMPARE(results.count(), 0); // not yet: the window stays alive
         QCOMPARE(busy.count(), 1);

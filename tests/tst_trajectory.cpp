@@ -245,7 +245,7 @@ void tst_trajectory::reportsWhereNothingExists()
         }
     }
 
-    const double bad[] = {0.1, std::numeric_limits<double>::quiet_NaN(), 0.2};
+    const std::vector<double> bad = {0.1, std::numeric_limits<double>::quiet_NaN(), 0.2};
     const Trajectory hole = sample(Mechanism(), bad, plottedChannels(), {method, {}});
     QCOMPARE(hole.status[0], Status::Solved);
     QCOMPARE(hole.status[1], Status::NotFinite);
@@ -293,7 +293,7 @@ void tst_trajectory::reportsSingularInstants()
 {
     SolverSettings settings;
     settings.newton = {50, 0.0};
-    const double toggle[] = {0.75};
+    const std::vector<double> toggle = {0.75};
     const Trajectory trajectory = sample(Mechanism(withCoupler(45.0)), toggle, allChannels(), settings);
     QCOMPARE(trajectory.status[0], Status::Singular);
     QVERIFY(std::abs(trajectory[Channel{Theta3, Order::Position}][0] - 90.0) < 1e-5);
@@ -306,11 +306,11 @@ void tst_trajectory::reportsSingularInstants()
 /// In any order, or none at all.
 void tst_trajectory::takesAnyInstants()
 {
-    const double instants[] = {0.9, 0.1, 0.1, -3.3, 0.55};
+    const std::vector<double> instants = {0.9, 0.1, 0.1, -3.3, 0.55};
     for (const Method method : {Method::Newton, Method::ClosedForm}) {
         const Trajectory trajectory = sample(Mechanism(), instants, plottedChannels(), {method, {50, 0.0}});
         const ClosedForm closedForm{Mechanism()};
-        for (std::size_t i = 0; i < std::size(instants); ++i) {
+        for (std::size_t i = 0; i < instants.size(); ++i) {
             const Motion motion = closedForm.motionAt(instants[i]);
             QCOMPARE(trajectory.status[i], Status::Solved);
             QVERIFY(std::abs(trajectory[Channel{R4x, Order::Position}][i] - motion.R4x) < 1e-12);

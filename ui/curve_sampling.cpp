@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace slidercrank
 {
@@ -115,16 +116,24 @@ void appendBrokenRun(std::vector<CurvePoint> &points, std::span<const double> ti
 
 PixelColumns pixelColumns(std::span<const double> time, const Interval &range, std::size_t columns)
 {
+    return pixelColumns(
+        time.size(), [time](std::size_t i) { return time[i]; }, range, columns);
+}
+
+PixelColumns pixelColumns(std::size_t count, const std::function<double(std::size_t)> &instantAt, const Interval &range,
+                          std::size_t columns)
+{
     assert(columns > 0);
+    const std::ranges::iota_view<std::size_t, std::size_t> indices(0, count);
     PixelColumns result;
-    const auto firstInside = std::lower_bound(time.begin(), time.end(), range.lower);
-    const auto endInside = std::upper_bound(firstInside, time.end(), range.upper);
-    result.first = static_cast<std::size_t>(firstInside - time.begin());
-    result.end = static_cast<std::size_t>(endInside - time.begin());
+    const auto firstInside = std::ranges::lower_bound(indices, range.lower, {}, instantAt);
+    const auto endInside = std::ranges::upper_bound(firstInside, indices.end(), range.upper, {}, instantAt);
+    result.first = static_cast<std::size_t>(firstInside - indices.begin());
+    result.end = static_cast<std::size_t>(endInside - indices.begin());
     if (result.first > 0) {
         --result.first;
     }
-    if (result.end < time.size()) {
+    if (result.end < count) {
         ++result.end;
     }
     if (result.end - result.first <= 2 * columns) {
@@ -135,11 +144,22 @@ PixelColumns pixelColumns(std::span<const double> time, const Interval &range, s
     auto from = firstInside;
     for (std::size_t column = 1; column < columns; ++column) {
         const double edge = range.lower + range.length() * static_cast<double>(column) / static_cast<double>(columns);
-        from = std::lower_bound(from, endInside, edge);
-        result.starts.push_back(static_cast<std::size_t>(from - time.begin()));
+        from = std::ranges::lower_bound(from, endInside, edge, {}, instantAt);
+        result.starts.push_back(static_cast<std::size_t>(from - indices.begin()));
     }
     result.starts.push_back(result.end);
     return result;
+}
+
+std::size_t nearestIndex(std::size_t count, const std::function<double(std::size_t)> &instantAt, double t)
+{
+    assert(count > 0);
+    const std::ranges::iota_view<std::size_t, std::size_t> indices(0, count);
+    const auto index = static_cast<std::size_t>(std::ranges::lower_bound(indices, t, {}, instantAt) - indices.begin());
+    if (index == count || (index > 0 && t - instantAt(index - 1) < instantAt(index) - t)) {
+        return index - 1;
+    }
+    return index;
 }
 
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values,

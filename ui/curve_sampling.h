@@ -6,6 +6,7 @@
 // the caller. A value that is not finite is a gap, written as NaN.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,6 +40,13 @@ struct PixelColumns {
 
 /// `time`: ascending. `columns`: at least 1.
 PixelColumns pixelColumns(std::span<const double> time, const Interval &range, std::size_t columns);
+
+/// The same for instants that are nowhere in memory: instantAt(i), i < count.
+PixelColumns pixelColumns(std::size_t count, const std::function<double(std::size_t)> &instantAt, const Interval &range,
+                          std::size_t columns);
+
+/// Which of the ascending instants is nearest to t; there must be one.
+std::size_t nearestIndex(std::size_t count, const std::function<double(std::size_t)> &instantAt, double t);
 
 /// `values`: one for each of `time`.
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values,

@@ -903,9 +903,9 @@ void MainWindow::setTheme(Theme theme)
 void MainWindow::showStatus(const std::shared_ptr<const Result> &result)
 {
     const QLocale locale;
-    const Trajectory &trajectory = result->trajectory;
-    const std::size_t samples = trajectory.time.size();
-    const std::size_t missing = trajectory.count(Status::NotAssemblable);
+    const RunSummary &run = result->summary;
+    const std::size_t samples = run.instants;
+    const std::size_t missing = run.count(Status::NotAssemblable);
     const QString branch = result->mechanism.branch() == Branch::Open ? tr("Open assembly") : tr("Crossed assembly");
     QString assembly = QStringLiteral("%1, %2").arg(branch, mobilityText(result->limits));
     if (missing > 0 && result->limits.mobility != Mobility::Impossible) {
@@ -915,7 +915,7 @@ void MainWindow::showStatus(const std::shared_ptr<const Result> &result)
     if (result->solver.method == Method::Newton) {
         method =
             tr("Newton-Raphson, at most %1 iterations, residual %2")
-                .arg(QString::number(trajectory.mostIterations), locale.toString(trajectory.largestResidual, 'g', 2));
+                .arg(QString::number(run.mostIterations), locale.toString(run.largestResidual, 'g', 2));
     }
     const QString cost = tr("%1 samples in %2 ms")
                              .arg(locale.toString(static_cast<qulonglong>(samples)),

@@ -121,7 +121,7 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
     if (!file.open(QIODevice::WriteOnly) || file.write(header) != header.size()) {
         return failure();
     }
-    const std::size_t count = result.trajectory.time.size();
+    const std::size_t count = result.summary.instants;
     std::size_t before = 0; // instants in the pieces that are done
     const TextSink sink = [&](const QByteArray &text, std::size_t instants) {
         if (progress) {
@@ -134,7 +134,7 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
         before += piece.time.size();
         return goesOn;
     };
-    if ((channels & ~plottedChannels()).none()) {
+    if (result.isKept() && (channels & ~plottedChannels()).none()) {
         take(result.trajectory);
     } else {
         sampleInPieces(result.mechanism, result.sampling, channels, result.solver, take, stop);

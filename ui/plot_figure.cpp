@@ -103,12 +103,8 @@ QString numberText(double value, const QString &unit, int digits = kDigits)
 /// Which of them is nearest; there must be one.
 std::size_t nearest(std::span<const double> instants, double t)
 {
-    const auto after = std::lower_bound(instants.begin(), instants.end(), t);
-    const auto index = static_cast<std::size_t>(after - instants.begin());
-    if (index == instants.size() || (index > 0 && t - instants[index - 1] < instants[index] - t)) {
-        return index - 1;
-    }
-    return index;
+    return nearestIndex(
+        instants.size(), [instants](std::size_t i) { return instants[i]; }, t);
 }
 
 /// The part of `whole` that lies as `part` lies in `of`.
@@ -181,29 +177,13 @@ void PlotFigure::convert()
         return;
     }
     m_isConverted = true;
-    m_time = {};
+    m_model = {};
     m_referenceTime = {};
     m_channels = {};
     if (!result) {
         return;
     }
-    const Trajectory &trajectory = result->trajectory;
-    m_time = trajectory.time;
-    for (std::size_t i = 0; i < kChannels; ++i) {
-        m_channels[i].model = trajectory[kPlottedChannels[i]];
-    }
-    if (m_time.size() > 1 && m_time.back() < m_time.front()) {
-        m_reversed.clear();
-        m_reversed.reserve((1 + kChannels) * m_time.size()); // spans into it must stay valid
-        const auto reversed = [this](std::span<const double> values) {
-            const auto begin = m_reversed.insert(m_reversed.end(), values.rbegin(), values.rend());
-            return std::span<const double>(begin, m_reversed.end());
-        };
-        m_time = reversed(m_time);
-        for (ShownChannel &channel : m_channels) {
-            channel.model = reversed(channel.model);
-        }
-    }
+    m_model = ModelCurves(*result);
     if (!result->reference) {
         return;
     }
@@ -403,7 +383,7 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
     return picture;
 }
 
-void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::size_t columns) const
+void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::size_t columns)
 {
     const ShownChannel &channel = m_channels[index];
     picture.title = quantity(index);
@@ -412,7 +392,7 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     if (!result) {
         return;
     }
-    picture.curves[0].points = decimate(m_time, channel.model, pixelColumns(m_time, picture.time, columns));
+    picture.curves[0].points = m_model.decimated(index, picture.time, columns);
     if (!channel.reference.empty()) {
         picture.curves[1].points =
             decimate(m_referenceTime, channel.reference, pixelColumns(m_referenceTime, picture.time, columns));
@@ -421,7 +401,7 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     }
     // The axis of values stays that of the whole run while one looks at a part of it.
     const std::optional<Interval> model =
-        picture.time == wholeRange() ? extremes(picture.curves[0].points) : extremes(channel.model);
+        picture.time == wholeRange() ? extremes(picture.curves[0].points) : m_model.extremes(index);
     const std::optional<Interval> values =
         united(model, extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.reference));
     picture.hasValues = values.has_value();
@@ -525,7 +505,7 @@ std::vector<LegendEntry> PlotFigure::legend(bool hasModel, bool hasErrors) const
 double PlotFigure::nearestInstant(double t)
 {
     convert();
-    return m_time.empty() ? t : m_time[nearest(m_time, t)];
+    return m_model.empty() ? t : m_model.instant(m_model.nearest(t));
 }
 
 QString PlotFigure::instantText(double seconds) const
@@ -555,7 +535,7 @@ std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t, Wording 
 {
     convert();
     std::vector<InkedText> values;
-    if (m_time.empty()) {
+    if (m_model.empty()) {
         return values;
     }
     if (!isErrorPlot(plot)) {
@@ -565,7 +545,7 @@ std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t, Wording 
             return wording == Wording::Full ? numberText(value, unitOf(index))
                                             : numberText(value, QString(), kBriefDigits);
         };
-        values.push_back({text(channel.model[nearest(m_time, t)]), Ink::Model});
+        values.push_back({text(m_model.value(index, m_model.nearest(t))), Ink::Model});
         if (!channel.reference.empty()) {
             values.push_back({text(channel.reference[nearest(m_referenceTime, t)]), Ink::Reference});
         }
@@ -584,19 +564,21 @@ std::vector<InkedText> PlotFigure::changesBetween(std::size_t plot, double from,
 {
     convert();
     std::vector<InkedText> changes;
-    if (isErrorPlot(plot) || m_time.empty()) {
+    if (isErrorPlot(plot) || m_model.empty()) {
         return changes;
     }
     const std::size_t index = channelOf(plot);
     const ShownChannel &channel = m_channels[index];
-    const auto change = [&](std::span<const double> instants, std::span<const double> values) {
-        const double difference = values[nearest(instants, to)] - values[nearest(instants, from)];
+    const auto text = [&](double difference) {
         return wording == Wording::Full ? numberText(difference, unitOf(index))
                                         : numberText(difference, QString(), kBriefDigits);
     };
-    changes.push_back({change(m_time, channel.model), Ink::Model});
+    changes.push_back(
+        {text(m_model.value(index, m_model.nearest(to)) - m_model.value(index, m_model.nearest(from))), Ink::Model});
     if (!channel.reference.empty()) {
-        changes.push_back({change(m_referenceTime, channel.reference), Ink::Reference});
+        const double inFile =
+            channel.reference[nearest(m_referenceTime, to)] - channel.reference[nearest(m_referenceTime, from)];
+        changes.push_back({text(inFile), Ink::Reference});
     }
     return changes;
 }
@@ -605,7 +587,7 @@ std::vector<InkedText> PlotFigure::readout(std::size_t plot, double t, Wording w
 {
     convert();
     std::vector<InkedText> rows;
-    if (m_time.empty() || (isErrorPlot(plot) && m_referenceTime.empty())) {
+    if (m_model.empty() || (isErrorPlot(plot) && m_referenceTime.empty())) {
         return rows;
     }
     if (isErrorPlot(plot)) {
@@ -623,24 +605,25 @@ std::vector<InkedText> PlotFigure::readout(std::size_t plot, double t, Wording w
     const std::size_t index = channelOf(plot);
     const ShownChannel &channel = m_channels[index];
     const QString unit = unitOf(index);
-    const std::size_t k = nearest(m_time, t);
-    rows.push_back({instantText(m_time[k])});
-    rows.push_back({tr("%1 = %2").arg(quantity(index), numberText(channel.model[k], unit)), Ink::Model});
-    if (kPlottedChannels[index] == Channel{Theta3, Order::Position} && std::isfinite(channel.model[k])) {
+    const std::size_t k = m_model.nearest(t);
+    const double value = m_model.value(index, k);
+    rows.push_back({instantText(m_model.instant(k))});
+    rows.push_back({tr("%1 = %2").arg(quantity(index), numberText(value, unit)), Ink::Model});
+    if (kPlottedChannels[index] == Channel{Theta3, Order::Position} && std::isfinite(value)) {
         constexpr double kHalfTurn = 180.0;
         const QString textbook =
             wording == Wording::Full ? tr("textbook's θ₃ = θ³ + 180° = %1") : tr("textbook's θ₃ = %1");
-        rows.push_back({textbook.arg(numberText(channel.model[k] + kHalfTurn, unit))});
+        rows.push_back({textbook.arg(numberText(value + kHalfTurn, unit))});
     }
     if (!channel.reference.empty()) {
         const std::size_t r = nearest(m_referenceTime, t);
-        const double value = channel.reference[r];
-        QString text = tr("reference: %1").arg(numberText(value, unit));
-        if (m_referenceTime[r] != m_time[k]) {
+        const double inFile = channel.reference[r];
+        QString text = tr("reference: %1").arg(numberText(inFile, unit));
+        if (m_referenceTime[r] != m_model.instant(k)) {
             text =
                 tr("reference: %1 at %2")
-                    .arg(wording == Wording::Full ? numberText(value, unit)
-                                                  : numberText(value, QString(), kBriefDigits),
+                    .arg(wording == Wording::Full ? numberText(inFile, unit)
+                                                  : numberText(inFile, QString(), kBriefDigits),
                          wording == Wording::Full ? instantText(m_referenceTime[r])
                                                   : numberText(m_referenceTime[r], QStringLiteral("s"), kBriefDigits));
         }

@@ -7,6 +7,7 @@
 
 #include "ui/axis_scale.h"
 #include "ui/curve_sampling.h"
+#include "ui/model_curves.h"
 #include "ui/session.h"
 
 #include <QCoreApplication>
@@ -165,7 +166,6 @@ public:
 
 private:
     struct ShownChannel {
-        std::span<const double> model;
         std::span<const double> reference; ///< empty where the file has no such column
         std::span<const double> modelAtReference;
         const ReferenceSeries *series = nullptr;
@@ -184,17 +184,16 @@ private:
     PlotPicture::TimeLabels timeLabels(double width, double digitWidth) const;
     QString errorUnit(std::size_t channel) const;
     QString errorText(std::size_t channel, std::size_t atReference) const;
-    void fillModelPicture(PlotPicture &picture, std::size_t channel, std::size_t columns) const;
+    void fillModelPicture(PlotPicture &picture, std::size_t channel, std::size_t columns);
     void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns) const;
     std::optional<Interval> extremesWithin(const Interval &range, std::span<const double> instants,
                                            std::span<const double> values) const;
 
     PlotSettings m_settings;
     bool m_isConverted = false;
-    std::span<const double> m_time;
+    ModelCurves m_model;
     std::span<const double> m_referenceTime;
     std::array<ShownChannel, kPlottedChannels.size()> m_channels;
-    std::vector<double> m_reversed; ///< time and channels in ascending order, where the run goes backwards in time
 };
 
 } // namespace slidercrank

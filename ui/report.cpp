@@ -160,7 +160,7 @@ QString methodText(const Result &result)
     const Sampling &run = result.sampling;
     const QString instants =
         Report::tr("%1 instants from t = %2 s to %3 s.")
-            .arg(count(result.trajectory.time.size()), numberText(run.start), numberText(run.start + run.duration));
+            .arg(count(result.summary.instants), numberText(run.start), numberText(run.start + run.duration));
     if (result.solver.method == Method::ClosedForm) {
         return Report::tr("Closed form, exact to rounding. ") + instants;
     }
@@ -174,11 +174,11 @@ QString methodText(const Result &result)
             .arg(until, QString::number(newton.maxIterations)) +
         instants + u' ' +
         Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
-            .arg(QLocale().toString(result.trajectory.iterations), QString::number(result.trajectory.mostIterations),
-                 numberText(result.trajectory.largestResidual, 2));
-    const std::size_t solved = result.trajectory.count(Status::Solved);
-    if (solved < result.trajectory.status.size()) {
-        text += Report::tr(" %1 of %2 instants are solved.").arg(count(solved), count(result.trajectory.status.size()));
+            .arg(QLocale().toString(result.summary.iterations), QString::number(result.summary.mostIterations),
+                 numberText(result.summary.largestResidual, 2));
+    const std::size_t solved = result.summary.count(Status::Solved);
+    if (solved < result.summary.instants) {
+        text += Report::tr(" %1 of %2 instants are solved.").arg(count(solved), count(result.summary.instants));
     }
     return text;
 }

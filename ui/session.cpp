@@ -26,6 +26,8 @@ constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner t
 constexpr int kMostSteps = 200;                 // to be undone
 constexpr qint64 kSameStepWithin = 1000;        // ms: longer than the wait before a key held down repeats itself
 
+constexpr int kMostStepsKept = 100'000; // of the closed form
+
 /// What a Result is computed from: a value that can travel to another thread.
 struct Request {
     Mechanism mechanism;
@@ -33,6 +35,27 @@ struct Request {
     SolverSettings solver;
     std::shared_ptr<const Reference> reference;
 };
+
+/// Of a run in closed form.
+RunSummary summaryOf(const Request &request, const MotionLimits &limits, std::stop_token stop)
+{
+    constexpr double kRoomToSpare = 1.0 + 1e-9;
+    RunSummary summary;
+    const Parameters &p = request.mechanism.parameters();
+    const Sampling &run = request.sampling;
+    const bool isFinite = std::isfinite(p.omega2 * run.start) && std::isfinite(p.omega2 * (run.start + run.duration));
+    if (limits.mobility == Mobility::FullTurn && p.b > kRoomToSpare * (p.a + std::abs(p.c)) && isFinite) {
+        summary.instants = static_cast<std::size_t>(run.steps) + 1;
+        summary.endedWith[static_cast<std::size_t>(Status::Solved)] = summary.instants;
+        return summary;
+    }
+    const auto add = [&summary](const Trajectory &piece) {
+        summary.add(piece);
+        return true;
+    };
+    sampleInPieces(request.mechanism, run, {}, request.solver, add, std::move(stop));
+    return summary;
+}
 
 /// Null when stopped.
 std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop)
@@ -45,8 +68,14 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
     result->solver = request.solver;
     result->reference = request.reference;
     result->limits = motionLimits(request.mechanism);
-    const std::vector<double> instants = request.sampling.instants();
-    result->trajectory = sample(request.mechanism, instants, plottedChannels(), request.solver, stop);
+    if (request.solver.method == Method::ClosedForm && request.sampling.steps >= kMostStepsKept) {
+        result->summary = summaryOf(request, result->limits, stop);
+        result->trajectory.complete = !stop.stop_requested();
+    } else {
+        result->trajectory =
+            sample(request.mechanism, request.sampling.instants(), plottedChannels(), request.solver, stop);
+        result->summary.add(result->trajectory);
+    }
     if (request.reference && result->trajectory.complete) {
         const ReferenceData &data = request.reference->data;
         result->atReference = sample(request.mechanism, data.time, channelsOf(data), request.solver, stop);
@@ -68,7 +97,7 @@ bool takesLong(const Request &request)
     constexpr double kMoment = 0.05; // s: below what a person takes for a stop
     constexpr double kDenseSeconds = 20e-6;
     constexpr double kStructuredSeconds = 1e-6;
-    constexpr double kClosedFormSeconds = 0.2e-6;
+    constexpr double kClosedFormSeconds = 40e-9;
     const double newton = request.solver.newton.elimination == Elimination::Dense ? kDenseSeconds : kStructuredSeconds;
     const double each = request.solver.method == Method::Newton ? newton : kClosedFormSeconds;
     const std::size_t atReference = request.reference ? request.reference->data.time.size() : 0;

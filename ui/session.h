@@ -46,7 +46,8 @@ struct Result {
     Mechanism mechanism;
     Sampling sampling;
     SolverSettings solver;
-    Trajectory trajectory; ///< the six plotted channels
+    RunSummary summary;
+    Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
     MotionLimits limits;
     std::shared_ptr<const Reference> reference; ///< may be null
 
@@ -55,6 +56,9 @@ struct Result {
     std::vector<ChannelComparison> comparison;
 
     double computeSeconds = 0.0;
+
+    /// A long run in closed form is not: it takes less time to compute than to store.
+    bool isKept() const { return trajectory.time.size() == summary.instants; }
 };
 
 class Session : public QObject

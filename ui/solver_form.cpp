@@ -176,8 +176,8 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
         return;
     }
     const QLocale locale;
-    const Trajectory &run = result->trajectory;
-    const std::size_t instants = run.status.size();
+    const RunSummary &run = result->summary;
+    const std::size_t instants = run.instants;
     const bool newton = result->solver.method == Method::Newton;
     if (newton) {
         m_iterationsDone->setText(tr("%1 in all, at most %2 an instant")
