@@ -132,6 +132,7 @@ private slots:
     void hidesTheCursorOutsideTheRange();
     void leavesAGapWhereTheModelDoesNotExist();
     void saysSoWhereNothingExists();
+    void labelsTimeAtTheBottomOnlyWhereThereIsLittleRoom();
     void leavesAGapWhereTheReferenceIsZero();
     void showsTheLargestFinitePercentage();
     void hintsAtLoadingAReference();
@@ -285,6 +286,18 @@ void TstPlotGrid::saysSoWhereNothingExists()
     const ShownGrid shown(resultOf(withCoupler(1.0)));
     const QCustomPlot *plot = shown.plot(QStringLiteral("plot_theta3"));
     QVERIFY(!plot->yAxis->tickLabels());
+}
+
+/// At 1024×700 with the tabs folded, and as large as it usually is.
+void TstPlotGrid::labelsTimeAtTheBottomOnlyWhereThereIsLittleRoom()
+{
+    for (const bool small : {true, false}) {
+        const ShownGrid shown(resultOf(withCoupler(60.0)), small ? QSize(585, 595) : QSize(900, 600));
+        QCOMPARE(shown.plot(QStringLiteral("plot_theta3"))->xAxis->tickLabels(), !small);
+        QCOMPARE(shown.plot(QStringLiteral("plot_R4_x_diff"))->xAxis->tickLabels(), !small);
+        QVERIFY(shown.plot(QStringLiteral("plot_theta3_diff2"))->xAxis->tickLabels());
+        QVERIFY(shown.plot(QStringLiteral("plot_R4_x_diff2"))->xAxis->tickLabels());
+    }
 }
 
 void TstPlotGrid::leavesAGapWhereTheReferenceIsZero()

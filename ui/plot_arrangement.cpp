@@ -72,15 +72,16 @@ QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels, int rightL
 
 PlotArrangement::PlotArrangement(const QSize &size, const PlotTypography &typography)
 {
-    constexpr int kSmallestLabelledCell = 165; // px: below this the labels of the upper rows take too much
+    constexpr QSize kSmallestLabelledCell(230, 165); // px: below this the labels of the upper rows take too much
     constexpr int kRows = static_cast<int>(kPlotRows);
     legend = QRect(0, 0, size.width(), typography.legendHeight());
     const int height = std::max(0, size.height() - legend.height());
-    hasTimeLabelsEverywhere = height / kRows >= kSmallestLabelledCell;
+    const int cellWidth = size.width() / static_cast<int>(kPlotColumns);
+    hasTimeLabelsEverywhere =
+        cellWidth >= kSmallestLabelledCell.width() && height / kRows >= kSmallestLabelledCell.height();
     const QMargins bare = typography.margins(0, false);
     const QMargins labelled = typography.margins(0, true);
     const int extra = hasTimeLabelsEverywhere ? 0 : labelled.bottom() - bare.bottom();
-    const int cellWidth = size.width() / static_cast<int>(kPlotColumns);
     const int cellHeight = std::max(0, height - extra) / kRows;
     for (std::size_t i = 0; i < kPlotCount; ++i) {
         const int row = static_cast<int>(i / kPlotColumns);
