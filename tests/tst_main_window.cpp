@@ -178,6 +178,10 @@ private slots:
             }
         }
         QVERIFY(keys > 15);
+
+        m_window->session().setParameter(Parameter::B, 70.0);
+        QVERIFY(m_window->session().undoStack().canUndo());
+        QCOMPARE(shortcutsText(*m_window->menuBar()), page);
     }
 
     void helpStandsBesideTheWindow()

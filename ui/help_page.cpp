@@ -29,10 +29,10 @@ QString tableOf(const QString &title, const Entries &entries)
     return html + QStringLiteral("</table>");
 }
 
-/// As it reads in the menu.
+/// As it reads in the menu, whatever there is to undo.
 QString nameOf(const QAction &action)
 {
-    return action.text().remove(QLatin1Char('&'));
+    return action.iconText();
 }
 
 void collect(const QMenu &menu, const QString &path, Entries &entries)
@@ -129,7 +129,7 @@ QString formulasText()
     html +=
         paragraph(HelpPage::tr("θ³ is the coupler's angle seen from A towards B; the θ₃ that textbooks draw at B is "
                                "θ³ + 180°. The crank turns round where"));
-    html += formulas({QStringLiteral("a + |c| &lt; b")});
+    html += formulas({QStringLiteral("a + |c| ≤ b")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Closed form, exact"));
     html += paragraph(HelpPage::tr("Plus: open assembly, the slider to the right of A. Minus: crossed."));
     html += formulas({QStringLiteral("h = c − a sin θ²"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),

@@ -296,8 +296,10 @@ void MainWindow::buildMenus()
     QMenu *edit = menuBar()->addMenu(tr("&Edit"));
     QAction *undo = m_session->undoStack().createUndoAction(this, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
+    undo->setIconText(tr("&Undo").remove(u'&')); // its text says what as well
     edit->addAction(undo);
     QAction *redo = m_session->undoStack().createRedoAction(this, tr("&Redo"));
+    redo->setIconText(tr("&Redo").remove(u'&'));
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     edit->addAction(redo);
     edit->addSeparator();
