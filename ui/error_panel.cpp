@@ -5,6 +5,7 @@
 #include "ui/core_text.h"
 #include "ui/finding_text.h"
 #include "ui/number_box.h"
+#include "ui/paragraph.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -175,10 +176,9 @@ ErrorPanel::ErrorPanel(QWidget *parent)
 QWidget *ErrorPanel::createEmptyPage()
 {
     auto *purpose =
-        new QLabel(tr("Load a simulation's exported motion (CSV) to see how far it is from this mechanism: the "
-                      "largest error of each channel, where it is, and whether it is more than the file's own "
-                      "rounding."));
-    purpose->setWordWrap(true);
+        new Paragraph(tr("Load a simulation's exported motion (CSV) to see how far it is from this mechanism: the "
+                         "largest error of each channel, where it is, and whether it is more than the file's own "
+                         "rounding."));
     purpose->setAlignment(Qt::AlignCenter);
     auto *openReference = new QPushButton(tr("Open reference…"));
     openReference->setObjectName(QStringLiteral("openReferenceButton"));
@@ -204,10 +204,9 @@ QWidget *ErrorPanel::createEmptyPage()
 
 QWidget *ErrorPanel::createTablePage()
 {
-    m_verdict = new QLabel;
+    m_verdict = new Paragraph;
     m_verdict->setObjectName(QStringLiteral("verdictLabel"));
     m_verdict->setTextFormat(Qt::PlainText);
-    m_verdict->setWordWrap(true);
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     struct Header {

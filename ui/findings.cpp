@@ -3,6 +3,7 @@
 
 #include "ui/axis_scale.h"
 #include "ui/finding_text.h"
+#include "ui/paragraph.h"
 #include "ui/session.h"
 
 #include <QGridLayout>
@@ -180,10 +181,9 @@ void FindingList::setFindings(const std::vector<Finding> &findings)
     grid->setColumnStretch(0, 1);
     for (const Finding &finding : findings) {
         const int row = grid->rowCount();
-        auto *sentence = new QLabel(finding.sentence);
+        auto *sentence = new Paragraph(finding.sentence);
         sentence->setObjectName(QStringLiteral("findingLabel"));
         sentence->setTextFormat(Qt::PlainText);
-        sentence->setWordWrap(true);
         sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
         grid->addWidget(sentence, row, 0);
         m_sentences.push_back(sentence);

@@ -3,6 +3,7 @@
 
 #include "core/extremes.h"
 #include "ui/motion_facts.h"
+#include "ui/paragraph.h"
 
 #include <QAbstractTableModel>
 #include <QEvent>
@@ -230,10 +231,9 @@ LimitsPanel::LimitsPanel(QWidget *parent)
 {
     setObjectName(QStringLiteral("limitsPanel"));
     setAccessibleName(tr("Motion limits"));
-    m_sentence = new QLabel;
+    m_sentence = new Paragraph;
     m_sentence->setObjectName(QStringLiteral("mobilityLabel"));
     m_sentence->setTextFormat(Qt::PlainText);
-    m_sentence->setWordWrap(true);
 
     const FactModel::Header value{tr("value"), tr("Positions are Rₓ⁴, those of the slider")};
     const FactModel::Header angle{tr("θ₂ [°]"), tr("Crank angle, 0 to 360°")};

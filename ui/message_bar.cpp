@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/message_bar.h"
 
+#include "ui/paragraph.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -14,14 +15,13 @@ namespace slidercrank
 MessageBar::MessageBar(QWidget *parent)
     : QFrame(parent)
     , m_symbol(new QLabel(this))
-    , m_text(new QLabel(this))
+    , m_text(new Paragraph({}, this))
     , m_remedyButton(new QPushButton(this))
 {
     setObjectName(QStringLiteral("messageBar"));
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
     m_text->setObjectName(QStringLiteral("messageText"));
-    m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_remedyButton->setObjectName(QStringLiteral("messageRemedy"));

@@ -4,6 +4,7 @@
 #include "ui/column_text.h"
 #include "ui/core_text.h"
 #include "ui/finding_text.h"
+#include "ui/paragraph.h"
 #include "ui/theme.h"
 
 #include <QButtonGroup>
@@ -77,9 +78,8 @@ QTableWidgetItem *setCell(QTableWidget *table, int row, int column, const QStrin
 
 QLabel *wrappedText(const QString &text)
 {
-    auto *label = new QLabel(text);
+    auto *label = new Paragraph(text);
     label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
 }
@@ -124,10 +124,10 @@ QSize ReferencePanel::minimumSizeHint() const
 
 QWidget *ReferencePanel::createEmptyPage()
 {
-    auto *purpose = new QLabel(tr("Load a simulation's exported motion (CSV): here it says what was read from the file "
-                                  "and how, which mechanism the motion belongs to, and by which other reading it would "
-                                  "come nearer. A file can also be dropped anywhere in the window."));
-    purpose->setWordWrap(true);
+    auto *purpose =
+        new Paragraph(tr("Load a simulation's exported motion (CSV): here it says what was read from the file "
+                         "and how, which mechanism the motion belongs to, and by which other reading it would "
+                         "come nearer. A file can also be dropped anywhere in the window."));
     purpose->setAlignment(Qt::AlignCenter);
     auto *openReference = new QPushButton(tr("Open reference…"));
     openReference->setObjectName(QStringLiteral("openReferenceButton"));
