@@ -36,16 +36,25 @@ struct Request {
     std::shared_ptr<const Reference> reference;
 };
 
-/// Of a run in closed form.
-RunSummary summaryOf(const Request &request, const MotionLimits &limits, std::stop_token stop)
+/// Whether the crank turns round with room to spare, at angles that vectors are for (batch.h): then every instant is
+/// Solved, and many are computed at once.
+bool isOrdinary(const Request &request)
 {
     constexpr double kRoomToSpare = 1.0 + 1e-9;
-    RunSummary summary;
+    constexpr double kLargestAngle = 1e6; // rad
     const Parameters &p = request.mechanism.parameters();
     const Sampling &run = request.sampling;
-    const bool isFinite = std::isfinite(p.omega2 * run.start) && std::isfinite(p.omega2 * (run.start + run.duration));
-    if (limits.mobility == Mobility::FullTurn && p.b > kRoomToSpare * (p.a + std::abs(p.c)) && isFinite) {
-        summary.instants = static_cast<std::size_t>(run.steps) + 1;
+    const double latest = std::max(std::abs(run.start), std::abs(run.start + run.duration));
+    return p.b > kRoomToSpare * (p.a + std::abs(p.c)) &&
+           std::abs(p.theta20) + std::abs(p.omega2) * latest <= kLargestAngle;
+}
+
+/// Of a run in closed form.
+RunSummary summaryOf(const Request &request, std::stop_token stop)
+{
+    RunSummary summary;
+    if (isOrdinary(request)) {
+        summary.instants = static_cast<std::size_t>(request.sampling.steps) + 1;
         summary.endedWith[static_cast<std::size_t>(Status::Solved)] = summary.instants;
         return summary;
     }
@@ -53,7 +62,7 @@ RunSummary summaryOf(const Request &request, const MotionLimits &limits, std::st
         summary.add(piece);
         return true;
     };
-    sampleInPieces(request.mechanism, run, {}, request.solver, add, std::move(stop));
+    sampleInPieces(request.mechanism, request.sampling, {}, request.solver, add, std::move(stop));
     return summary;
 }
 
@@ -69,7 +78,7 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
     result->reference = request.reference;
     result->limits = motionLimits(request.mechanism);
     if (request.solver.method == Method::ClosedForm && request.sampling.steps >= kMostStepsKept) {
-        result->summary = summaryOf(request, result->limits, stop);
+        result->summary = summaryOf(request, stop);
         result->trajectory.complete = !stop.stop_requested();
     } else {
         result->trajectory =
@@ -97,11 +106,14 @@ bool takesLong(const Request &request)
     constexpr double kMoment = 0.05; // s: below what a person takes for a stop
     constexpr double kDenseSeconds = 20e-6;
     constexpr double kStructuredSeconds = 1e-6;
-    constexpr double kClosedFormSeconds = 40e-9;
+    constexpr double kClosedFormSeconds = 0.2e-6;
+    constexpr double kManyAtOnceSeconds = 40e-9;
     const double newton = request.solver.newton.elimination == Elimination::Dense ? kDenseSeconds : kStructuredSeconds;
-    const double each = request.solver.method == Method::Newton ? newton : kClosedFormSeconds;
-    const std::size_t atReference = request.reference ? request.reference->data.time.size() : 0;
-    return each * static_cast<double>(static_cast<std::size_t>(request.sampling.steps) + 1 + atReference) > kMoment;
+    const double closedForm = isOrdinary(request) ? kManyAtOnceSeconds : kClosedFormSeconds;
+    const double each = request.solver.method == Method::Newton ? newton : closedForm;
+    const double compared = std::max(each, kClosedFormSeconds); // as long as computing it
+    const double atReference = request.reference ? static_cast<double>(request.reference->data.time.size()) : 0.0;
+    return each * (request.sampling.steps + 1.0) + compared * atReference > kMoment;
 }
 
 /// What the result was computed from.
