@@ -18,6 +18,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QLoggingCategory>
+#include <QScreen>
 #include <QSettings>
 
 using namespace slidercrank;
@@ -143,6 +144,8 @@ int main(int argc, char *argv[])
         return static_cast<int>(render(*picture));
     }
     MainWindow window;
+    // Not every screen has a window manager that would see to it.
+    window.resize(window.size().boundedTo(window.screen()->availableSize()));
     window.show();
     const WindowOptions &options = std::get<WindowOptions>(command);
     if (!options.scene.isEmpty()) {

@@ -8,7 +8,6 @@
 #include "core/identification.h"
 
 #include <span>
-#include <vector>
 
 namespace slidercrank
 {
