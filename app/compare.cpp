@@ -5,9 +5,9 @@
 #include "app/json_text.h"
 #include "app/output.h"
 #include "app/shortfall.h"
-#include "core/interpretation.h"
-#include "ui/finding_text.h"
-#include "ui/reference_file.h"
+#include "core/diagnosis/interpretation.h"
+#include "ui/document/reference_file.h"
+#include "ui/words/finding_text.h"
 
 #include <QDir>
 

@@ -3,9 +3,9 @@
 
 #include "app/command_line.h"
 #include "app/json_text.h"
-#include "ui/column_text.h"
-#include "ui/core_text.h"
-#include "ui/finding_text.h"
+#include "ui/words/column_text.h"
+#include "ui/words/core_text.h"
+#include "ui/words/finding_text.h"
 
 #include <QDir>
 #include <QStringList>

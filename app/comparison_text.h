@@ -3,7 +3,7 @@
 
 // A file's comparison as text, CSV and JSON: what `compare` and `identify` share.
 
-#include "core/comparison.h"
+#include "core/comparison/comparison.h"
 
 #include <QByteArray>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/json_text.h"
 
-#include "ui/motion_csv.h"
+#include "ui/export/motion_csv.h"
 
 #include <charconv>
 #include <cmath>

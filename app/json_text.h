@@ -4,7 +4,7 @@
 // Numbers and strings as text that every program reads the same, whatever the locale; JSON written in the order of the
 // contract, which a sorted document would lose.
 
-#include "core/mechanism.h"
+#include "core/mechanism/mechanism.h"
 
 #include <QByteArray>
 #include <QString>

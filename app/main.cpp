@@ -10,9 +10,9 @@
 #include "app/render.h"
 #include "app/solve.h"
 #include "app/study.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
-#include "ui/scene_file.h"
+#include "ui/window/main_window.h"
+#include "ui/window/scene_file.h"
+#include "ui/words/language.h"
 
 #include <QApplication>
 #include <QCoreApplication>

@@ -3,11 +3,11 @@
 
 #include "app/command_line.h"
 #include "app/help.h"
-#include "core/crank_instant.h"
-#include "core/study.h"
-#include "ui/animation_export.h"
-#include "ui/figure_export.h"
-#include "ui/scene.h"
+#include "core/run/crank_instant.h"
+#include "core/study/study.h"
+#include "ui/document/scene.h"
+#include "ui/export/animation_export.h"
+#include "ui/export/figure_export.h"
 
 #include <QCommandLineParser>
 #include <QDir>

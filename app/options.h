@@ -4,15 +4,15 @@
 // The command line → what is to be done, every value checked, or one sentence that says what is wrong and what to do.
 // Numbers are read whole and with a decimal point, whatever the locale.
 
-#include "core/cases.h"
-#include "core/channel.h"
-#include "core/mechanism.h"
-#include "core/trajectory.h"
-#include "ui/mechanism_drawing.h"
-#include "ui/motion_csv.h"
-#include "ui/plot_figure.h"
-#include "ui/reference_file.h"
-#include "ui/theme.h"
+#include "core/mechanism/channel.h"
+#include "core/mechanism/mechanism.h"
+#include "core/run/trajectory.h"
+#include "core/study/cases.h"
+#include "ui/document/reference_file.h"
+#include "ui/export/motion_csv.h"
+#include "ui/mechanism/mechanism_drawing.h"
+#include "ui/plots/plot_figure.h"
+#include "ui/words/theme.h"
 
 #include <QSize>
 #include <QString>

@@ -3,13 +3,13 @@
 
 #include "app/comparison_text.h"
 #include "app/shortfall.h"
-#include "ui/animation_export.h"
-#include "ui/figure_export.h"
-#include "ui/mechanism_view.h"
-#include "ui/plot_grid.h"
-#include "ui/report_pages.h"
-#include "ui/session.h"
-#include "ui/theme.h"
+#include "ui/document/session.h"
+#include "ui/export/animation_export.h"
+#include "ui/export/figure_export.h"
+#include "ui/export/report_pages.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/words/theme.h"
 
 #include <QEventLoop>
 #include <QPalette>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/shortfall.h"
 
-#include "core/channel.h"
-#include "core/mobility.h"
-#include "core/two_part_angle.h"
+#include "core/limits/mobility.h"
+#include "core/mechanism/channel.h"
+#include "core/mechanism/two_part_angle.h"
 
 #include <QLocale>
 #include <QStringList>

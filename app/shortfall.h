@@ -4,7 +4,7 @@
 // Which instants of a run could not be answered, or only in part: the exit status, and the sentence that says so.
 
 #include "app/command_line.h"
-#include "core/mechanism.h"
+#include "core/mechanism/mechanism.h"
 
 #include <QString>
 

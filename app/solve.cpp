@@ -4,7 +4,7 @@
 #include "app/json_text.h"
 #include "app/output.h"
 #include "app/shortfall.h"
-#include "ui/motion_csv.h"
+#include "ui/export/motion_csv.h"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 #include "app/study.h"
 
 #include "app/output.h"
-#include "core/study.h"
-#include "ui/core_text.h"
+#include "core/study/study.h"
+#include "ui/words/core_text.h"
 
 #include <QStringList>
 

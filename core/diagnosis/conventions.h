@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a file may mean otherwise than it says: radians for degrees, metres for millimetres, an axis that points the
+// other way, the textbook's θ_3 for θ³, the other assembly, a late start, a derivative that is none. Each is found by
+// trying it, and offered; nothing is ever applied silently.
+//
+// Some readings cannot be told from another mechanism. The motions of all mechanisms are the same set
+//
+//     mirrored at x     θ → -θ, x → x            c → -c, ω2 → -ω2, θ20 → -θ20
+//     mirrored at y     θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
+//     turned by 180°    θ → θ + 180°, x → -x     c → -c, θ20 → θ20 + 180°, the other assembly
+//     enlarged          θ → θ, x → k x           a, b, c times k
+//     started late      t → t + τ                θ20 + ω2 τ
+//     timed otherwise   t → f t and every derivative by its power of f     ω2 / f
+//
+// (θ and x with their derivatives; θ up to whole turns; of θ alone, the crank reversed: ω2 → -ω2, θ20 → 180° - θ20).
+// So the sense of rotation, the length unit of the whole file, the instants and derivatives per millisecond, a late
+// start and the other assembly are found only where the file agrees with the mechanism at hand; where it does not, they
+// are taken for another mechanism and no finding. And without the mechanism at hand, θ turned by 180° and x negated are
+// one fault with two names: the name is then the one that brings the data nearer to the mechanism at hand if it
+// resembles it, else the half turn. In a file of θ̇3 and θ̈3 only, the other assembly is the other sign, and named so;
+// where one of two columns is negated, it is the derivative. A crossed mechanism's angles negated are its mirror
+// image's less a whole turn, and named so.
+//
+// A finding makes the error at least twenty times smaller, and leaves the file's rounding or at most 1 % of how much
+// the column varies. A derivative is none when it is farther off than that from the motion that all other columns agree
+// on. Columns other than the six plotted ones are read along, and prove nothing.
+
+#include "core/mechanism/mechanism.h"
+#include "core/reading/reference_data.h"
+
+#include <stop_token>
+#include <vector>
+
+namespace slidercrank
+{
+
+struct Convention {
+    enum class Kind {
+        AngleUnit,      ///< angles in another unit than the heading says (or the author's): multiplied by amount
+        LengthUnit,     ///< lengths: multiplied by amount
+        TimeUnit,       ///< the instants: multiplied by amount; derivatives per that unit too: by its inverse powers
+        Sign,           ///< the axis, or the sense of rotation, is the opposite one: multiplied by amount = -1
+        HalfTurn,       ///< the textbook's θ_3, seen from B: made continuous, and amount = ±180°, … is added
+        WholeTurns,     ///< made continuous where it jumps by a turn, and amount = 0, ±360°, … is added
+        SwappedColumns, ///< the two channels stand under each other's names
+        Branch,         ///< the motion of the other assembly: the model changes, not the data
+        TimeShift,      ///< the clock of the file started early or late: amount (s) is added to its instants
+        NotDerivative   ///< a derivative column is not the derivative of its position column: it is left out
+    };
+    Kind kind = Kind::AngleUnit;
+
+    /// The columns that it changes. Of TimeUnit the derivatives that count in that unit too, maybe none; of Branch and
+    /// TimeShift none.
+    std::vector<Channel> channels;
+    double amount = 1.0;
+
+    friend bool operator==(const Convention &, const Convention &) = default;
+};
+
+/// The data as they read with that convention. Branch changes nothing here.
+ReferenceData applied(const Convention &convention, ReferenceData data);
+
+/// A convention that brings the data nearer to the mechanism, or to some mechanism.
+struct ConventionFinding {
+    Convention convention;
+
+    /// Largest error of the columns that it changes (of all where it changes the instants or the model), as % of the
+    /// motion's peak, without and with it, all other findings being applied. 0 where nothing is left to compare.
+    double before = 0.0;
+    double after = 0.0;
+};
+
+/// What explains the data, in the order in which it is to be applied; empty where the data need no other reading.
+/// Compared with `mechanism` first; where that cannot be it, with whatever mechanism fits the data best.
+std::vector<ConventionFinding> findConventions(const ReferenceData &data, const Mechanism &mechanism,
+                                               std::stop_token stop = {});
+
+} // namespace slidercrank

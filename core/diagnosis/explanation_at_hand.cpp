@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/diagnosis/explanation.h"
+
+#include "core/diagnosis/column_reading.h"
+#include "core/identification/round_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Kind = Convention::Kind;
+
+/// Instants on which phases are compared before all of them are.
+constexpr std::size_t kScanRows = 64;
+/// Phases of a turn that are tried for a late start: no motion has more than a few extremes a turn.
+constexpr int kPhases = 128;
+/// A column is the motion with a shift when its root mean square error is no larger, as part of how much it varies.
+constexpr double kLikely = 0.05;
+
+/// Where f is least between the two, if it has one minimum there. Source: J. Kiefer, "Sequential minimax search for a
+/// maximum", 1953 (golden section).
+template <class Function>
+double minimumBetween(double low, double high, Function f)
+{
+    constexpr int kSteps = 32; // a millionth of the way: no finer can be seen in f
+    const double ratio = 1.0 / std::numbers::phi;
+    double left = high - ratio * (high - low);
+    double right = low + ratio * (high - low);
+    double atLeft = f(left);
+    double atRight = f(right);
+    for (int i = 0; i < kSteps; ++i) {
+        if (atLeft <= atRight) {
+            high = right;
+            right = left;
+            atRight = atLeft;
+            left = high - ratio * (high - low);
+            atLeft = f(left);
+        } else {
+            low = left;
+            left = right;
+            atLeft = atRight;
+            right = low + ratio * (high - low);
+            atRight = f(right);
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+Parameters started(Parameters parameters, double shift)
+{
+    // At the end of what a mechanism may have, a turn is next to nothing.
+    parameters.theta20 =
+        std::clamp(parameters.theta20 + parameters.omega2 * shift, -kLargestParameter, kLargestParameter);
+    return parameters;
+}
+
+/// Shifts of time with which one of the columns at least is the mechanism's motion.
+std::vector<double> likelyShifts(const ReferenceData &data, const Parameters &parameters)
+{
+    ReferenceData few = everySoManyth(data, kScanRows);
+    std::erase_if(few.series, [](const ReferenceSeries &series) { return !isPlotted(series.channel); });
+    const std::vector<ReferenceSeries> &columns = few.series;
+    const ChannelSet channels = channelsOf(few);
+
+    const double period = 2.0 * std::numbers::pi / std::abs(parameters.omega2);
+    if (!std::isfinite(period)) {
+        return {};
+    }
+    const auto shiftAt = [period](int phase) { return period * (static_cast<double>(phase) / kPhases - 0.5); };
+    std::vector<std::array<double, kPhases>> misfits(columns.size());
+    for (int phase = 0; phase < kPhases; ++phase) {
+        const Trajectory model = motionOf(started(parameters, shiftAt(phase)), few.time, channels);
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            misfits[k][static_cast<std::size_t>(phase)] = rmsMisfit(columns[k].values, model[columns[k].channel]);
+        }
+    }
+    std::vector<double> shifts;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const Channel channel = columns[k].channel;
+        const auto best = static_cast<int>(std::min_element(misfits[k].begin(), misfits[k].end()) - misfits[k].begin());
+        const auto misfit = [&](double shift) {
+            ChannelSet only;
+            only.set(indexOf(channel));
+            return rmsMisfit(columns[k].values, motionOf(started(parameters, shift), few.time, only)[channel]);
+        };
+        const double shift = minimumBetween(shiftAt(best - 1), shiftAt(best + 1), misfit);
+        const auto isSame = [&](double other) { return std::abs(shift - other) < period / (100.0 * kPhases); };
+        if (misfit(shift) <= kLikely && std::none_of(shifts.begin(), shifts.end(), isSame)) {
+            shifts.push_back(shift);
+        }
+    }
+    return shifts;
+}
+
+/// The same explanation with the shift that serves all columns best.
+Explanation withBestShift(const ReferenceData &data, Explanation explanation)
+{
+    const auto shift = std::find_if(explanation.conventions.begin(), explanation.conventions.end(),
+                                    [](const Convention &one) { return one.kind == Kind::TimeShift; });
+    const ReadMotion motion(data, explanation);
+    const ChannelSet channels = channelsOf(motion.read) & plottedChannels();
+    const auto misfit = [&](double more) {
+        const Trajectory model = motionOf(started(explanation.parameters, more), motion.read.time, channels);
+        double sum = 0.0;
+        for (const ReferenceSeries &series : motion.read.series) {
+            if (isPlotted(series.channel)) {
+                const double one = rmsMisfit(series.values, model[series.channel]);
+                sum += one * one;
+            }
+        }
+        return sum;
+    };
+    const double near = 2.0 * std::numbers::pi / std::abs(explanation.parameters.omega2) / (100.0 * kPhases);
+    const double best = minimumBetween(-near, near, misfit);
+    shift->amount += best;
+
+    // The sum of squares grows with the square of the distance from the best: that gives its standard error, within
+    // which a round number is the better guess of how late a clock was started.
+    const double least = misfit(best);
+    const double growth = misfit(best + near) - least;
+    const double standardError = near * std::sqrt(least / growth / static_cast<double>(motion.read.time.size()));
+    if (standardError > 0.0 && std::isfinite(standardError)) {
+        shift->amount = roundest(shift->amount, standardError, std::array{1.0});
+    }
+    return explanation;
+}
+
+/// Keeps the cheapest explanation.
+void prefer(std::optional<Explanation> &best, std::optional<Explanation> candidate)
+{
+    if (candidate && (!best || costOf(*candidate) < costOf(*best))) {
+        best = std::move(candidate);
+    }
+}
+
+} // namespace
+
+std::optional<Explanation> explainedAtHand(const ReferenceData &data, const Parameters &parameters,
+                                           const std::stop_token &stop)
+{
+    std::vector<Explanation> assumptions;
+    for (const Branch branch : {parameters.branch, otherThan(parameters.branch)}) {
+        for (const double timeUnit : {1.0, kTimeUnits[0], kTimeUnits[1]}) {
+            Explanation assumption{parameters, {}, timeUnit};
+            if (branch != parameters.branch) {
+                assumption.parameters.branch = branch;
+                assumption.conventions.push_back({Kind::Branch, {}, 1.0});
+            }
+            if (timeUnit != 1.0) {
+                assumption.conventions.push_back({Kind::TimeUnit, {}, timeUnit});
+            }
+            assumptions.push_back(assumption);
+        }
+    }
+
+    std::optional<Explanation> best;
+    for (const Explanation &assumption : assumptions) {
+        if (const auto explanation = explain(data, assumption)) {
+            prefer(best, proven(data, *explanation, Demand::Agreement));
+        }
+    }
+    if (best) {
+        return best;
+    }
+    for (const Explanation &assumption : assumptions) {
+        if (stop.stop_requested()) {
+            return std::nullopt;
+        }
+        for (const double shift : likelyShifts(allApplied(assumption.conventions, data), assumption.parameters)) {
+            Explanation late = assumption;
+            late.conventions.push_back({Kind::TimeShift, {}, shift});
+            if (const auto explanation = explain(data, late)) {
+                prefer(best, proven(data, withBestShift(data, *explanation), Demand::Agreement));
+            }
+        }
+    }
+    return best;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,538 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/motion_start.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// So many rows tell a motion of a few turns from any other.
+constexpr std::size_t kMostRows = 64;
+constexpr int kMostUnknowns = 6;
+constexpr std::size_t kFewestRows = 8;
+
+/// A window holds at most so many turning points, two a turn.
+constexpr std::size_t kMostTurningPoints = 7;
+
+// ---- the courses ---------------------------------------------------------------------------------------------------
+
+/// By the trapezoidal rule over the rows that have a value; 0 at the first.
+std::vector<double> summedUp(const std::vector<double> &time, const std::vector<double> &values)
+{
+    std::vector<double> sums(values.size(), kMissing);
+    double sum = 0.0;
+    double lastTime = kMissing;
+    double lastValue = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) {
+            continue;
+        }
+        if (std::isfinite(lastTime)) {
+            sum += 0.5 * (values[i] + lastValue) * (time[i] - lastTime);
+        }
+        sums[i] = sum;
+        lastTime = time[i];
+        lastValue = values[i];
+    }
+    return sums;
+}
+
+std::optional<Course> courseOf(const ReferenceData &data, const FitUnits &units, const std::vector<double> &time,
+                               Coordinate coordinate)
+{
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        const ReferenceSeries *series = data.find({coordinate, order});
+        if (!series) {
+            continue;
+        }
+        Course course{series->values, order};
+        const double factor = units.factor(series->channel);
+        std::size_t count = 0;
+        for (double &value : course.values) {
+            value = std::isfinite(value) ? factor * value : kMissing;
+            count += std::isfinite(value) ? 1 : 0;
+        }
+        if (count < kFewestRows) {
+            continue;
+        }
+        if (order != Order::Position) {
+            course.values = summedUp(time, course.values);
+        }
+        return course;
+    }
+    return std::nullopt;
+}
+
+/// Rows where a course turns back by more than a small part of its range.
+std::vector<std::size_t> turningPoints(const std::vector<double> &values, std::size_t most)
+{
+    constexpr double kPartOfRange = 0.03;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    }
+    const double back = kPartOfRange * (high - low);
+    std::vector<std::size_t> points;
+    std::optional<std::size_t> lowest;
+    std::optional<std::size_t> highest;
+    int direction = 0;
+    for (std::size_t i = 0; i < values.size() && points.size() < most; ++i) {
+        if (!std::isfinite(values[i])) {
+            continue;
+        }
+        if (!lowest || values[i] < values[*lowest]) {
+            lowest = i;
+        }
+        if (!highest || values[i] > values[*highest]) {
+            highest = i;
+        }
+        if (direction >= 0 && values[i] < values[*highest] - back) {
+            if (direction > 0) {
+                points.push_back(*highest);
+            }
+            direction = -1;
+            lowest = i;
+        } else if (direction <= 0 && values[i] > values[*lowest] + back) {
+            if (direction < 0) {
+                points.push_back(*lowest);
+            }
+            direction = 1;
+            highest = i;
+        }
+    }
+    return points;
+}
+
+// ---- given the speed, the rest is linear ---------------------------------------------------------------------------
+
+/// The rows that a route looks at.
+struct Samples {
+    std::vector<double> time;
+    std::vector<double> theta3;
+    std::vector<double> R4x;
+};
+
+struct Candidate {
+    double speed = 0.0;
+    double misfit = std::numeric_limits<double>::infinity(); ///< of the linear equations
+    Parameters parameters;
+};
+
+/// The linear least-squares problem of a route: a few unknowns, at most two equations a row. One type for all routes;
+/// it takes no memory from the heap.
+class Equations
+{
+public:
+    Equations(std::size_t count, Eigen::Index unknowns)
+        : m_matrix(static_cast<Eigen::Index>(count), unknowns)
+        , m_right(static_cast<Eigen::Index>(count))
+    {
+    }
+
+    template <typename... Coefficients>
+    void add(double right, Coefficients... coefficients)
+    {
+        Eigen::Index column = 0;
+        ((m_matrix(m_used, column++) = coefficients), ...);
+        m_right[m_used++] = right;
+    }
+
+    struct Solution {
+        Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1> x;
+        double misfit; ///< norm of what is left
+    };
+    Solution solve() const
+    {
+        const Eigen::ColPivHouseholderQR<Matrix> qr(m_matrix);
+        Solution solution;
+        solution.x = qr.solve(m_right);
+        solution.misfit = (m_matrix * solution.x - m_right).norm();
+        return solution;
+    }
+
+private:
+    static constexpr int kMostEquations = 2 * static_cast<int>(kMostRows);
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostEquations, kMostUnknowns>;
+    Matrix m_matrix;
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostEquations, 1> m_right;
+    Eigen::Index m_used = 0;
+};
+
+double mean(const std::vector<double> &values)
+{
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+}
+
+Candidate fromBoth(const Samples &samples, double speed)
+{
+    Equations equations(2 * samples.time.size(), 4);
+    double cosines = 0.0;
+    for (std::size_t i = 0; i < samples.time.size(); ++i) {
+        const double sine = std::sin(speed * samples.time[i]);
+        const double cosine = std::cos(speed * samples.time[i]);
+        const double cos3 = std::cos(samples.theta3[i]);
+        equations.add(samples.R4x[i], cos3, 0.0, cosine, -sine);
+        equations.add(0.0, std::sin(samples.theta3[i]), -1.0, sine, cosine);
+        cosines += cos3;
+    }
+    const auto [x, misfit] = equations.solve();
+    return {speed,
+            misfit,
+            {std::hypot(x[2], x[3]), std::abs(x[0]), x[1], speed, std::atan2(x[3], x[2]),
+             cosines >= 0.0 ? Branch::Open : Branch::Crossed}};
+}
+
+Candidate fromTheta3(const Samples &samples, double speed, Order order, double size)
+{
+    // tan δ, c/b, u/b, v/b; the last three times cos δ as well where δ is unknown.
+    Candidate candidate;
+    candidate.speed = speed;
+    double ratioC = 0.0, u = 0.0, v = 0.0;
+    if (order == Order::Position) {
+        Equations equations(samples.time.size(), 3);
+        double cosines = 0.0;
+        for (std::size_t i = 0; i < samples.time.size(); ++i) {
+            const double t = speed * samples.time[i];
+            equations.add(std::sin(samples.theta3[i]), 1.0, -std::sin(t), -std::cos(t));
+            cosines += std::cos(samples.theta3[i]);
+        }
+        const auto [x, misfit] = equations.solve();
+        candidate.misfit = misfit;
+        candidate.parameters.branch = cosines >= 0.0 ? Branch::Open : Branch::Crossed;
+        ratioC = x[0];
+        u = x[1];
+        v = x[2];
+    } else {
+        Equations equations(samples.time.size(), 4);
+        const double centre = mean(samples.theta3);
+        for (std::size_t i = 0; i < samples.time.size(); ++i) {
+            const double t = speed * samples.time[i];
+            const double angle = samples.theta3[i] - centre;
+            equations.add(std::sin(angle), 1.0, -std::sin(t), -std::cos(t), -std::cos(angle));
+        }
+        const auto [x, misfit] = equations.solve();
+        const double cosDelta = 1.0 / std::sqrt(1.0 + x[3] * x[3]);
+        candidate.misfit = misfit;
+        ratioC = x[0] * cosDelta;
+        u = x[1] * cosDelta;
+        v = x[2] * cosDelta;
+    }
+    const double ratioA = std::max(std::hypot(u, v), 1e-9);
+    candidate.parameters.a = size;
+    candidate.parameters.b = size / ratioA;
+    candidate.parameters.c = size * ratioC / ratioA;
+    candidate.parameters.omega2 = speed;
+    candidate.parameters.theta20 = std::atan2(v, u);
+    return candidate;
+}
+
+Candidate fromR4x(const Samples &samples, double speed, Order order)
+{
+    // r = R4x - R: (r + R)² = 2 (r + R) (u cos - v sin) + 2 c (v cos + u sin) + D.
+    const double centre = mean(samples.R4x);
+    double R = centre;
+    double u = 0.0, v = 0.0, inCos = 0.0, inSin = 0.0, rest = 0.0, misfit = 0.0;
+    if (order == Order::Position) {
+        Equations equations(samples.time.size(), 5);
+        for (std::size_t i = 0; i < samples.time.size(); ++i) {
+            const double sine = std::sin(speed * samples.time[i]);
+            const double cosine = std::cos(speed * samples.time[i]);
+            const double r = samples.R4x[i] - centre;
+            equations.add(r * (r + 2.0 * R), r * cosine, -r * sine, cosine, sine, 1.0);
+        }
+        const auto solution = equations.solve();
+        misfit = solution.misfit;
+        u = solution.x[0];
+        v = solution.x[1];
+        inCos = solution.x[2];
+        inSin = solution.x[3];
+        rest = solution.x[4];
+    } else {
+        Equations equations(samples.time.size(), 6);
+        for (std::size_t i = 0; i < samples.time.size(); ++i) {
+            const double sine = std::sin(speed * samples.time[i]);
+            const double cosine = std::cos(speed * samples.time[i]);
+            const double r = samples.R4x[i] - centre;
+            equations.add(r * r, r * cosine, -r * sine, cosine, sine, 1.0, -2.0 * r);
+        }
+        const auto solution = equations.solve();
+        misfit = solution.misfit;
+        u = solution.x[0];
+        v = solution.x[1];
+        inCos = solution.x[2];
+        inSin = solution.x[3];
+        rest = solution.x[4];
+        R = solution.x[5];
+    }
+    // Twice a, and its direction; inCos = R u + c v, inSin = -R v + c u, rest = D - R².
+    const double square = std::max(u * u + v * v, 1e-18);
+    const double a = 0.5 * std::sqrt(square);
+    const double c = (v * inCos + u * inSin) / square;
+    const double b = std::sqrt(std::max(rest + R * R + a * a + c * c, 0.0));
+    return {speed, misfit, {a, b, c, speed, std::atan2(v, u), R >= 0.0 ? Branch::Open : Branch::Crossed}};
+}
+
+// ---- the search over the speed
+// -----------------------------------------------------------------------------------------------------
+
+using Route = std::function<Candidate(double speed)>;
+
+/// Golden section between two speeds.
+Candidate refined(const Route &route, double from, double to, Candidate best)
+{
+    constexpr int kSections = 12;
+    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+    Candidate left = route(to - golden * (to - from));
+    Candidate right = route(from + golden * (to - from));
+    for (int i = 0; i < kSections; ++i) {
+        if (left.misfit < right.misfit) {
+            to = right.speed;
+            right = left;
+            left = route(to - golden * (to - from));
+        } else {
+            from = left.speed;
+            left = right;
+            right = route(from + golden * (to - from));
+        }
+    }
+    for (const Candidate &candidate : {left, right}) {
+        if (candidate.misfit < best.misfit) {
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+/// The best few of the local minima over the speed.
+void search(const Route &route, std::vector<double> speeds, std::vector<Parameters> &found)
+{
+    constexpr std::size_t kMostMinima = 3;
+    std::vector<Candidate> candidates;
+    for (const double speed : speeds) {
+        candidates.push_back(route(speed));
+    }
+    std::vector<std::size_t> minima;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const bool fallsBefore = i == 0 || candidates[i].misfit <= candidates[i - 1].misfit;
+        const bool risesAfter = i + 1 == candidates.size() || candidates[i].misfit <= candidates[i + 1].misfit;
+        if (fallsBefore && risesAfter) {
+            minima.push_back(i);
+        }
+    }
+    std::sort(minima.begin(), minima.end(),
+              [&](std::size_t i, std::size_t j) { return candidates[i].misfit < candidates[j].misfit; });
+    minima.resize(std::min(minima.size(), kMostMinima));
+    for (const std::size_t i : minima) {
+        const double from = speeds[i == 0 ? i : i - 1];
+        const double to = speeds[std::min(i + 1, speeds.size() - 1)];
+        found.push_back(refined(route, from, to, candidates[i]).parameters);
+    }
+}
+
+Samples samplesOf(const Courses &courses, bool theta3, bool R4x)
+{
+    const auto usable = [&](std::size_t row) {
+        return (!theta3 || std::isfinite(courses.theta3->values[row])) &&
+               (!R4x || std::isfinite(courses.R4x->values[row]));
+    };
+    std::vector<std::size_t> rows;
+    for (std::size_t row = courses.firstRow; row < courses.endRow; ++row) {
+        if (usable(row)) {
+            rows.push_back(row);
+        }
+    }
+    Samples samples;
+    for (const std::size_t row : spread(rows, kMostRows)) {
+        samples.time.push_back(courses.time[row]);
+        if (theta3) {
+            samples.theta3.push_back(courses.theta3->values[row]);
+        }
+        if (R4x) {
+            samples.R4x.push_back(courses.R4x->values[row]);
+        }
+    }
+    return samples;
+}
+
+/// The other way round, the other side of the line, the other assembly: what one series alone cannot tell apart.
+std::vector<Parameters> withImages(const std::vector<Parameters> &found)
+{
+    std::vector<Parameters> all;
+    for (const Parameters &p : found) {
+        const Branch other = p.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+        for (const Branch branch : {p.branch, other}) {
+            all.push_back({p.a, p.b, p.c, p.omega2, p.theta20, branch});
+            all.push_back({p.a, p.b, p.c, -p.omega2, kPi - p.theta20, branch});
+            all.push_back({p.a, p.b, -p.c, -p.omega2, -p.theta20, branch});
+            all.push_back({p.a, p.b, -p.c, p.omega2, p.theta20 + kPi, branch});
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+Courses coursesOf(const ReferenceData &data, const Supply &supply, const FitUnits &units)
+{
+    Courses courses;
+    courses.time = data.time;
+    std::vector<double> &time = courses.time;
+    for (double &t : time) {
+        t = units.timeOf(t);
+    }
+    courses.theta3 = courseOf(data, units, time, Theta3);
+    courses.R4x = courseOf(data, units, time, R4x);
+    courses.firstRow = supply.rows.front();
+    courses.endRow = supply.rows.back() + 1;
+    const std::optional<Course> *best = &courses.theta3;
+    if (!*best || (courses.R4x && courses.R4x->order < (*best)->order)) {
+        best = &courses.R4x;
+    }
+    if (!*best) {
+        return courses;
+    }
+    const std::vector<double> &values = (*best)->values;
+    const std::vector<std::size_t> points = turningPoints(values, kMostTurningPoints);
+    courses.turningPoints = points.size();
+    if (points.size() == kMostTurningPoints) {
+        courses.endRow = points.back() + 1;
+    }
+    if (points.size() >= 3) {
+        // From one turning point to the last of the same kind there are whole turns.
+        const std::size_t turns = (points.size() - 1) / 2;
+        const std::size_t last = points[2 * turns];
+        double widest = 0.0;
+        for (std::size_t row = points[0], before = row; row <= last; ++row) {
+            if (std::isfinite(values[row])) {
+                widest = std::max(widest, time[row] - time[before]);
+                before = row;
+            }
+        }
+        const double whole = time[last] - time[points[0]];
+        courses.speed = 2.0 * kPi * static_cast<double>(turns) / whole;
+        courses.speedUncertainty = std::min(2.0 * widest / whole, 0.5);
+    }
+    return courses;
+}
+
+std::vector<double> likelySpeeds(const Courses &courses)
+{
+    if (!(courses.speed > 0.0)) {
+        return allSpeeds(courses);
+    }
+    constexpr int kEachSide = 4;
+    std::vector<double> speeds;
+    for (int i = -kEachSide; i <= kEachSide; ++i) {
+        speeds.push_back(courses.speed * (1.0 + courses.speedUncertainty * i / kEachSide));
+    }
+    return speeds;
+}
+
+std::vector<double> allSpeeds(const Courses &courses)
+{
+    const double oneTurn = 2.0 * kPi / (courses.time[courses.endRow - 1] - courses.time[courses.firstRow]);
+    const double mostTurns = 2.0 + 0.5 * static_cast<double>(courses.turningPoints);
+    std::vector<double> speeds;
+    for (double turns = 0.02; turns < 0.3; turns *= 1.3) {
+        speeds.push_back(turns * oneTurn);
+    }
+    for (double turns = 0.3; turns < mostTurns; turns += 0.07) {
+        speeds.push_back(turns * oneTurn);
+    }
+    return speeds;
+}
+
+std::vector<Parameters> startsFrom(const Courses &courses, const std::vector<double> &speeds, double size)
+{
+    std::vector<Parameters> found;
+    const bool bothPositions = courses.theta3 && courses.R4x && courses.theta3->order == Order::Position &&
+                               courses.R4x->order == Order::Position;
+    if (bothPositions) {
+        const Samples samples = samplesOf(courses, true, true);
+        if (samples.time.size() >= kFewestRows) {
+            search([&](double speed) { return fromBoth(samples, speed); }, speeds, found);
+            std::vector<double> backwards;
+            for (const double speed : speeds) {
+                backwards.push_back(-speed);
+            }
+            search([&](double speed) { return fromBoth(samples, speed); }, backwards, found);
+            return found;
+        }
+    }
+    if (courses.theta3 && courses.theta3->order != Order::Acceleration) {
+        const Samples samples = samplesOf(courses, true, false);
+        if (samples.time.size() >= kFewestRows) {
+            const Order order = courses.theta3->order;
+            search([&](double speed) { return fromTheta3(samples, speed, order, size); }, speeds, found);
+        }
+    }
+    if (courses.R4x && courses.R4x->order != Order::Acceleration) {
+        const Samples samples = samplesOf(courses, false, true);
+        if (samples.time.size() >= kFewestRows) {
+            const Order order = courses.R4x->order;
+            search([&](double speed) { return fromR4x(samples, speed, order); }, speeds, found);
+        }
+    }
+    return withImages(found);
+}
+
+std::vector<Parameters> startsFromGrid(const Observations &observations, const std::vector<double> &speeds,
+                                       bool bothDirections, double size, const std::stop_token &stop)
+{
+    constexpr int kAngles = 12;
+    constexpr double kOffsets[] = {-1.2, -0.5, 0.0, 0.5, 1.2}; // c / a
+    constexpr double kCouplers[] = {0.6, 1.05, 1.3, 2.0, 4.0}; // b / (a + |c|)
+    std::vector<Parameters> found;
+    for (const double magnitude : speeds) {
+        for (const double speed : {magnitude, -magnitude}) {
+            if ((speed < 0.0 && !bothDirections) || stop.stop_requested()) {
+                continue;
+            }
+            Parameters best;
+            double least = std::numeric_limits<double>::infinity();
+            for (const double offset : kOffsets) {
+                for (const double coupler : kCouplers) {
+                    for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+                        for (int i = 0; i < kAngles; ++i) {
+                            Parameters trial{size,
+                                             size * coupler * (1.0 + std::abs(offset)),
+                                             size * offset,
+                                             speed,
+                                             2.0 * kPi * i / kAngles,
+                                             branch};
+                            const double distance = misfitAtBestSize(observations, trial);
+                            if (distance < least) {
+                                least = distance;
+                                best = trial;
+                            }
+                        }
+                    }
+                }
+            }
+            found.push_back(best);
+        }
+    }
+    return found;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/mobility.h"
+
+#include "core/closed_form/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+
+/// Into [-π, π).
+double wrapped(double angle)
+{
+    const double turned = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
+    return turned >= std::numbers::pi ? turned - kTurn : turned;
+}
+
+/// Into [0, 2π).
+double positive(double angle)
+{
+    const double turned = angle - kTurn * std::floor(angle / kTurn);
+    return turned >= kTurn ? 0.0 : turned;
+}
+
+bool contains(const CrankRange &range, double angle)
+{
+    constexpr double kSlack = 1e-12; // rad: a dead centre at the very end of a range counts as within it
+    return positive(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
+}
+
+/// The sums that decide everything, each rounded once (clearance.h), in units of the clearance's scale.
+struct Sums {
+    double epsilon; ///< b - a - |c|, negative for a rocker
+    double beta;    ///< b + |c| - a, negative where the rocker has two arcs
+    double gamma;   ///< a + b - |c|, negative where there is no pose
+    double reach;   ///< a + b + |c|
+};
+
+Sums sumsOf(const Clearance &lengths)
+{
+    return {lengths.epsilon(), lengths.beta(), lengths.gamma(), lengths.reach()};
+}
+
+Mobility mobilityOf(const Sums &sums)
+{
+    if (sums.gamma < 0.0) {
+        return Mobility::Impossible;
+    }
+    if (sums.epsilon >= 0.0) {
+        return Mobility::FullTurn;
+    }
+    return sums.gamma == 0.0 ? Mobility::Locked : Mobility::Rocker;
+}
+
+CrankRange normalized(double from, double to)
+{
+    const double start = wrapped(from);
+    return {start, start + (to - from)};
+}
+
+/// Seen with c >= 0: sin θ2 >= (c - b)/a, and sin θ2 <= (c + b)/a where that is below 1. Mirrored for c < 0.
+std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const Clearance &lengths)
+{
+    std::vector<CrankRange> ranges;
+    switch (mobility) {
+    case Mobility::Impossible: return ranges;
+    case Mobility::FullTurn: return {{-std::numbers::pi, std::numbers::pi}};
+    case Mobility::Locked: ranges = {{kQuarter, kQuarter}}; break;
+    case Mobility::Rocker: {
+        // asin((C - b)/a) from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
+        const double lowest = std::atan2(lengths.offset() - lengths.b(), std::sqrt(-sums.epsilon * sums.gamma));
+        if (sums.beta < 0.0) {
+            const double highest = std::atan2(lengths.offset() + lengths.b(), std::sqrt(-sums.beta * sums.reach));
+            ranges = {{lowest, highest}, {std::numbers::pi - highest, std::numbers::pi - lowest}};
+        } else {
+            ranges = {{lowest, std::numbers::pi - lowest}};
+        }
+        break;
+    }
+    }
+    for (CrankRange &range : ranges) {
+        range = lengths.side() > 0.0 ? normalized(range.from, range.to) : normalized(-range.to, -range.from);
+    }
+    std::sort(ranges.begin(), ranges.end(), [](const CrankRange &x, const CrankRange &y) { return x.from < y.from; });
+    return ranges;
+}
+
+/// Crank and coupler in one line, from O2 over A to B.
+DeadCentre outerDeadCentre(const Mechanism &mechanism, const Sums &sums, double scale)
+{
+    const double distance = scale * std::sqrt(sums.reach * sums.gamma);
+    const double R4x = mechanism.branch() == Branch::Open ? distance : -distance;
+    return {wrapped(std::atan2(mechanism.c(), R4x)), R4x};
+}
+
+/// Crank folded over the coupler: B at |b - a| from O2. With b >= a the crank points away from B, otherwise towards it.
+DeadCentre innerDeadCentre(const Mechanism &mechanism, const Sums &sums, double scale)
+{
+    const bool open = mechanism.branch() == Branch::Open;
+    const double distance = scale * std::sqrt(sums.epsilon * sums.beta);
+    if (mechanism.b() >= mechanism.a()) {
+        const double R4x = open ? distance : -distance;
+        return {wrapped(std::atan2(-mechanism.c(), -R4x)), R4x};
+    }
+    const double R4x = open ? -distance : distance;
+    return {wrapped(std::atan2(mechanism.c(), R4x)), R4x};
+}
+
+/// R4x is extreme at dead centres and, since the coupler is square there, at the ends of a rocker's arc: a cos θ2.
+double strokeWithin(const CrankRange &range, const Mechanism &mechanism, const MotionLimits &limits)
+{
+    double smallest = mechanism.a() * std::cos(range.from);
+    double largest = smallest;
+    const auto include = [&](double R4x) {
+        smallest = std::min(smallest, R4x);
+        largest = std::max(largest, R4x);
+    };
+    include(mechanism.a() * std::cos(range.to));
+    for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
+        if (centre && contains(range, centre->theta2)) {
+            include(centre->R4x);
+        }
+    }
+    return largest - smallest;
+}
+
+} // namespace
+
+MotionLimits motionLimits(const Mechanism &mechanism)
+{
+    const Clearance lengths(mechanism);
+    const Sums sums = sumsOf(lengths);
+    MotionLimits limits;
+    limits.mobility = mobilityOf(sums);
+    limits.ranges = rangesOf(limits.mobility, sums, lengths);
+    if (limits.mobility == Mobility::Impossible) {
+        return limits;
+    }
+    limits.outer = outerDeadCentre(mechanism, sums, lengths.scale());
+    if (sums.epsilon * sums.beta >= 0.0) {
+        limits.inner = innerDeadCentre(mechanism, sums, lengths.scale());
+    }
+    if (limits.mobility == Mobility::FullTurn) {
+        limits.stroke = std::abs(limits.outer->R4x - limits.inner->R4x);
+        const double counterClockwise = positive(limits.outer->theta2 - limits.inner->theta2);
+        const double outwards = mechanism.omega2() < 0.0 ? kTurn - counterClockwise : counterClockwise;
+        limits.angleOutwards = outwards;
+        limits.angleInwards = kTurn - outwards;
+        limits.timeRatio = std::max(outwards, kTurn - outwards) / std::min(outwards, kTurn - outwards);
+        limits.largestPressureAngle = std::atan2(lengths.a() + lengths.offset(), std::sqrt(sums.epsilon * sums.reach));
+        limits.largestPressureAngleAt = -lengths.side() * kQuarter;
+        return limits;
+    }
+    for (const CrankRange &range : limits.ranges) {
+        limits.stroke = std::max(limits.stroke.value_or(0.0), strokeWithin(range, mechanism, limits));
+    }
+    limits.largestPressureAngle = kQuarter;
+    limits.largestPressureAngleAt = limits.ranges.front().from;
+    return limits;
+}
+
+std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits)
+{
+    switch (limits.mobility) {
+    case Mobility::FullTurn: return {};
+    case Mobility::Impossible: return {{-std::numbers::pi, std::numbers::pi}};
+    case Mobility::Rocker:
+    case Mobility::Locked: break;
+    }
+    std::vector<CrankRange> forbidden;
+    for (std::size_t i = 0; i < limits.ranges.size(); ++i) { // from the end of each to the start of the next
+        const bool last = i + 1 == limits.ranges.size();
+        forbidden.push_back(
+            normalized(limits.ranges[i].to, last ? limits.ranges[0].from + kTurn : limits.ranges[i + 1].from));
+    }
+    return forbidden;
+}
+
+double shortestCouplerForAnyPose(const Mechanism &mechanism)
+{
+    return std::abs(mechanism.c()) - mechanism.a();
+}
+
+double shortestCouplerForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.a() + std::abs(mechanism.c());
+}
+
+double longestCrankForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.b() - std::abs(mechanism.c());
+}
+
+double largestOffsetForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.b() - mechanism.a();
+}
+
+} // namespace slidercrank

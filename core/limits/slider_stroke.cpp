@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/slider_stroke.h"
+
+#include "core/limits/linkage_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kAtAnEnd = 1e-9; // rad: closer than that to the end of a stroke is at it
+
+/// The least of angle, angle ± 2π, … that is above the bound.
+double firstAbove(double bound, double angle)
+{
+    const double turned = angle + kTurn * std::floor((bound - angle) / kTurn);
+    return turned > bound ? turned : turned + kTurn;
+}
+
+/// At the end of an arc the coupler is square to the slider's line; beyond it, by a rounding, there is no pose.
+double sliderAt(const Mechanism &mechanism, double theta2)
+{
+    const double R4 = stateAtCrankAngle(mechanism, theta2).q[R4x];
+    return std::isnan(R4) ? mechanism.a() * std::cos(theta2) : R4;
+}
+
+} // namespace
+
+std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const MotionLimits &limits, double theta2,
+                                         int sense)
+{
+    const double inside = theta2 + sense * kAtAnEnd;
+    double from = -std::numeric_limits<double>::infinity();
+    double to = -from;
+    const auto endAt = [&](double angle) {
+        const double above = firstAbove(inside, angle);
+        to = std::min(to, above);
+        from = std::max(from, above - kTurn);
+    };
+    for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
+        if (centre) {
+            endAt(centre->theta2);
+        }
+    }
+    if (limits.mobility != Mobility::FullTurn) {
+        for (const CrankRange &range : limits.ranges) {
+            endAt(range.from);
+            endAt(range.to);
+        }
+    }
+    if (!std::isfinite(from) || std::isnan(stateAtCrankAngle(mechanism, 0.5 * (from + to)).q[R4x])) {
+        return std::nullopt;
+    }
+    return SliderStroke{from, to, sliderAt(mechanism, from), sliderAt(mechanism, to)};
+}
+
+double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, double R4x)
+{
+    const bool outwards = stroke.R4xFrom < stroke.R4xTo;
+    const auto isShort = [&](double place) { return outwards ? place < R4x : place > R4x; };
+    if (!isShort(stroke.R4xFrom)) {
+        return stroke.from;
+    }
+    if (isShort(stroke.R4xTo)) {
+        return stroke.to;
+    }
+    double below = stroke.from;
+    double above = stroke.to;
+    constexpr int kHalvings = 60; // down to the last digit of an angle
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (below + above);
+        (isShort(sliderAt(mechanism, middle)) ? below : above) = middle;
+    }
+    return above;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mechanism/channel.h"
+
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::array<std::string_view, kChannelCount> kNames{
+    "R1_x",       "R1_y",       "theta1",       "R2_x",       "R2_y",       "theta2",
+    "R3_x",       "R3_y",       "theta3",       "R4_x",       "R4_y",       "theta4",
+    "R1_x_diff",  "R1_y_diff",  "theta1_diff",  "R2_x_diff",  "R2_y_diff",  "theta2_diff",
+    "R3_x_diff",  "R3_y_diff",  "theta3_diff",  "R4_x_diff",  "R4_y_diff",  "theta4_diff",
+    "R1_x_diff2", "R1_y_diff2", "theta1_diff2", "R2_x_diff2", "R2_y_diff2", "theta2_diff2",
+    "R3_x_diff2", "R3_y_diff2", "theta3_diff2", "R4_x_diff2", "R4_y_diff2", "theta4_diff2"};
+
+} // namespace
+
+ChannelSet allChannels()
+{
+    return ChannelSet().set();
+}
+
+ChannelSet plottedChannels()
+{
+    ChannelSet set;
+    for (const Channel channel : kPlottedChannels) {
+        set.set(indexOf(channel));
+    }
+    return set;
+}
+
+std::string_view nameOf(Channel channel)
+{
+    return kNames[indexOf(channel)];
+}
+
+std::optional<Channel> channelNamed(std::string_view name)
+{
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        if (kNames[index] == name) {
+            return channelAt(index);
+        }
+    }
+    return std::nullopt;
+}
+
+std::string_view authorUnitOf(Channel channel)
+{
+    const bool angle = isAngle(channel.coordinate);
+    switch (channel.order) {
+    case Order::Position: return angle ? "°" : "mm";
+    case Order::Velocity: return angle ? "°/s" : "mm/s";
+    case Order::Acceleration: return angle ? "°/s²" : "mm/s²";
+    }
+    return {};
+}
+
+double naturalScale(const Mechanism &mechanism, Channel channel)
+{
+    const double size =
+        isAngle(channel.coordinate) ? kDegreesPerRadian : mechanism.a() + mechanism.b() + std::abs(mechanism.c());
+    return size * std::pow(std::abs(mechanism.omega2()), static_cast<int>(channel.order));
+}
+
+} // namespace slidercrank

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The 36 channels: each coordinate with its first and second time derivative, under the names of the author's files
+// (R4_x, R4_x_diff, R4_x_diff2, theta3, …). Files use mm, degrees and seconds; the core uses mm, rad and seconds.
+
+#include "core/mechanism/mechanism.h"
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace slidercrank
+{
+
+enum class Order { Position, Velocity, Acceleration };
+
+struct Channel {
+    Coordinate coordinate = Theta3;
+    Order order = Order::Position;
+
+    friend bool operator==(const Channel &, const Channel &) = default;
+};
+
+inline constexpr std::size_t kChannelCount = 36;
+
+/// 0 … 35 in the order that `solve` prints: all of q, then q̇, then q̈.
+constexpr std::size_t indexOf(Channel channel)
+{
+    return static_cast<std::size_t>(channel.order) * kCoordinateCount + static_cast<std::size_t>(channel.coordinate);
+}
+
+constexpr Channel channelAt(std::size_t index)
+{
+    return {static_cast<Coordinate>(index % kCoordinateCount), static_cast<Order>(index / kCoordinateCount)};
+}
+
+/// Some of the 36 channels, by indexOf().
+using ChannelSet = std::bitset<kChannelCount>;
+
+ChannelSet allChannels();
+
+/// The six that the report's Figure 2 plots: θ3, R4x and their derivatives.
+inline constexpr std::array<Channel, 6> kPlottedChannels{{{Theta3, Order::Position},
+                                                          {R4x, Order::Position},
+                                                          {Theta3, Order::Velocity},
+                                                          {R4x, Order::Velocity},
+                                                          {Theta3, Order::Acceleration},
+                                                          {R4x, Order::Acceleration}}};
+ChannelSet plottedChannels();
+
+std::string_view nameOf(Channel channel);
+
+/// The channel of exactly that name.
+std::optional<Channel> channelNamed(std::string_view name);
+
+constexpr bool isAngle(Coordinate coordinate)
+{
+    return coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3 || coordinate == Theta4;
+}
+
+/// UTF-8: "mm", "mm/s", "mm/s²", "°", "°/s", "°/s²".
+std::string_view authorUnitOf(Channel channel);
+
+inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+/// From the core's unit (mm, rad, s) to that of the author's files (mm, °, s).
+constexpr double inAuthorUnit(Channel channel, double value)
+{
+    return isAngle(channel.coordinate) ? value * kDegreesPerRadian : value;
+}
+
+/// The size that a channel's numbers have by nature, in the unit of the author's files: {1 rad, a + b + |c|}·|ω2|^k for
+/// the k-th derivative. What rounding errors are measured against where a channel is identically zero.
+double naturalScale(const Mechanism &mechanism, Channel channel);
+
+} // namespace slidercrank

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mechanism/mechanism.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace slidercrank
+{
+
+double &valueOf(Parameters &parameters, Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return parameters.a;
+    case Parameter::B: return parameters.b;
+    case Parameter::C: return parameters.c;
+    case Parameter::Omega2: return parameters.omega2;
+    case Parameter::Theta20: return parameters.theta20;
+    }
+    return parameters.a;
+}
+
+double valueOf(const Parameters &parameters, Parameter parameter)
+{
+    Parameters copy = parameters;
+    return valueOf(copy, parameter);
+}
+
+std::optional<ParameterFault> findFault(const Parameters &parameters)
+{
+    using Reason = ParameterFault::Reason;
+    struct Entry {
+        Parameter parameter;
+        double value;
+        bool mustBePositive;
+    };
+    const Entry entries[] = {{Parameter::A, parameters.a, true},
+                             {Parameter::B, parameters.b, true},
+                             {Parameter::C, parameters.c, false},
+                             {Parameter::Omega2, parameters.omega2, false},
+                             {Parameter::Theta20, parameters.theta20, false}};
+    for (const Entry &entry : entries) {
+        if (!std::isfinite(entry.value)) {
+            return ParameterFault{entry.parameter, Reason::NotFinite};
+        }
+        if (std::abs(entry.value) > kLargestParameter) {
+            return ParameterFault{entry.parameter, Reason::TooLarge};
+        }
+        if (entry.mustBePositive && !(entry.value > 0.0)) {
+            return ParameterFault{entry.parameter, Reason::NotPositive};
+        }
+    }
+    return std::nullopt;
+}
+
+Mechanism::Mechanism(const Parameters &parameters)
+    : m_parameters(parameters)
+{
+    assert(!findFault(parameters));
+}
+
+} // namespace slidercrank

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mechanism/two_part_angle.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+#if !defined(__FMA__) && !defined(__aarch64__)
+/// The upper 26 and the lower 27 bits of x (Veltkamp).
+TwoPart split(double x)
+{
+    constexpr double kSplitter = 134217729.0; // 2^27 + 1
+    const double scaled = kSplitter * x;
+    const double upper = scaled - (scaled - x);
+    return {upper, x - upper};
+}
+#endif
+
+TwoPart sum(TwoPart x, double y)
+{
+    const TwoPart total = twoSum(x.hi, y);
+    return twoSum(total.hi, total.lo + x.lo);
+}
+
+TwoPart product(TwoPart x, TwoPart y)
+{
+    const TwoPart total = twoProduct(x.hi, y.hi);
+    return twoSum(total.hi, total.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+TwoPart quotient(TwoPart x, double divisor)
+{
+    const double first = x.hi / divisor;
+    const TwoPart back = twoProduct(first, divisor);
+    return twoSum(first, ((x.hi - back.hi) - back.lo + x.lo) / divisor);
+}
+
+/// 1 - z/(k (k+1)) (1 - z/((k+2) (k+3)) (1 - ...)) for 0 <= z <= (π/4)², k = 2 or 3. What follows the first eight terms
+/// is below half a unit in the last place of 1, where one part is enough.
+TwoPart alternatingSeries(TwoPart z, int k)
+{
+    constexpr int kTwoPartTerms = 8;
+    constexpr int kTerms = 14;
+    const auto divisor = [k](int term) { return static_cast<double>((k + 2 * term) * (k + 2 * term + 1)); };
+    double tail = 1.0;
+    for (int term = kTerms - 1; term >= kTwoPartTerms; --term) {
+        tail = 1.0 - z.hi * tail / divisor(term);
+    }
+    TwoPart series{tail, 0.0};
+    for (int term = kTwoPartTerms - 1; term >= 0; --term) {
+        series = sum(quotient(product(z, series), -divisor(term)), 1.0);
+    }
+    return series;
+}
+
+} // namespace
+
+TwoPart twoProduct(double x, double y)
+{
+    const double product = x * y;
+#if defined(__FMA__) || defined(__aarch64__)
+    return {product, __builtin_fma(x, y, -product)}; // the instruction; a library's fma need not be exact
+#else
+    const TwoPart xs = split(x);
+    const TwoPart ys = split(y);
+    return {product, ((xs.hi * ys.hi - product) + xs.hi * ys.lo + xs.lo * ys.hi) + xs.lo * ys.lo};
+#endif
+}
+
+TwoPart crankAngle(double omega2, double t, double theta20)
+{
+    const TwoPart turned = twoProduct(omega2, t);
+    const TwoPart sum = twoSum(turned.hi, theta20);
+    return twoSum(sum.hi, sum.lo + turned.lo);
+}
+
+SinCos sinCos(TwoPart angle)
+{
+    const double s = std::sin(angle.hi);
+    const double c = std::cos(angle.hi);
+    double sinLo = angle.lo;
+    double versineLo = 0.5 * angle.lo * angle.lo; // 1 - cos
+    constexpr double kSecondOrder = 5e-6;         // rad: below this the next term, lo³/6, is under half an ulp of 1
+    if (std::abs(angle.lo) > kSecondOrder) {
+        const double sinHalf = std::sin(0.5 * angle.lo);
+        sinLo = std::sin(angle.lo);
+        versineLo = 2.0 * sinHalf * sinHalf;
+    }
+    return {s + (c * sinLo - s * versineLo), c - (s * sinLo + c * versineLo)};
+}
+
+FineSine fineSine(TwoPart angle)
+{
+    // r = hi + lo - n π/2 with π/2 in three parts; hi - n P1 is exact but for the product's own lower part.
+    const double n = std::round(angle.hi * (2.0 / std::numbers::pi));
+    const TwoPart first = twoProduct(n, 0x1.921fb54442d18p+0);
+    const TwoPart second = twoProduct(n, 0x1.1a62633145c07p-54);
+    TwoPart r = twoSum(angle.hi - first.hi, -first.lo);
+    r = sum(r, angle.lo);
+    r = sum(r, -second.hi);
+    r = sum(r, -second.lo - n * -0x1.f1976b7ed8fbcp-110);
+
+    const TwoPart z = product(r, r);
+    const int quadrant = static_cast<int>(n - 4.0 * std::floor(0.25 * n));
+    const double sign = quadrant < 2 ? 1.0 : -1.0;
+    if (quadrant % 2 == 0) {
+        const TwoPart sine = product(r, alternatingSeries(z, 2));
+        return {0.0, {sign * sine.hi, sign * sine.lo}};
+    }
+    const TwoPart versine = product({0.5 * z.hi, 0.5 * z.lo}, alternatingSeries(z, 3));
+    return {sign, {-sign * versine.hi, -sign * versine.lo}};
+}
+
+} // namespace slidercrank

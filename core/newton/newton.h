@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Newton-Raphson: C_q Δq = -C until C is small, then velocity and acceleration from C_q at the final q. The defaults
+// are the report's: each instant starts from the coordinates of the one before, and a dense 12×12 LU solves the
+// systems.
+//
+// It never leaves the wanted assembly: a warm start whose coupler angle leaves the branch's half turn is started again
+// from afar (assemble), from where Newton's way to the wanted root is monotone. Whether a position exists at all is
+// decided before the first iteration, never by it.
+//
+// Source: the report, section "Newton-Raphson" and Table 2; Shabana, "Computational Dynamics", section 3.5.
+// Lengths in mm, angles in rad, time in s.
+
+#include "core/mechanism/mechanism.h"
+
+#include <array>
+
+namespace slidercrank
+{
+
+/// What the residual is.
+enum class ToleranceKind {
+    Absolute, ///< ‖C‖, mm and rad mixed, as in the report
+    Relative  ///< ‖C‖ with the length rows divided by a + b + |c|: the same at every scale
+};
+
+/// Where an instant starts, and with it when the tolerance is tested.
+enum class WarmStart {
+    Previous, ///< q of the instant before; tested on the residual before an update that is made all the same (report)
+    Taylor ///< q + q̇ Δt + q̈ Δt²/2 of the instant before; tested before each update, which may then not be needed
+};
+
+/// How the linear systems are solved. Both give the same iterates to rounding.
+enum class Elimination {
+    Dense,     ///< LU of the 12×12 matrix, as in the report
+    Structured ///< joint by joint, without a matrix: structured_system.h
+};
+
+/// Table 2 of the report.
+struct NewtonOptions {
+    int maxIterations = 10;
+
+    /// Iterate until the residual is at most this, and on while it leaves no two digits of the motion (kResolvedPart).
+    /// It bounds the residual, not the error. 0: until the residual no longer falls.
+    double tolerance = 1e-8;
+
+    ToleranceKind toleranceKind = ToleranceKind::Absolute;
+    WarmStart warmStart = WarmStart::Previous;
+    Elimination elimination = Elimination::Dense;
+
+    friend bool operator==(const NewtonOptions &, const NewtonOptions &) = default;
+};
+
+/// A start from afar needs up to 13 iterations, 29 at an exact toggle, so assemble() has a cap of its own.
+inline constexpr int kAssemblyIterations = 60;
+
+struct NewtonResult {
+    Vector12 q;                        ///< θ3 within the branch's half turn; the last iterate where not converged
+    int iterations = 0;                ///< linear systems solved, the abandoned warm start's included
+    Status status = Status::NotFinite; ///< Solved: residual ≤ tolerance (or, for 0, no longer falling)
+    bool startedAfar = false;          ///< the start was not (or not any more) the warm one
+
+    /// The residual before each iteration, then that of the answer; the first kHistory of the last start.
+    static constexpr int kHistory = 64;
+    std::array<double, kHistory> residuals; ///< the first residualCount; setting them all would cost as much as a step
+    int residualCount = 0;
+    double residual() const { return residualCount > 0 ? residuals[static_cast<std::size_t>(residualCount - 1)] : 0.0; }
+};
+
+/// Afar: θ2 exact, the coupler along x (open: 0, crossed: π). From there Newton's way to the wanted root is monotone.
+Vector12 farStart(const Mechanism &mechanism, double t);
+
+/// From afar.
+NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions &options = {});
+
+/// From coordinates near the answer: those of a neighbouring instant, or what is expected of this one.
+NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, const NewtonOptions &options = {});
+
+/// Velocity and acceleration with C_q at a solved position, whose residual ‖C‖ (mm and rad mixed) is given. Status
+/// Singular (and NaN) where they do not exist, or are lost in what is left of the residual: see kResolvedPart.
+State differentiate(const Mechanism &mechanism, const Vector12 &q, double residual = 0.0);
+
+/// One instant of a run.
+struct NewtonInstant {
+    double t = 0.0;
+    State state; ///< NaN as far as it does not exist
+
+    // As in NewtonResult.
+    Vector12 q;
+    int iterations = 0;
+    double residual = 0.0;
+    Status positionStatus = Status::NotFinite;
+    bool startedAfar = false;
+};
+
+/// The state at t, started from `before` as options.warmStart says, or from afar where `before` has no position.
+NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonInstant &before,
+                           const NewtonOptions &options = {});
+
+/// The same in place, from the instant that `instant` holds to the one at t: a run then copies nothing.
+void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options = {});
+
+/// A residual of r mm leaves sin θ3 uncertain by 2r/b where all four rows that make it up pull one way, so θ3 by δ with
+/// cos θ3 δ + δ²/2 = 2r/b, and velocity and acceleration, which go with 1/cos θ3 to 1/cos³ θ3, by δ/cos θ3 to three
+/// times that. They are given where r/b is at most this part of cos² θ3, and of cos² θ3 times as much less as their
+/// terms cancel: δ/cos θ3 is then 0.2 % and the acceleration is off by 0.6 % at most. Where r is 0, rounding leaves θ3
+/// uncertain all the same, by up to what r/b = 5e-16 would (as measured beside random toggles), and 2.2e-16 stands for
+/// it. Iteration goes on past the tolerance until r is small enough for that, and at most this part of a, or is no more
+/// than rounding.
+inline constexpr double kResolvedPart = 1.0 / 1024.0;
+
+} // namespace slidercrank

@@ -1,0 +1,618 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/column_guess.h"
+
+#include "core/reading/unit_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::size_t kFewestSamples = 8; ///< fewer values say nothing of how a quantity moves
+
+/// Trapezoids over steps of 12° of the crank are off by 1 %, and files have rounding: a derivative in another unit, or
+/// of something else, is off by far more.
+constexpr double kDerivativeTolerance = 0.05;
+
+/// What changes by less than this part of itself is constant, for a column of a few digits.
+constexpr double kEvenness = 1e-3;
+
+/// The residual, of the whole, of sin θ3 as a sinusoid: rounding leaves less; a slider's position more, unless the
+/// coupler is some fifty times as long as the crank. Between the two limits nothing is said.
+constexpr double kAngleResidual = 0.01;
+constexpr double kLengthResidual = 0.05;
+
+bool suits(const Unit &unit, Channel channel)
+{
+    const Dimension dimension = isAngle(channel.coordinate) ? Dimension::Angle : Dimension::Length;
+    return unit.dimension == dimension && unit.order == static_cast<int>(channel.order);
+}
+
+/// To the author's unit; 1 without a unit; nothing where it does not suit.
+std::optional<double> factorOf(const std::string &unitText, Channel channel)
+{
+    if (unitText.empty()) {
+        return 1.0;
+    }
+    const std::optional<Unit> unit = unitOf(unitText);
+    return unit && suits(*unit, channel) ? std::optional(unit->factor) : std::nullopt;
+}
+
+std::optional<double> unitsPerSecond(const std::string &unitText)
+{
+    if (unitText.empty()) {
+        return 1.0;
+    }
+    const std::optional<Unit> unit = unitOf(unitText);
+    return unit && unit->dimension == Dimension::Time ? std::optional(unit->factor) : std::nullopt;
+}
+
+// ---- values
+// ----------------------------------------------------------------------------------------------------------
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    std::size_t count = 0;
+
+    double width() const { return high - low; }
+    double size() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+Range rangeOf(const std::vector<double> &values)
+{
+    Range range;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            range.low = std::min(range.low, value);
+            range.high = std::max(range.high, value);
+            ++range.count;
+        }
+    }
+    return range;
+}
+
+bool onlyRises(const std::vector<double> &values)
+{
+    return values.size() >= 2 &&
+           std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }) &&
+           std::adjacent_find(values.begin(), values.end(), [](double x, double y) { return !(x < y); }) ==
+               values.end();
+}
+
+/// Whether the quantity changes at one rate throughout: a position on a line through its ends, a velocity that is
+/// constant and not zero, an acceleration that is zero.
+bool isEven(const std::vector<double> &time, const std::vector<double> &values, Order order)
+{
+    const Range range = rangeOf(values);
+    if (range.count < kFewestSamples) {
+        return false;
+    }
+    switch (order) {
+    case Order::Position: {
+        if (range.count != values.size() || !(range.width() > 0.0) || !onlyRises(time)) {
+            return false;
+        }
+        const double slope = (values.back() - values.front()) / (time.back() - time.front());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!(std::abs(values.front() + slope * (time[i] - time.front()) - values[i]) <=
+                  kEvenness * range.width())) {
+                return false;
+            }
+        }
+        return true;
+    }
+    case Order::Velocity: return range.size() > 0.0 && range.width() <= kEvenness * range.size();
+    case Order::Acceleration: return range.size() == 0.0;
+    }
+    return false;
+}
+
+/// Whether `rate` is the time derivative of `values`, judged by its integral: differences of rounded values would be
+/// noise. Also where there is too little to judge by.
+bool isDerivative(const std::vector<double> &time, const std::vector<double> &values, const std::vector<double> &rate)
+{
+    double integral = 0.0;
+    double worst = 0.0;
+    double largest = 0.0; // of the integral
+    std::size_t count = 0;
+    std::optional<std::size_t> first;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (!std::isfinite(time[i]) || !std::isfinite(values[i]) || !std::isfinite(rate[i])) {
+            continue;
+        }
+        if (first) {
+            integral += 0.5 * (rate[last] + rate[i]) * (time[i] - time[last]);
+            worst = std::max(worst, std::abs(values[i] - values[*first] - integral));
+            largest = std::max(largest, std::abs(integral));
+        } else {
+            first = i;
+        }
+        last = i;
+        ++count;
+    }
+    return count < kFewestSamples || worst <= kDerivativeTolerance * std::max(rangeOf(values).width(), largest);
+}
+
+/// The part of s̈ that is not a straight line of s = sin(angle), falling; 1 where there is none. sin θ3 = (c - a sin
+/// θ2)/b is a sinusoid, so the coupler's angle leaves nothing.
+double residualAsAngle(const std::vector<double> &angle, const std::vector<double> &velocity,
+                       const std::vector<double> &acceleration, double degreesPerUnit)
+{
+    double count = 0.0;
+    double meanS = 0.0;
+    double meanD = 0.0;
+    double ss = 0.0;
+    double sd = 0.0;
+    double dd = 0.0;
+    for (std::size_t i = 0; i < angle.size(); ++i) {
+        const double theta = angle[i] * degreesPerUnit / kDegreesPerRadian;
+        const double omega = velocity[i] * degreesPerUnit / kDegreesPerRadian;
+        const double alpha = acceleration[i] * degreesPerUnit / kDegreesPerRadian;
+        const double s = std::sin(theta);
+        const double d = std::cos(theta) * alpha - s * omega * omega;
+        if (!std::isfinite(s) || !std::isfinite(d)) {
+            continue;
+        }
+        // Means and sums of squares in one pass (Welford).
+        count += 1.0;
+        const double offS = s - meanS;
+        const double offD = d - meanD;
+        meanS += offS / count;
+        meanD += offD / count;
+        ss += offS * (s - meanS);
+        dd += offD * (d - meanD);
+        sd += offS * (d - meanD);
+    }
+    if (count < static_cast<double>(kFewestSamples) || !(ss > 0.0) || !(dd > 0.0) || !(sd < 0.0)) {
+        return 1.0;
+    }
+    return std::sqrt(std::max(0.0, 1.0 - sd / ss * sd / dd));
+}
+
+// ---- assignment
+// ------------------------------------------------------------------------------------------------------
+
+class Assignment
+{
+public:
+    Assignment(std::span<const Heading> headings, const std::function<ColumnSamples()> &sample)
+        : m_headings(headings)
+        , m_sample(sample)
+        , m_uses(headings.size())
+        , m_meanings(headings.size())
+    {
+        for (std::size_t i = 0; i < headings.size(); ++i) {
+            m_meanings[i] = meaningOf(headings[i]);
+        }
+    }
+
+    std::optional<ColumnFault> choose(std::span<const ColumnChoice> choices);
+    std::optional<ColumnFault> takeNames();
+    void guessTime();
+    void guessChannels();
+
+    std::vector<ColumnUse> take() { return std::move(m_uses); }
+
+private:
+    /// A column whose name says a quantity, while it is being told which channel it is.
+    struct Candidate {
+        std::size_t column = 0;
+        Order order = Order::Position;
+        std::optional<Dimension> dimension;
+        ColumnReason reason = ColumnReason::QuantityInName;
+        std::optional<std::size_t> otherColumn;
+        bool crank = false;
+    };
+
+    const ColumnSamples &samples()
+    {
+        if (m_samples.empty()) {
+            m_samples = m_sample();
+        }
+        return m_samples;
+    }
+
+    /// The column's samples in the author's unit, of the time in s.
+    std::vector<double> scaledSamples(std::size_t column, double factor)
+    {
+        std::vector<double> values = samples()[column];
+        for (double &value : values) {
+            value *= factor;
+        }
+        return values;
+    }
+
+    std::vector<double> timeSamples()
+    {
+        const std::size_t time = *columnAs(ColumnRole::Time);
+        return scaledSamples(time, 1.0 / m_uses[time].factor);
+    }
+
+    std::optional<std::size_t> columnAs(ColumnRole role) const
+    {
+        const auto found =
+            std::find_if(m_uses.begin(), m_uses.end(), [role](const ColumnUse &use) { return use.role == role; });
+        return found == m_uses.end() ? std::nullopt : std::optional<std::size_t>(found - m_uses.begin());
+    }
+
+    std::optional<std::size_t> columnAs(Channel channel) const
+    {
+        const auto found = std::find_if(m_uses.begin(), m_uses.end(), [channel](const ColumnUse &use) {
+            return use.role == ColumnRole::Channel && use.channel == channel;
+        });
+        return found == m_uses.end() ? std::nullopt : std::optional<std::size_t>(found - m_uses.begin());
+    }
+
+    bool isOpen(std::size_t i) const
+    {
+        return m_uses[i].role == ColumnRole::Ignored && m_uses[i].reason != ColumnReason::Chosen;
+    }
+
+    void ignore(std::size_t i, ColumnReason reason, std::optional<std::size_t> other = std::nullopt)
+    {
+        m_uses[i] = ColumnUse{ColumnRole::Ignored, {}, reason, other, 1.0};
+    }
+
+    std::optional<ColumnFault> nameTime(std::size_t i);
+    std::optional<ColumnFault> nameChannel(std::size_t i, Channel channel);
+    std::vector<Candidate> candidates();
+    void tellAngleFromLength(std::vector<Candidate> &all);
+    void tellByValues(std::vector<Candidate> &all, Candidate &position);
+    void give(const std::vector<Candidate> &all, Channel channel);
+
+    std::span<const Heading> m_headings;
+    const std::function<ColumnSamples()> &m_sample;
+    std::vector<ColumnUse> m_uses;
+    std::vector<NameMeaning> m_meanings;
+    ColumnSamples m_samples;
+};
+
+std::string unitAdvice(Channel channel)
+{
+    return "the unit is not known or does not suit the quantity: write for example [" +
+           std::string(authorUnitOf(channel)) + "], " + (isAngle(channel.coordinate) ? "rad" : "m, cm or in") +
+           " in its place, or none.";
+}
+
+constexpr const char *kTimeUnitAdvice = "the unit of the time is not known: write [s] or [ms], or none for seconds.";
+
+std::optional<ColumnFault> Assignment::choose(std::span<const ColumnChoice> choices)
+{
+    for (const ColumnChoice &choice : choices) {
+        if (choice.column >= m_uses.size()) {
+            continue; // a choice remembered from a wider file
+        }
+        const std::string &unit = choice.unit.empty() ? m_headings[choice.column].unit : choice.unit;
+        ColumnUse use;
+        use.role = choice.role;
+        use.channel = choice.channel;
+        use.reason = ColumnReason::Chosen;
+        switch (choice.role) {
+        case ColumnRole::Ignored: break;
+        case ColumnRole::Time: {
+            const std::optional<double> factor = unitsPerSecond(unit);
+            if (!factor) {
+                return ColumnFault{choice.column, kTimeUnitAdvice};
+            }
+            if (columnAs(ColumnRole::Time)) {
+                return ColumnFault{choice.column, "two columns are chosen as the time: keep one of the two."};
+            }
+            use.factor = *factor;
+            break;
+        }
+        case ColumnRole::Channel: {
+            const std::optional<double> factor = factorOf(unit, choice.channel);
+            if (!factor) {
+                return ColumnFault{choice.column, unitAdvice(choice.channel)};
+            }
+            if (columnAs(choice.channel)) {
+                return ColumnFault{choice.column, "two columns are chosen as " + std::string(nameOf(choice.channel)) +
+                                                      ": keep one of the two."};
+            }
+            use.factor = *factor;
+            break;
+        }
+        }
+        m_uses[choice.column] = use;
+    }
+    return std::nullopt;
+}
+
+std::optional<ColumnFault> Assignment::nameTime(std::size_t i)
+{
+    if (const std::optional<std::size_t> other = columnAs(ColumnRole::Time)) {
+        if (m_uses[*other].reason == ColumnReason::Chosen) {
+            ignore(i, ColumnReason::LikeOther, other);
+            return std::nullopt;
+        }
+        return ColumnFault{i, "there is a time column already: keep one of the two."};
+    }
+    const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
+    if (!factor) {
+        return ColumnFault{i, kTimeUnitAdvice};
+    }
+    m_uses[i] = ColumnUse{ColumnRole::Time, {}, ColumnReason::KnownName, std::nullopt, *factor};
+    return std::nullopt;
+}
+
+std::optional<ColumnFault> Assignment::nameChannel(std::size_t i, Channel channel)
+{
+    const bool fileName = m_meanings[i].fileName;
+    if (const std::optional<std::size_t> other = columnAs(channel)) {
+        if (fileName && m_uses[*other].reason != ColumnReason::Chosen) {
+            return ColumnFault{i, "there is a column of that name already: keep one of the two."};
+        }
+        ignore(i, ColumnReason::LikeOther, other);
+        return std::nullopt;
+    }
+    for (std::size_t j = 0; j < m_uses.size() && !fileName; ++j) { // words are not names: which of two, nobody knows
+        const NameMeaning &other = m_meanings[j];
+        if (j != i && other.kind == NameMeaning::Kind::Channel && !other.fileName && other.channel == channel) {
+            ignore(i, ColumnReason::LikeOther, j);
+            return std::nullopt;
+        }
+    }
+    const std::optional<double> factor = factorOf(m_headings[i].unit, channel);
+    if (!factor && fileName) {
+        return ColumnFault{i, unitAdvice(channel)};
+    }
+    if (!factor) {
+        ignore(i, ColumnReason::UnknownUnit);
+        return std::nullopt;
+    }
+    m_uses[i] = ColumnUse{ColumnRole::Channel, channel, ColumnReason::KnownName, std::nullopt, *factor};
+    return std::nullopt;
+}
+
+std::optional<ColumnFault> Assignment::takeNames()
+{
+    const auto take = [this](bool fileNames) -> std::optional<ColumnFault> {
+        for (std::size_t i = 0; i < m_uses.size(); ++i) {
+            const NameMeaning &meaning = m_meanings[i];
+            if (!isOpen(i)) {
+                continue;
+            }
+            std::optional<ColumnFault> fault;
+            if (fileNames && meaning.kind == NameMeaning::Kind::Time) {
+                fault = nameTime(i);
+            } else if (meaning.kind == NameMeaning::Kind::Channel && meaning.fileName == fileNames) {
+                fault = nameChannel(i, meaning.channel);
+            } else if (fileNames && m_headings[i].printed.empty()) {
+                ignore(i, ColumnReason::NoName);
+            }
+            if (fault) {
+                return fault;
+            }
+        }
+        return std::nullopt;
+    };
+    std::optional<ColumnFault> fault = take(true);
+    return fault ? fault : take(false);
+}
+
+void Assignment::guessTime()
+{
+    if (columnAs(ColumnRole::Time)) {
+        return;
+    }
+    for (std::size_t i = 0; i < m_uses.size(); ++i) {
+        const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty();
+        const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
+        if (isOpen(i) && named && factor && i < samples().size() && onlyRises(samples()[i])) {
+            m_uses[i] = ColumnUse{ColumnRole::Time, {}, ColumnReason::RisingValues, std::nullopt, *factor};
+            return;
+        }
+    }
+}
+
+/// The columns whose names say a quantity, with the unit's word on it.
+std::vector<Assignment::Candidate> Assignment::candidates()
+{
+    std::vector<Candidate> all;
+    for (std::size_t i = 0; i < m_uses.size(); ++i) {
+        const NameMeaning &meaning = m_meanings[i];
+        if (!isOpen(i) || meaning.kind != NameMeaning::Kind::Quantity || !meaning.order) {
+            continue;
+        }
+        if (i < samples().size() && rangeOf(samples()[i]).count == 0) {
+            ignore(i, ColumnReason::NoNumber);
+            continue;
+        }
+        const bool grapher = !meaning.outputIndex.empty();
+        Candidate candidate;
+        candidate.column = i;
+        candidate.order = *meaning.order;
+        candidate.dimension = meaning.dimension;
+        if (!m_headings[i].unit.empty()) {
+            const std::optional<Unit> unit = unitOf(m_headings[i].unit);
+            const bool suitable = unit && unit->dimension != Dimension::Time &&
+                                  unit->order == static_cast<int>(candidate.order) &&
+                                  (!meaning.dimension || meaning.dimension == unit->dimension);
+            if (!suitable) {
+                ignore(i, ColumnReason::UnknownUnit);
+                continue;
+            }
+            candidate.dimension = unit->dimension;
+            candidate.reason = grapher ? ColumnReason::LetterAndUnit : ColumnReason::QuantityInName;
+        } else if (!grapher && !candidate.dimension) {
+            candidate.dimension = Dimension::Length; // "velocity" alone is no angular velocity
+        }
+        all.push_back(candidate);
+    }
+    return all;
+}
+
+/// For one of Inventor's positions without a unit, and its velocity and acceleration.
+void Assignment::tellByValues(std::vector<Candidate> &all, Candidate &position)
+{
+    const auto derivative = [&](Order order) -> Candidate * {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Candidate &each) {
+            return each.order == order &&
+                   m_meanings[each.column].outputIndex == m_meanings[position.column].outputIndex;
+        });
+        return found == all.end() ? nullptr : &*found;
+    };
+    Candidate *const velocity = derivative(Order::Velocity);
+    Candidate *const acceleration = derivative(Order::Acceleration);
+    const std::vector<double> time = timeSamples();
+    const auto valuesOf = [this](const Candidate *candidate) -> const std::vector<double> & {
+        return samples()[candidate->column];
+    };
+    const bool crank = isEven(time, valuesOf(&position), Order::Position);
+    if (!crank && velocity && acceleration && isDerivative(time, valuesOf(&position), valuesOf(velocity)) &&
+        isDerivative(time, valuesOf(velocity), valuesOf(acceleration))) {
+        const double residual = std::min(
+            residualAsAngle(valuesOf(&position), valuesOf(velocity), valuesOf(acceleration), 1.0),
+            residualAsAngle(valuesOf(&position), valuesOf(velocity), valuesOf(acceleration), kDegreesPerRadian));
+        if (residual < kAngleResidual) {
+            position.dimension = Dimension::Angle;
+        } else if (residual > kLengthResidual) {
+            position.dimension = Dimension::Length;
+        }
+    } else if (crank) {
+        position.dimension = Dimension::Angle;
+    }
+    position.reason = ColumnReason::LetterAndValues;
+}
+
+/// Units say it for some of Inventor's columns, values for others; what belongs to the same joint is of the same kind.
+void Assignment::tellAngleFromLength(std::vector<Candidate> &all)
+{
+    const std::vector<double> time = timeSamples();
+    const auto sameJoint = [this](const Candidate &x, const Candidate &y) {
+        return m_meanings[x.column].outputIndex == m_meanings[y.column].outputIndex;
+    };
+    const auto inherit = [&](Candidate &open) {
+        for (const Candidate &other : all) {
+            if (open.dimension || !other.dimension || !sameJoint(open, other) || other.order == open.order) {
+                continue;
+            }
+            const bool later = open.order > other.order;
+            const std::size_t base = later ? other.column : open.column;
+            const std::size_t rate = later ? open.column : other.column;
+            const int apart = std::abs(static_cast<int>(open.order) - static_cast<int>(other.order));
+            if (apart == 1 && isDerivative(time, samples()[base], samples()[rate])) {
+                open.dimension = other.dimension;
+                open.reason = ColumnReason::DerivativeOfOther;
+                open.otherColumn = other.column;
+            }
+        }
+    };
+    for (int round = 0; round < 2; ++round) { // from the position to the velocity, from there to the acceleration
+        for (Candidate &candidate : all) {
+            inherit(candidate);
+        }
+        for (Candidate &candidate : all) {
+            if (round == 0 && !candidate.dimension && candidate.order == Order::Position) {
+                tellByValues(all, candidate);
+                for (Candidate &other : all) {
+                    inherit(other);
+                }
+            }
+        }
+    }
+    for (Candidate &candidate : all) {
+        if (!candidate.dimension) {
+            ignore(candidate.column, ColumnReason::AngleOrLength);
+        } else if (candidate.dimension == Dimension::Angle &&
+                   isEven(time, samples()[candidate.column], candidate.order)) {
+            candidate.crank = true;
+            candidate.reason = ColumnReason::EvenRate;
+            candidate.otherColumn.reset();
+        }
+    }
+    std::erase_if(all, [](const Candidate &candidate) { return !candidate.dimension; });
+}
+
+/// Gives the channel to the one candidate that can be it.
+void Assignment::give(const std::vector<Candidate> &all, Channel channel)
+{
+    std::vector<const Candidate *> left;
+    for (const Candidate &candidate : all) {
+        const bool angle = candidate.dimension == Dimension::Angle;
+        const Coordinate coordinate =
+            !angle ? (m_meanings[candidate.column].alongY ? R4y : R4x) : (candidate.crank ? Theta2 : Theta3);
+        if (Channel{coordinate, candidate.order} == channel) {
+            left.push_back(&candidate);
+        }
+    }
+    if (left.empty()) {
+        return;
+    }
+    if (const std::optional<std::size_t> taken = columnAs(channel)) {
+        for (const Candidate *candidate : left) {
+            ignore(candidate->column, ColumnReason::LikeOther, taken);
+        }
+        return;
+    }
+    const auto factorIn = [this](std::size_t column) {
+        const std::optional<Unit> unit = unitOf(m_headings[column].unit);
+        return unit ? unit->factor : 1.0;
+    };
+    if (channel.order != Order::Position) {
+        const Order before = channel.order == Order::Velocity ? Order::Position : Order::Velocity;
+        const std::optional<std::size_t> base = columnAs(Channel{channel.coordinate, before});
+        std::erase_if(left, [&](const Candidate *candidate) {
+            const bool wrong =
+                base && !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
+                                      scaledSamples(candidate->column, factorIn(candidate->column)));
+            if (wrong) {
+                ignore(candidate->column, ColumnReason::NotDerivative, base);
+            }
+            return wrong;
+        });
+    }
+    if (left.size() == 1) {
+        const Candidate &found = *left.front();
+        m_uses[found.column] =
+            ColumnUse{ColumnRole::Channel, channel, found.reason, found.otherColumn, factorIn(found.column)};
+        return;
+    }
+    for (const Candidate *candidate : left) {
+        ignore(candidate->column, ColumnReason::LikeOther, (candidate == left[0] ? left[1] : left[0])->column);
+    }
+}
+
+void Assignment::guessChannels()
+{
+    if (!columnAs(ColumnRole::Time)) {
+        return;
+    }
+    std::vector<Candidate> all = candidates();
+    if (all.empty() || samples().size() < m_uses.size()) {
+        return;
+    }
+    tellAngleFromLength(all);
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        for (const Coordinate coordinate : {Theta2, Theta3, R4x, R4y}) {
+            give(all, {coordinate, order});
+        }
+    }
+}
+
+} // namespace
+
+std::variant<std::vector<ColumnUse>, ColumnFault> assignColumns(std::span<const Heading> headings,
+                                                                std::span<const ColumnChoice> choices,
+                                                                const std::function<ColumnSamples()> &sample)
+{
+    Assignment assignment(headings, sample);
+    if (std::optional<ColumnFault> fault = assignment.choose(choices)) {
+        return *std::move(fault);
+    }
+    if (std::optional<ColumnFault> fault = assignment.takeNames()) {
+        return *std::move(fault);
+    }
+    assignment.guessTime();
+    assignment.guessChannels();
+    return assignment.take();
+}
+
+} // namespace slidercrank

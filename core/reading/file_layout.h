@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How a reference file is written and what each of its columns became, and why: where numbers come from, for whoever
+// asks, and what a person needs who wants to choose the columns otherwise. Lines count from 1, columns from 0.
+
+#include "core/mechanism/channel.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slidercrank
+{
+
+enum class TextEncoding { Utf8, Utf16LittleEndian, Utf16BigEndian, Windows1252 };
+
+enum class DecimalSign { Point, Comma };
+
+enum class ColumnRole { Ignored, Time, Channel };
+
+/// Why a column became what it is. `otherColumn` is FileColumn::otherColumn.
+enum class ColumnReason {
+    // Certain.
+    KnownName, ///< the name is one of the time or of a channel
+    Chosen,    ///< a person chose it, for any role
+
+    // Guessed: to be confirmed by a person.
+    QuantityInName,    ///< the name, with its unit, says the quantity but leaves open of which body: the usual one
+    LetterAndUnit,     ///< Inventor's P, V or A says the order, the unit angle or length
+    LetterAndValues,   ///< Inventor's P, V or A says the order; the values move as an angle, or a length, would
+    DerivativeOfOther, ///< the values are the time derivative of otherColumn
+    EvenRate,          ///< an angle that grows at an even rate is the crank's
+    RisingValues,      ///< no column is named as the time; this is the first that only rises
+
+    // Ignored.
+    UnknownName,   ///< the name means no channel
+    NoName,        ///< the heading is empty
+    NoNumber,      ///< no cell holds a number
+    UnknownUnit,   ///< the name suggests a channel, but the unit is none of that quantity
+    LikeOther,     ///< could be the same channel as otherColumn: which one, a person must say
+    NotDerivative, ///< the values are not the derivative that the name says, of otherColumn
+    AngleOrLength  ///< neither unit nor values tell an angle from a length
+};
+
+/// English, a clause: "its name is known".
+std::string_view clauseOf(ColumnReason reason);
+
+constexpr bool isGuess(ColumnReason reason)
+{
+    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::RisingValues;
+}
+
+/// One column of the file, UTF-8 whatever the file's encoding.
+struct FileColumn {
+    std::string heading; ///< as printed, with the unit where it stands there; empty: none
+    std::string unit;    ///< as printed, in the heading or in the line of units; empty: none given, the author's
+    ColumnRole role = ColumnRole::Ignored;
+    Channel channel; ///< where the role is Channel
+    ColumnReason reason = ColumnReason::UnknownName;
+    std::optional<std::size_t> otherColumn; ///< that the reason speaks of
+};
+
+/// What was found of a file's form.
+struct FileLayout {
+    TextEncoding encoding = TextEncoding::Utf8;
+    bool byteOrderMark = false;
+    char delimiter = ',';
+    DecimalSign decimalSign = DecimalSign::Point;
+    std::size_t headerLine = 0;                 ///< 0: none, the file begins with numbers
+    std::vector<std::size_t> preambleLines;     ///< before the header: titles, comments, a delimiter announced
+    std::size_t unitsLine = 0;                  ///< 0: none
+    std::vector<FileColumn> columns;            ///< all of them, in the file's order
+    std::vector<std::vector<std::string>> rows; ///< the first few rows of cells as printed, for a preview
+
+    /// Whether names did not tell all that was taken from the file: a person should look at the columns.
+    bool isGuessed() const;
+};
+
+/// What a person says of one column, over whatever its name says.
+struct ColumnChoice {
+    std::size_t column = 0; ///< from 0
+    ColumnRole role = ColumnRole::Ignored;
+    Channel channel;  ///< where the role is Channel
+    std::string unit; ///< as a heading would give it ("rad/s", "m", "ms"); empty: the file's, or the author's
+};
+
+} // namespace slidercrank

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/heading.h"
+
+#include "core/reading/text_encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool isUpper(char c)
+{
+    return c >= 'A' && c <= 'Z';
+}
+
+bool isLetter(char c)
+{
+    return isUpper(c) || (c >= 'a' && c <= 'z');
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+struct Spelling {
+    std::string_view printed;
+    std::string_view plain;
+};
+
+/// What people write beyond ASCII, in plain letters.
+constexpr std::array<Spelling, 27> kSpellings{
+    {{"á", "a"},     {"é", "e"},     {"í", "i"},     {"ó", "o"},     {"ú", "u"},     {"ü", "u"},    {"ñ", "n"},
+     {"Á", "A"},     {"É", "E"},     {"Í", "I"},     {"Ó", "O"},     {"Ú", "U"},     {"Ü", "U"},    {"Ñ", "N"},
+     {"θ", "theta"}, {"ω", "omega"}, {"α", "alpha"}, {"ϑ", "theta"}, {"Θ", "theta"}, {"²", "2"},    {"³", "3"},
+     {"⁴", "4"},     {"₂", "2"},     {"₃", "3"},     {"₄", "4"},     {"\u0301", ""}, {"\u0303", ""}}};
+
+/// In ASCII; what has no plain spelling becomes '?', a letter that is in no word known here.
+std::string plainSpelling(std::string_view name)
+{
+    std::string plain;
+    while (!name.empty()) {
+        if (static_cast<unsigned char>(name[0]) < 0x80) {
+            plain += name[0];
+            name.remove_prefix(1);
+            continue;
+        }
+        const auto spelling = std::find_if(kSpellings.begin(), kSpellings.end(),
+                                           [&](const Spelling &each) { return name.starts_with(each.printed); });
+        if (spelling != kSpellings.end()) {
+            plain += spelling->plain;
+            name.remove_prefix(spelling->printed.size());
+            continue;
+        }
+        plain += '?';
+        name.remove_prefix(std::max<std::size_t>(sequenceLength(name), 1));
+    }
+    return plain;
+}
+
+/// The runs of letters and the runs of digits, in lower case; "SliderPosition" are two words.
+std::vector<std::string> wordsOf(const std::string &plain)
+{
+    std::vector<std::string> words;
+    char before = ' ';
+    for (const char c : plain) {
+        const bool letter = isLetter(c) || c == '?';
+        if (letter || isDigit(c)) {
+            const bool goesOn =
+                letter ? (isLetter(before) || before == '?') && !(isUpper(c) && !isUpper(before)) : isDigit(before);
+            if (!goesOn) {
+                words.emplace_back();
+            }
+            words.back() += isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+        }
+        before = c;
+    }
+    return words;
+}
+
+template <std::size_t N>
+bool isOneOf(std::string_view word, const std::array<std::string_view, N> &words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+constexpr std::array<std::string_view, 8> kTimeWords{"time", "t",     "tiempo", "timestamp",
+                                                     "zeit", "temps", "tempo",  "instante"};
+/// Beside a word for the time, these change nothing.
+constexpr std::array<std::string_view, 8> kTimeCompanions{"elapsed",      "sim", "simulation", "simulacion",
+                                                          "transcurrido", "de",  "la",         "stamp"};
+constexpr std::array<std::string_view, 13> kRowNumbers{"n",    "no",    "nr",   "num",  "index",  "row",  "id",
+                                                       "fila", "frame", "paso", "step", "sample", "point"};
+constexpr std::array<std::string_view, 11> kFillers{"de", "del",       "la",         "el",    "of",           "the",
+                                                    "en", "component", "componente", "trans", "translational"};
+
+enum class Body { Crank, Coupler, Slider };
+
+struct Vocabulary {
+    std::string_view word;
+    std::optional<Order> order;
+    std::optional<Dimension> dimension;
+    std::optional<Body> body;
+    char axis = ' ';
+};
+
+constexpr std::nullopt_t kOpen = std::nullopt;
+constexpr std::array<Vocabulary, 65> kVocabulary{{
+    {"position", Order::Position, kOpen, kOpen},
+    {"posicion", Order::Position, kOpen, kOpen},
+    {"pos", Order::Position, kOpen, kOpen},
+    {"displacement", Order::Position, kOpen, kOpen},
+    {"disp", Order::Position, kOpen, kOpen},
+    {"desplazamiento", Order::Position, kOpen, kOpen},
+    {"coordinate", Order::Position, Dimension::Length, kOpen},
+    {"coordenada", Order::Position, Dimension::Length, kOpen},
+    {"stroke", Order::Position, Dimension::Length, kOpen},
+    {"carrera", Order::Position, Dimension::Length, kOpen},
+    {"x", kOpen, Dimension::Length, kOpen, 'x'},
+    {"y", kOpen, Dimension::Length, kOpen, 'y'},
+    {"velocity", Order::Velocity, kOpen, kOpen},
+    {"velocidad", Order::Velocity, kOpen, kOpen},
+    {"speed", Order::Velocity, kOpen, kOpen},
+    {"vel", Order::Velocity, kOpen, kOpen},
+    {"v", Order::Velocity, kOpen, kOpen},
+    {"vx", Order::Velocity, Dimension::Length, kOpen, 'x'},
+    {"vy", Order::Velocity, Dimension::Length, kOpen, 'y'},
+    {"acceleration", Order::Acceleration, kOpen, kOpen},
+    {"aceleracion", Order::Acceleration, kOpen, kOpen},
+    {"accel", Order::Acceleration, kOpen, kOpen},
+    {"acel", Order::Acceleration, kOpen, kOpen},
+    {"acc", Order::Acceleration, kOpen, kOpen},
+    {"a", Order::Acceleration, kOpen, kOpen},
+    {"ax", Order::Acceleration, Dimension::Length, kOpen, 'x'},
+    {"ay", Order::Acceleration, Dimension::Length, kOpen, 'y'},
+    {"angle", Order::Position, Dimension::Angle, kOpen},
+    {"angulo", Order::Position, Dimension::Angle, kOpen},
+    {"ang", kOpen, Dimension::Angle, kOpen},
+    {"angular", kOpen, Dimension::Angle, kOpen},
+    {"rotation", Order::Position, Dimension::Angle, kOpen},
+    {"rotational", kOpen, Dimension::Angle, kOpen},
+    {"rotacion", Order::Position, Dimension::Angle, kOpen},
+    {"giro", Order::Position, Dimension::Angle, kOpen},
+    {"orientation", Order::Position, Dimension::Angle, kOpen},
+    {"theta", Order::Position, Dimension::Angle, kOpen},
+    {"tita", Order::Position, Dimension::Angle, kOpen},
+    {"omega", Order::Velocity, Dimension::Angle, kOpen},
+    {"w", Order::Velocity, Dimension::Angle, kOpen},
+    {"alpha", Order::Acceleration, Dimension::Angle, kOpen},
+    {"alfa", Order::Acceleration, Dimension::Angle, kOpen},
+    {"linear", kOpen, Dimension::Length, kOpen},
+    {"lineal", kOpen, Dimension::Length, kOpen},
+    {"crank", kOpen, Dimension::Angle, Body::Crank},
+    {"manivela", kOpen, Dimension::Angle, Body::Crank},
+    {"kurbel", kOpen, Dimension::Angle, Body::Crank},
+    {"coupler", kOpen, kOpen, Body::Coupler},
+    {"rod", kOpen, kOpen, Body::Coupler},
+    {"conrod", kOpen, kOpen, Body::Coupler},
+    {"connecting", kOpen, kOpen, Body::Coupler},
+    {"biela", kOpen, kOpen, Body::Coupler},
+    {"acoplador", kOpen, kOpen, Body::Coupler},
+    {"pleuel", kOpen, kOpen, Body::Coupler},
+    {"slider", kOpen, kOpen, Body::Slider},
+    {"piston", kOpen, kOpen, Body::Slider},
+    {"corredera", kOpen, kOpen, Body::Slider},
+    {"deslizadera", kOpen, kOpen, Body::Slider},
+    {"deslizador", kOpen, kOpen, Body::Slider},
+    {"deslizante", kOpen, kOpen, Body::Slider},
+    {"embolo", kOpen, kOpen, Body::Slider},
+    {"block", kOpen, kOpen, Body::Slider},
+    {"bloque", kOpen, kOpen, Body::Slider},
+    {"geschwindigkeit", Order::Velocity, kOpen, kOpen},
+    {"beschleunigung", Order::Acceleration, kOpen, kOpen},
+}};
+
+std::string joined(const std::vector<std::string> &words)
+{
+    std::string all;
+    for (const std::string &word : words) {
+        all += word == "dot" ? "diff" : word == "ddot" ? "diff2" : word;
+    }
+    return all;
+}
+
+/// nameOf() in small letters, without underscores.
+const std::array<std::string, kChannelCount> &plainChannelNames()
+{
+    static const std::array<std::string, kChannelCount> names = [] {
+        std::array<std::string, kChannelCount> plain;
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            plain[index] = nameOf(channelAt(index));
+            std::erase(plain[index], '_');
+            plain[index][0] = plain[index][0] == 'R' ? 'r' : plain[index][0];
+        }
+        return plain;
+    }();
+    return names;
+}
+
+/// The channel whose name has the same letters and digits, whatever stands between them.
+std::optional<Channel> channelSpelled(const std::vector<std::string> &words)
+{
+    const std::array<std::string, kChannelCount> &names = plainChannelNames();
+    const auto found = std::find(names.begin(), names.end(), joined(words));
+    return found == names.end() ? std::nullopt
+                                : std::optional(channelAt(static_cast<std::size_t>(found - names.begin())));
+}
+
+bool isTime(const std::vector<std::string> &words)
+{
+    std::size_t count = 0;
+    for (const std::string &word : words) {
+        const bool time = isOneOf(word, kTimeWords);
+        count += time ? 1 : 0;
+        if (!time && !isOneOf(word, kTimeCompanions)) {
+            return false;
+        }
+    }
+    return count == 1;
+}
+
+/// "P[3.1]", "V[3,1]", "A[1]": the Output Grapher's position, velocity and acceleration of a joint.
+std::optional<NameMeaning> outputGrapher(std::string_view name)
+{
+    if (name.size() < 4 || name[1] != '[' || name.back() != ']') {
+        return std::nullopt;
+    }
+    NameMeaning meaning;
+    meaning.kind = NameMeaning::Kind::Quantity;
+    switch (name[0]) {
+    case 'P': meaning.order = Order::Position; break;
+    case 'V': meaning.order = Order::Velocity; break;
+    case 'A': meaning.order = Order::Acceleration; break;
+    default: return std::nullopt;
+    }
+    meaning.outputIndex = name.substr(2, name.size() - 3);
+    return meaning;
+}
+
+std::optional<Coordinate> coordinateOf(Body body, std::optional<Dimension> dimension, char axis)
+{
+    switch (body) {
+    case Body::Crank: return Theta2;
+    case Body::Coupler: return dimension == Dimension::Angle ? std::optional<Coordinate>(Theta3) : std::nullopt;
+    case Body::Slider: return axis == 'y' ? R4y : R4x;
+    }
+    return std::nullopt;
+}
+
+/// What words say together; nothing where one of them is not understood.
+NameMeaning fromWords(const std::vector<std::string> &words, const std::optional<Unit> &unit)
+{
+    NameMeaning meaning;
+    std::optional<Body> body;
+    std::optional<int> number; // of the body, behind θ, ω or α
+    char axis = ' ';
+    bool greek = false;
+    bool contradiction = false;
+    for (const std::string &word : words) {
+        if (isDigit(word[0])) {
+            if (greek && word.size() == 1) {
+                number = word[0] - '0';
+            }
+            continue;
+        }
+        // A single letter is a quantity when it stands alone, not in "a1" or "v_0".
+        const bool letterOfMany = word.size() == 1 && word != "x" && word != "y" && words.size() > 1;
+        const auto known = letterOfMany ? kVocabulary.end()
+                                        : std::find_if(kVocabulary.begin(), kVocabulary.end(),
+                                                       [&](const Vocabulary &each) { return each.word == word; });
+        if (known == kVocabulary.end()) {
+            if (!isOneOf(word, kFillers)) {
+                return {};
+            }
+            continue;
+        }
+        greek = word == "theta" || word == "omega" || word == "alpha" || word == "alfa" || word == "tita";
+        if (known->order) {
+            meaning.order = std::max(known->order, meaning.order);
+        }
+        if (known->dimension) {
+            // "linear velocity of the crank", "rotation about x": nothing that is among the channels
+            contradiction = contradiction || (meaning.dimension && meaning.dimension != known->dimension);
+            meaning.dimension = known->dimension;
+        }
+        if (known->body) {
+            contradiction = contradiction || (body && body != known->body);
+            body = known->body;
+        }
+        axis = known->axis != ' ' ? known->axis : axis;
+    }
+    if (contradiction || (number && (*number < 2 || *number > 4))) {
+        return {};
+    }
+    if (!body && number) {
+        body = *number == 2 ? Body::Crank : Body::Coupler;
+        if (*number == 4) {
+            return {};
+        }
+    }
+    if (body == Body::Slider) {
+        if (meaning.dimension == Dimension::Angle) {
+            return {};
+        }
+        meaning.dimension = Dimension::Length;
+    }
+    if (!meaning.dimension && unit) {
+        meaning.dimension = unit->dimension;
+    }
+    if (!meaning.order && !(axis != ' ' && words.size() == 1) && !body) {
+        return {};
+    }
+    if (!meaning.order && (axis != ' ' || meaning.dimension == Dimension::Angle)) {
+        meaning.order = Order::Position;
+    }
+    if (!meaning.order) {
+        return {};
+    }
+    meaning.alongY = axis == 'y';
+    meaning.kind = NameMeaning::Kind::Quantity;
+    if (body) {
+        const std::optional<Coordinate> coordinate = coordinateOf(*body, meaning.dimension, axis);
+        if (!coordinate) {
+            return {};
+        }
+        meaning.kind = NameMeaning::Kind::Channel;
+        meaning.channel = {*coordinate, *meaning.order};
+    }
+    return meaning;
+}
+
+/// "3.1" of "P[3.1]" is no unit.
+bool isIndex(std::string_view text)
+{
+    return text.find_first_not_of("0123456789.,: ") == text.npos;
+}
+
+} // namespace
+
+Heading headingOf(std::string_view cell)
+{
+    Heading heading;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        heading.printed += cell[i];
+        if (cell[i] == '"' && i + 1 < cell.size() && cell[i + 1] == '"') {
+            ++i; // a doubled mark stands for one
+        }
+    }
+    std::string_view name = heading.printed;
+    if (!name.empty() && (name.back() == ']' || name.back() == ')')) {
+        const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
+        const bool index = open != name.npos && name.back() == ']' && open + 2 < name.size() &&
+                           isIndex(name.substr(open + 1, name.size() - open - 2));
+        if (open != name.npos && !index) {
+            heading.unit = trimmed(name.substr(open + 1, name.size() - open - 2));
+            name = trimmed(name.substr(0, open));
+        }
+    } else {
+        for (const char separator : {',', ' ', '_'}) {
+            const std::size_t at = name.rfind(separator);
+            if (at == name.npos || at == 0) {
+                continue;
+            }
+            const std::string_view tail = trimmed(name.substr(at + 1));
+            if (tail != "in" && unitOf(tail)) { // "in" is a word as well
+                heading.unit = tail;
+                name = trimmed(name.substr(0, at));
+                break;
+            }
+        }
+    }
+    heading.name = name;
+    return heading;
+}
+
+NameMeaning meaningOf(const Heading &heading)
+{
+    if (const std::optional<NameMeaning> grapher = outputGrapher(heading.name)) {
+        return *grapher;
+    }
+    NameMeaning meaning;
+    const std::vector<std::string> words = wordsOf(plainSpelling(heading.name));
+    if (words.empty()) {
+        return meaning;
+    }
+    if (isTime(words)) {
+        meaning.kind = NameMeaning::Kind::Time;
+    } else if (const std::optional<Channel> channel = channelSpelled(words)) {
+        meaning.kind = NameMeaning::Kind::Channel;
+        meaning.channel = *channel;
+        meaning.fileName = true;
+    } else if (words.size() == 1 && isOneOf(words[0], kRowNumbers)) {
+        meaning.kind = NameMeaning::Kind::RowNumber;
+    } else {
+        meaning = fromWords(words, unitOf(heading.unit));
+    }
+    return meaning;
+}
+
+} // namespace slidercrank

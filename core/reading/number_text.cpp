@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/number_text.h"
+
+#include "core/reading/rounding.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+CellNumber unreadable(const char *clause)
+{
+    CellNumber number;
+    number.fault = clause;
+    return number;
+}
+
+/// The number that all of `digits` are, if they are one; with its point, whatever the file's decimal sign.
+std::optional<double> valueOf(std::string_view digits)
+{
+    const std::size_t first = !digits.empty() && digits.front() == '-' ? 1 : 0;
+    if (first == digits.size() || !((digits[first] >= '0' && digits[first] <= '9') || digits[first] == '.')) {
+        return std::nullopt; // also inf, which from_chars would take
+    }
+    double value = 0.0;
+    const char *const end = digits.data() + digits.size();
+    const auto [last, fault] = std::from_chars(digits.data(), end, value);
+    if (last != end || fault == std::errc::invalid_argument) {
+        return std::nullopt;
+    }
+    if (fault == std::errc::result_out_of_range) {
+        const double sizeBeyondDouble = placesOf(digits).first > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+        return sizeBeyondDouble;
+    }
+    return value;
+}
+
+} // namespace
+
+bool equalIgnoringCase(std::string_view text, std::string_view lowerCase)
+{
+    return std::equal(text.begin(), text.end(), lowerCase.begin(), lowerCase.end(), [](char x, char lower) {
+        return (x >= 'A' && x <= 'Z' ? static_cast<char>(x - 'A' + 'a') : x) == lower;
+    });
+}
+
+bool looksNumeric(std::string_view text)
+{
+    return text.find_first_of("0123456789") != std::string_view::npos &&
+           text.find_first_not_of("0123456789+-.,eE") == std::string_view::npos;
+}
+
+CellNumber readNumber(std::string_view text, DecimalSign decimalSign)
+{
+    const bool comma = decimalSign == DecimalSign::Comma;
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+    CellNumber number;
+    number.digits = plus ? text.substr(1) : text;
+
+    std::optional<double> value;
+    std::array<char, 128> withPoint; // no number needs more
+    if (!comma) {
+        value = valueOf(number.digits);
+    } else if (number.digits.size() <= withPoint.size() && number.digits.find('.') == std::string_view::npos) {
+        std::replace_copy(number.digits.begin(), number.digits.end(), withPoint.begin(), ',', '.');
+        value = valueOf({withPoint.data(), number.digits.size()});
+    }
+    if (value && std::isfinite(*value)) {
+        number.value = *value;
+        return number;
+    }
+    if (value) {
+        return unreadable("not a number: too large");
+    }
+    if (text.empty() || equalIgnoringCase(text, "nan") || equalIgnoringCase(text, "-nan")) {
+        return {};
+    }
+    if (looksNumeric(text) && text.find(comma ? '.' : ',') != std::string_view::npos) {
+        return unreadable(comma ? "not a number: this file writes a decimal comma"
+                                : "not a number: this file writes a decimal point");
+    }
+    return unreadable("not a number");
+}
+
+} // namespace slidercrank

@@ -1,0 +1,839 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/reference_data.h"
+
+#include "core/reading/cell_scanner.h"
+#include "core/reading/column_guess.h"
+#include "core/reading/number_text.h"
+#include "core/reading/table_layout.h"
+#include "core/reading/text_encoding.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// How many rows left out are listed one by one; the last entry then counts the others.
+constexpr std::size_t kMostSkippedRows = 1000;
+constexpr std::size_t kRowsBetweenPolls = 4096;
+
+ReadError wholeFile(std::string reason)
+{
+    ReadError error;
+    error.reason = std::move(reason);
+    return error;
+}
+
+ReadError atCell(std::size_t line, std::size_t column, std::string_view text, std::string reason)
+{
+    ReadError error;
+    error.line = line;
+    error.column = column;
+    error.text = excerpt(text);
+    error.reason = std::move(reason);
+    return error;
+}
+
+// ---- columns -------------------------------------------------------------------------------------------------------
+
+/// What a column's cells are.
+struct Column {
+    ColumnRole role = ColumnRole::Ignored;
+    std::size_t series = 0; ///< its place in Layout::channels
+    double factor = 1.0;    ///< of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s
+};
+
+struct Layout {
+    Table table;
+    std::vector<Column> columns;
+    std::vector<Channel> channels;
+    std::size_t timeColumn = 0;
+    bool isSampled = false; ///< names did not tell all: values from all over the table were asked
+};
+
+/// Rows from all over the table, all of them where there are few.
+ColumnSamples sampleRows(const Table &table)
+{
+    constexpr std::size_t kRows = 4096;
+    constexpr std::size_t kReadWhole = std::size_t{1} << 20U; ///< bytes
+    ColumnSamples samples(table.headings.size());
+    const auto readLine = [&](CellScanner &scanner) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const bool there = scanner.hasCell();
+            samples[i].push_back(
+                readNumber(there ? scanner.cell().text : std::string_view(), table.layout.decimalSign).value);
+        }
+        scanner.nextLine();
+    };
+    if (table.data.size() <= kReadWhole) {
+        for (CellScanner scanner = rowsOf(table); !scanner.atEnd();) {
+            readLine(scanner);
+        }
+    } else {
+        for (std::size_t row = 0; row < kRows; ++row) {
+            const std::size_t from = table.data.size() / kRows * row;
+            CellScanner scanner(table.data.substr(from), table.layout.delimiter, 1);
+            if (row > 0) {
+                scanner.nextLine(); // the offset lies within a line
+            }
+            if (!scanner.atEnd()) {
+                readLine(scanner);
+            }
+        }
+    }
+    // A row without a single number is none.
+    const std::size_t rows = samples.empty() ? 0 : samples[0].size();
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < rows; ++row) {
+        const bool any = std::any_of(samples.begin(), samples.end(),
+                                     [row](const std::vector<double> &column) { return !std::isnan(column[row]); });
+        for (std::vector<double> &column : samples) {
+            column[kept] = column[row];
+        }
+        kept += any ? 1 : 0;
+    }
+    for (std::vector<double> &column : samples) {
+        column.resize(kept);
+    }
+    return samples;
+}
+
+/// Why no channel is among the columns, and what would help.
+std::string adviceWithoutChannel(const FileLayout &layout)
+{
+    std::string reason = "no column beside the time has a known name";
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        const bool almost = column.reason == ColumnReason::LikeOther || column.reason == ColumnReason::UnknownUnit ||
+                            column.reason == ColumnReason::NotDerivative ||
+                            column.reason == ColumnReason::AngleOrLength;
+        if (almost) {
+            reason = "no column beside the time can be told for certain (" + excerpt(column.heading) + ": " +
+                     std::string(clauseOf(column.reason)) + ")";
+            break;
+        }
+    }
+    return reason + ": name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.";
+}
+
+/// Settles what each column is. The error has the table's layout, for a person to choose from.
+std::variant<Layout, ReadError> layOut(Table table, const ReadOptions &options)
+{
+    Layout layout;
+    const std::size_t headerLine = table.layout.headerLine;
+    const auto refused = [&](ReadError error) {
+        error.layout = std::move(table.layout);
+        return error;
+    };
+    const auto outcome = assignColumns(table.headings, options.columns, [&] {
+        layout.isSampled = true;
+        return sampleRows(table);
+    });
+    if (const ColumnFault *fault = std::get_if<ColumnFault>(&outcome)) {
+        return refused(atCell(headerLine, fault->column + 1, table.headings[fault->column].printed, fault->reason));
+    }
+    bool hasTime = false;
+    const auto &uses = std::get<std::vector<ColumnUse>>(outcome);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const ColumnUse &use = uses[i];
+        FileColumn &described = table.layout.columns[i];
+        described.role = use.role;
+        described.channel = use.channel;
+        described.reason = use.reason;
+        described.otherColumn = use.otherColumn;
+        layout.columns.push_back({use.role, layout.channels.size(), use.factor});
+        if (use.role == ColumnRole::Time) {
+            hasTime = true;
+            layout.timeColumn = i;
+        } else if (use.role == ColumnRole::Channel) {
+            layout.channels.push_back(use.channel);
+        }
+    }
+    if (headerLine == 0 && (!hasTime || layout.channels.empty())) {
+        return refused(atCell(table.firstDataLine, 1, rowsOf(table).cell().text,
+                              "numbers stand where the names of the columns should: put a line such as "
+                              "time,theta3,R4_x above them."));
+    }
+    if (!hasTime) {
+        return refused(atCell(headerLine, 0, table.headerText,
+                              "there is no time column: name the column of the instants \"time\"."));
+    }
+    if (layout.channels.empty()) {
+        return refused(atCell(headerLine, 0, table.headerText, adviceWithoutChannel(table.layout)));
+    }
+    layout.table = std::move(table);
+    return layout;
+}
+
+// ---- rows ----------------------------------------------------------------------------------------------------------
+
+/// The numbers of one line, reused from line to line.
+struct Row {
+    double time = 0.0;
+    std::string_view timeDigits;
+    std::vector<PlainNumber> numbers; ///< by place in Layout::channels, in the author's unit; a gap has no digits
+};
+
+/// Why a line holds no row: a cell and a clause; without a clause, because it is blank.
+struct RowFault {
+    std::size_t column = 0; ///< from 1
+    std::string_view text;
+    const char *reason = nullptr;
+};
+
+/// The short way through most lines: as many cells as columns, plain numbers in all that count. Where the line is
+/// another, the scanner is left at its beginning.
+bool readPlainRow(CellScanner &scanner, const Layout &layout, Row &row)
+{
+    const char *const begin = scanner.position();
+    PlainNumber time;
+    for (const Column &column : layout.columns) {
+        bool plain = scanner.hasCell();
+        switch (column.role) {
+        case ColumnRole::Ignored: plain = plain && scanner.skipPlainCell(); break;
+        case ColumnRole::Time: plain = plain && scanner.plainNumber(time); break;
+        case ColumnRole::Channel:
+            plain = plain && scanner.plainNumber(row.numbers[column.series]);
+            row.numbers[column.series].value *= column.factor;
+            break;
+        }
+        if (!plain) {
+            scanner.backTo(begin);
+            return false;
+        }
+    }
+    if (scanner.hasCell() || !scanner.atLineEnd()) {
+        scanner.backTo(begin);
+        return false;
+    }
+    row.time = time.value / layout.columns[layout.timeColumn].factor;
+    row.timeDigits = time.digits;
+    scanner.nextLine();
+    return true;
+}
+
+/// Reads any line into `row`; the scanner moves to the next.
+std::optional<RowFault> readRow(CellScanner &scanner, const Layout &layout, Row &row)
+{
+    std::optional<RowFault> fault;
+    const auto blame = [&fault](std::size_t cell, std::string_view text, const char *reason) {
+        if (!fault) {
+            fault = RowFault{cell + 1, text, reason};
+        }
+    };
+    bool blank = true;
+    std::size_t cellCount = 0;
+    for (; scanner.hasCell(); ++cellCount) {
+        const bool named = cellCount < layout.columns.size();
+        const Column column = named ? layout.columns[cellCount] : Column();
+        const Cell cell = scanner.cell();
+        CellNumber number;
+        if (!cell.wellFormed) {
+            number.fault = "a quotation mark that is not closed at the end of the cell";
+        } else if (column.role != ColumnRole::Ignored) {
+            number = readNumber(cell.text, layout.table.layout.decimalSign);
+        } else if (!named && !cell.text.empty()) {
+            number.fault = "too many cells";
+        }
+        blank = blank && cell.text.empty();
+        switch (column.role) {
+        case ColumnRole::Ignored: break;
+        case ColumnRole::Time:
+            row.time = number.value / column.factor;
+            row.timeDigits = number.digits;
+            if (!number.fault && std::isnan(row.time)) {
+                number.fault = "no time";
+            }
+            break;
+        case ColumnRole::Channel: {
+            const double value = number.value * column.factor;
+            if (std::isinf(value)) {
+                number.fault = "not a number: too large";
+            }
+            row.numbers[column.series] = {value, placesOf(number.digits), number.digits};
+            break;
+        }
+        }
+        if (number.fault) {
+            blame(cellCount, cell.text, number.fault);
+        }
+    }
+    scanner.nextLine();
+    if (blank) {
+        return RowFault{};
+    }
+    if (cellCount < layout.columns.size()) {
+        blame(cellCount - 1, {}, "too few cells");
+    }
+    return fault;
+}
+
+/// Counts the rows left out and keeps the first of them.
+class SkippedRows
+{
+public:
+    void add(std::size_t line, const RowFault &fault)
+    {
+        if (m_rows.size() < kMostSkippedRows) {
+            m_rows.push_back({line, fault.column, excerpt(fault.text), fault.reason});
+        } else if (m_unlisted++ == 0) {
+            m_firstUnlisted = line;
+        }
+    }
+
+    /// Those of the lines that follow, which were counted from 1; `linesBefore` stand before them.
+    void add(SkippedRows later, std::size_t linesBefore)
+    {
+        for (SkippedRow &row : later.m_rows) {
+            row.line += linesBefore;
+            if (m_rows.size() < kMostSkippedRows) {
+                m_rows.push_back(std::move(row));
+            } else if (m_unlisted++ == 0) {
+                m_firstUnlisted = row.line;
+            }
+        }
+        if (later.m_unlisted > 0) { // then the list was full before: 1000 of them were added
+            if (m_unlisted == 0) {
+                m_firstUnlisted = later.m_firstUnlisted + linesBefore;
+            }
+            m_unlisted += later.m_unlisted;
+        }
+    }
+
+    std::vector<SkippedRow> take()
+    {
+        if (m_unlisted > 0) {
+            m_rows.push_back(
+                {m_firstUnlisted,
+                 0,
+                 {},
+                 "this line and " + std::to_string(m_unlisted - 1) + " more below it cannot be read either",
+                 m_unlisted});
+        }
+        return std::move(m_rows);
+    }
+
+private:
+    std::vector<SkippedRow> m_rows;
+    std::size_t m_unlisted = 0;
+    std::size_t m_firstUnlisted = 0;
+};
+
+/// What is no table of text, by its first bytes.
+std::optional<ReadError> findForeignFormat(std::string_view bytes)
+{
+    if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0") || bytes.starts_with("\x1F\x8B")) {
+        return wholeFile("The file is a spreadsheet or an archive, not text: save the table as CSV.");
+    }
+    if (bytes.starts_with("%PDF")) {
+        return wholeFile("The file is a PDF document, not a table: export the table as CSV.");
+    }
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    if (first != bytes.npos && bytes[first] == '<') {
+        return wholeFile("The file is HTML or XML, not a table of text: export the table as CSV.");
+    }
+    return std::nullopt;
+}
+
+std::optional<ReadError> findZeroByte(std::string_view text)
+{
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string_view::npos) {
+        return std::nullopt;
+    }
+    CellScanner scanner(text, ',', 1);
+    std::size_t line = 1;
+    while (scanner.position() <= text.data() + zero) {
+        line = scanner.line();
+        scanner.nextLine();
+    }
+    return atCell(line, 0, {}, "the file holds bytes that are not text: export the table as CSV.");
+}
+
+/// The columns that the rows fill.
+class SeriesBuilder
+{
+public:
+    SeriesBuilder(const Layout &layout, std::size_t expectedRows)
+        : m_observers(layout.channels.size())
+    {
+        m_data.time.reserve(expectedRows);
+        m_data.series.resize(layout.channels.size());
+        for (std::size_t i = 0; i < layout.channels.size(); ++i) {
+            m_data.series[i].channel = layout.channels[i];
+            m_data.series[i].values.reserve(expectedRows);
+        }
+    }
+
+    const std::vector<double> &time() const { return m_data.time; }
+
+    /// Without rows again, but with the room for them.
+    void clear()
+    {
+        m_data.time.clear();
+        for (ReferenceSeries &series : m_data.series) {
+            series.values.clear();
+        }
+        std::fill(m_observers.begin(), m_observers.end(), RoundingObserver());
+    }
+
+    /// The rows that follow.
+    void add(const SeriesBuilder &later)
+    {
+        const auto append = [](std::vector<double> &values, const std::vector<double> &more) {
+            values.insert(values.end(), more.begin(), more.end());
+        };
+        append(m_data.time, later.m_data.time);
+        for (std::size_t i = 0; i < m_observers.size(); ++i) {
+            append(m_data.series[i].values, later.m_data.series[i].values);
+            m_observers[i].add(later.m_observers[i]);
+        }
+    }
+
+    void add(const Row &row)
+    {
+        m_data.time.push_back(row.time);
+        for (std::size_t i = 0; i < row.numbers.size(); ++i) {
+            const PlainNumber &number = row.numbers[i];
+            m_data.series[i].values.push_back(number.value);
+            if (!number.digits.empty()) {
+                m_observers[i].observe(number.places, number.digits);
+            }
+        }
+    }
+
+    /// The data, without the columns that hold no number at all: those are listed with the ignored ones.
+    ReferenceData take(Layout &layout, SkippedRows &skipped)
+    {
+        m_data.skipped = skipped.take();
+        m_data.layout = std::move(layout.table.layout);
+        for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+            const Column &column = layout.columns[i];
+            FileColumn &described = m_data.layout.columns[i];
+            if (column.role == ColumnRole::Channel) {
+                ReferenceSeries &series = m_data.series[column.series];
+                series.rounding = m_observers[column.series].infer(column.factor);
+                if (isEmpty(series)) {
+                    described.role = ColumnRole::Ignored;
+                    described.reason = ColumnReason::NoNumber;
+                }
+            }
+            if (described.role == ColumnRole::Ignored) {
+                m_data.ignoredColumns.push_back(described.heading.empty() ? "column " + std::to_string(i + 1)
+                                                                          : described.heading);
+            }
+        }
+        std::erase_if(m_data.series, isEmpty);
+        return std::move(m_data);
+    }
+
+private:
+    static bool isEmpty(const ReferenceSeries &series)
+    {
+        return std::all_of(series.values.begin(), series.values.end(), [](double value) { return std::isnan(value); });
+    }
+
+    ReferenceData m_data;
+    std::vector<RoundingObserver> m_observers;
+};
+
+/// How many rows there hardly are more of: from the length of the first, or the shortest that can fill the columns.
+/// Room that is never written to costs next to nothing, a move to more room much.
+std::size_t estimateRows(std::string_view lines, std::size_t bytes, std::size_t columns)
+{
+    const std::size_t firstLine = std::min(lines.find_first_of("\r\n"), lines.size()) + 1;
+    const std::size_t rows = bytes / std::max(firstLine, columns) + 1;
+    return rows + rows / 4;
+}
+
+/// Some lines of the table. They are counted from 1 until it is known how many stand before them.
+struct Part {
+    Part(std::string_view text, SeriesBuilder into)
+        : lines(text)
+        , builder(std::move(into))
+    {
+    }
+
+    std::string_view lines;
+    SeriesBuilder builder;
+    SkippedRows skipped;
+    std::optional<ReadError> error;
+    std::size_t lineCount = 0;
+    std::size_t firstRow = 0; ///< its line; 0: there is no row
+    std::string_view firstTime;
+};
+
+ReadError timeFault(std::size_t line, const Layout &layout, std::string_view digits)
+{
+    return atCell(line, layout.timeColumn + 1, digits,
+                  "the time does not increase from the row before: sort the rows by time and keep one of each "
+                  "instant.");
+}
+
+/// `read`: called with the bytes read since the last call; false when reading is to stop.
+void readPart(Part &part, const Layout &layout, const std::function<bool(std::size_t)> &read)
+{
+    Row row;
+    row.numbers.resize(layout.channels.size());
+    const bool plainNumbers = layout.table.layout.decimalSign == DecimalSign::Point;
+    CellScanner scanner(part.lines, layout.table.layout.delimiter, 1);
+    const char *reported = scanner.position();
+    for (std::size_t count = 0; !scanner.atEnd(); ++count) {
+        if (count % kRowsBetweenPolls == 0) {
+            if (!read(static_cast<std::size_t>(scanner.position() - reported))) {
+                return;
+            }
+            reported = scanner.position();
+        }
+        const std::size_t line = scanner.line();
+        if (!plainNumbers || !readPlainRow(scanner, layout, row)) {
+            if (const std::optional<RowFault> fault = readRow(scanner, layout, row)) {
+                if (fault->reason) {
+                    part.skipped.add(line, *fault);
+                }
+                continue;
+            }
+        }
+        if (part.firstRow == 0) {
+            part.firstRow = line;
+            part.firstTime = row.timeDigits;
+        } else if (!(row.time > part.builder.time().back())) {
+            part.error = timeFault(line, layout, row.timeDigits);
+            return;
+        }
+        part.builder.add(row);
+    }
+    part.lineCount = scanner.line() - 1;
+}
+
+/// Threads that so many bytes are worth.
+std::size_t threadsFor(std::size_t bytes)
+{
+    constexpr std::size_t kLeast = std::size_t{1} << 20U; // bytes each
+    constexpr std::size_t kMost = 8;
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    return std::clamp<std::size_t>(bytes / kLeast, 1, std::min(processors, kMost));
+}
+
+/// The lines in pieces of like size, one for each processor where there are enough of them.
+std::vector<std::string_view> partsOf(std::string_view lines)
+{
+    const std::size_t count = threadsFor(lines.size());
+    std::vector<std::string_view> parts;
+    for (std::size_t left = count; left > 0; --left) {
+        std::size_t end = lines.size() / left;
+        if (left > 1) { // to the end of the line; lines may end with LF, CR LF or CR
+            end = std::min(lines.find_first_of("\r\n", end), lines.size());
+            end = std::min(end + (lines.substr(end).starts_with("\r\n") ? 2 : 1), lines.size());
+        }
+        parts.push_back(lines.substr(0, end));
+        lines.remove_prefix(end);
+    }
+    return parts;
+}
+
+std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_token &stop, const ReadOptions &options)
+{
+    const auto refused = [&](ReadError error) {
+        error.layout = std::move(layout.table.layout);
+        return error;
+    };
+    const Table &table = layout.table;
+    std::vector<Part> parts;
+    for (const std::string_view lines : partsOf(table.data)) {
+        // The first takes the others in: its room is for all.
+        const std::string_view roomFor = parts.empty() ? table.data : lines;
+        const std::size_t rows = estimateRows(roomFor, roomFor.size(), layout.columns.size());
+        parts.emplace_back(lines, SeriesBuilder(layout, rows));
+    }
+    std::atomic<std::size_t> done = 0;
+    const auto readAside = [&](std::size_t bytes) {
+        done += bytes;
+        return !stop.stop_requested();
+    };
+    const auto readHere = [&](std::size_t bytes) {
+        const bool goOn = readAside(bytes);
+        if (options.progress) {
+            options.progress(done, table.data.size());
+        }
+        return goOn;
+    };
+    {
+        std::vector<std::jthread> aside;
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            aside.emplace_back([&, i] { readPart(parts[i], layout, readAside); });
+        }
+        readPart(parts.front(), layout, readHere);
+    }
+    if (stop.stop_requested()) {
+        return wholeFile("Reading was stopped.");
+    }
+    if (options.progress) {
+        options.progress(table.data.size(), table.data.size()); // the others may have been the last to end
+    }
+
+    SeriesBuilder &builder = parts.front().builder;
+    SkippedRows skipped;
+    std::size_t linesBefore = table.firstDataLine - 1;
+    for (Part &part : parts) {
+        const bool isFirst = &part == &parts.front();
+        const bool continues = isFirst || part.firstRow == 0 || builder.time().empty() ||
+                               part.builder.time().front() > builder.time().back();
+        if (!continues) {
+            return refused(timeFault(part.firstRow + linesBefore, layout, part.firstTime));
+        }
+        if (part.error) {
+            part.error->line += linesBefore;
+            return refused(*std::move(part.error));
+        }
+        if (!isFirst) {
+            builder.add(part.builder);
+        }
+        skipped.add(std::move(part.skipped), linesBefore);
+        linesBefore += part.lineCount;
+    }
+
+    const std::size_t firstLine = table.firstDataLine;
+    const bool noRow = builder.time().empty();
+    ReferenceData data = builder.take(layout, skipped);
+    const auto useless = [&](ReadError error) {
+        error.layout = std::move(data.layout);
+        return error;
+    };
+    if (noRow) {
+        if (data.skipped.empty()) {
+            return useless(atCell(firstLine - 1, 0, {}, "there are no numbers below the names of the columns."));
+        }
+        const SkippedRow &first = data.skipped.front();
+        return useless(atCell(first.line, first.column, first.text,
+                              "no row can be read; here the reason is: " + first.reason +
+                                  ". Numbers look like 0.005, or like 0,005 where semicolons or tabs separate the "
+                                  "columns."));
+    }
+    if (data.series.empty()) {
+        return useless(atCell(firstLine, 0, {}, "no column beside the time holds a number."));
+    }
+    return data;
+}
+
+// ---- large files
+// ----------------------------------------------------------------------------------------------------------
+
+constexpr std::size_t kPiece = std::size_t{1} << 18U;       // bytes: stays in the processor's cache
+constexpr std::size_t kLongestLine = std::size_t{1} << 12U; // bytes
+
+/// The lines that begin in the piece at offset `from`, read into `buffer`; none where they are not plain. The table
+/// begins at offset `dataBegin`.
+std::optional<std::string_view> plainLines(const ByteSource &source, std::size_t from, std::size_t dataBegin,
+                                           std::vector<char> &buffer)
+{
+    const std::size_t before = from > dataBegin ? 1 : 0; // that byte tells whether a line begins with the piece
+    const std::size_t start = from - before;
+    const std::size_t length = std::min(source.size - start, before + kPiece + kLongestLine);
+    buffer.resize(length);
+    if (!source.read(start, buffer)) {
+        return std::nullopt;
+    }
+    const std::string_view text(buffer.data(), length);
+    const bool toTheEnd = start + length == source.size;
+    const auto behindLine = [&](std::size_t at) {
+        const std::size_t end = text.find('\n', at);
+        return end == text.npos ? (toTheEnd ? std::optional(length) : std::nullopt) : std::optional(end + 1);
+    };
+    const std::optional<std::size_t> begin = before > 0 ? behindLine(0) : std::optional<std::size_t>(0);
+    const std::optional<std::size_t> end = behindLine(std::min(before + kPiece - 1, length));
+    if (!begin || !end || *begin > *end) {
+        return std::nullopt;
+    }
+    const std::string_view lines = text.substr(*begin, *end - *begin);
+    const bool isAscii = findBeyondAscii(lines, 0) == lines.size();
+    return isAscii && lines.find('\0') == lines.npos ? std::optional(lines) : std::nullopt;
+}
+
+/// The rows of pieces that come in any order, and in turn from several threads.
+class JoinedRows
+{
+public:
+    JoinedRows(const Layout &layout, std::size_t expectedRows, std::size_t pieces)
+        : m_layout(layout)
+        , m_all(layout, expectedRows)
+        , m_waiting(pieces)
+    {
+    }
+
+    /// To read a piece into.
+    SeriesBuilder empty()
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_spare.empty()) {
+            return SeriesBuilder(m_layout, 0);
+        }
+        SeriesBuilder spare = std::move(m_spare.back());
+        m_spare.pop_back();
+        return spare;
+    }
+
+    /// False where its instants do not follow those of the piece before.
+    bool add(std::size_t piece, SeriesBuilder rows)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting[piece] = std::move(rows);
+        for (; m_joined < m_waiting.size() && m_waiting[m_joined]; ++m_joined) {
+            SeriesBuilder &next = *m_waiting[m_joined];
+            if (!next.time().empty() && !m_all.time().empty() && !(next.time().front() > m_all.time().back())) {
+                return false;
+            }
+            m_all.add(next);
+            next.clear();
+            m_spare.push_back(std::move(next));
+            m_waiting[m_joined].reset();
+        }
+        return true;
+    }
+
+    SeriesBuilder &all() { return m_all; }
+
+private:
+    const Layout &m_layout;
+    std::mutex m_mutex;
+    SeriesBuilder m_all;
+    std::vector<std::optional<SeriesBuilder>> m_waiting;
+    std::size_t m_joined = 0; ///< so many pieces are in
+    std::vector<SeriesBuilder> m_spare;
+};
+
+} // namespace
+
+const ReferenceSeries *ReferenceData::find(Channel channel) const
+{
+    const auto found = std::find_if(series.begin(), series.end(),
+                                    [channel](const ReferenceSeries &each) { return each.channel == channel; });
+    return found == series.end() ? nullptr : &*found;
+}
+
+std::size_t ReferenceData::skippedRowCount() const
+{
+    return std::accumulate(skipped.begin(), skipped.end(), std::size_t{0},
+                           [](std::size_t count, const SkippedRow &row) { return count + row.rows; });
+}
+
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop,
+                                                         const ReadOptions &options)
+{
+    if (std::optional<ReadError> error = findForeignFormat(bytes)) {
+        return *std::move(error);
+    }
+    const EncodingFound encoding = findEncoding(bytes);
+    std::string converted;
+    std::string_view text = bytes.substr(encoding.markLength);
+    if (encoding.encoding != TextEncoding::Utf8) {
+        converted = toUtf8(bytes, encoding);
+        text = converted;
+    }
+    if (std::optional<ReadError> error = findZeroByte(text)) {
+        return *std::move(error);
+    }
+    std::variant<Table, ReadError> table = findTable(text);
+    if (ReadError *error = std::get_if<ReadError>(&table)) {
+        return std::move(*error);
+    }
+    Table &found = std::get<Table>(table);
+    found.layout.encoding = encoding.encoding;
+    found.layout.byteOrderMark = encoding.markLength > 0;
+    std::variant<Layout, ReadError> layout = layOut(std::move(found), options);
+    if (ReadError *error = std::get_if<ReadError>(&layout)) {
+        return std::move(*error);
+    }
+    return readRows(std::get<Layout>(std::move(layout)), stop, options);
+}
+
+std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, std::stop_token stop,
+                                                    const ReadOptions &options)
+{
+    constexpr std::size_t kBeginning = std::size_t{1} << 20U; // bytes
+    if (source.size < 4 * kBeginning) {
+        return std::nullopt; // nothing to gain
+    }
+    std::vector<char> bytes(kBeginning);
+    if (!source.read(0, bytes)) {
+        return std::nullopt;
+    }
+    std::string_view beginning(bytes.data(), bytes.size());
+    beginning = beginning.substr(0, beginning.rfind('\n') + 1);
+    const EncodingFound encoding = findEncoding(beginning);
+    const std::string_view text = beginning.substr(encoding.markLength);
+    if (findForeignFormat(beginning) || encoding.encoding != TextEncoding::Utf8 || findZeroByte(text)) {
+        return std::nullopt;
+    }
+    std::variant<Table, ReadError> table = findTable(text);
+    if (std::holds_alternative<ReadError>(table)) {
+        return std::nullopt;
+    }
+    Table &found = std::get<Table>(table);
+    found.layout.encoding = encoding.encoding;
+    found.layout.byteOrderMark = encoding.markLength > 0;
+    const auto dataBegin = static_cast<std::size_t>(found.data.data() - bytes.data());
+    std::variant<Layout, ReadError> outcome = layOut(std::move(found), options);
+    Layout *layout = std::get_if<Layout>(&outcome);
+    if (!layout || layout->isSampled || layout->table.layout.decimalSign != DecimalSign::Point) {
+        return std::nullopt;
+    }
+
+    const std::size_t size = source.size - dataBegin;
+    const std::size_t pieces = (size + kPiece - 1) / kPiece;
+    JoinedRows rows(*layout, estimateRows(layout->table.data, size, layout->columns.size()), pieces);
+    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> done = 0;
+    std::atomic<bool> isPlain = true;
+    const auto readSome = [&](const std::function<void()> &tell) {
+        std::vector<char> buffer;
+        for (std::size_t i = next++; i < pieces && isPlain && !stop.stop_requested(); i = next++) {
+            const std::optional<std::string_view> lines = plainLines(source, dataBegin + i * kPiece, dataBegin, buffer);
+            if (!lines) {
+                isPlain = false;
+                return;
+            }
+            Part part(*lines, rows.empty());
+            readPart(part, *layout, [&stop](std::size_t) { return !stop.stop_requested(); });
+            if (part.error || !part.skipped.take().empty() || !rows.add(i, std::move(part.builder))) {
+                isPlain = false;
+                return;
+            }
+            done += lines->size();
+            tell();
+        }
+    };
+    {
+        std::vector<std::jthread> aside;
+        for (std::size_t i = 1; i < threadsFor(size); ++i) {
+            aside.emplace_back([&] { readSome([] {}); });
+        }
+        readSome([&] {
+            if (options.progress) {
+                options.progress(done, size);
+            }
+        });
+    }
+    if (!isPlain || stop.stop_requested() || rows.all().time().empty()) {
+        return std::nullopt;
+    }
+    if (options.progress) {
+        options.progress(size, size);
+    }
+    SkippedRows none;
+    ReferenceData data = rows.all().take(*layout, none);
+    return data.series.empty() ? std::nullopt : std::optional(std::move(data));
+}
+
+} // namespace slidercrank

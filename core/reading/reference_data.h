@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A simulation's exported motion: a file's bytes → named series in the author's units (mm, °, s), with what each column
+// was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
+//
+// Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
+// (nameOf(), or words), in any order and case, each with its unit or none for the author's; perhaps a line of units.
+// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us.
+// Cells are separated by commas, semicolons or tabs and may be quoted; a cell never spans lines. Numbers hold a decimal
+// point or a decimal comma, the same throughout a file; separators of thousands are not read. An empty cell or "nan" is
+// a gap.
+//
+// A name that leaves open which channel it is, is guessed at only where unit and values bear that out, and the guess is
+// marked in the layout; otherwise the column is left out.
+
+#include "core/mechanism/channel.h"
+#include "core/reading/file_layout.h"
+#include "core/reading/rounding.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// One column: values at ReferenceData::time, in the author's unit of its channel; NaN where the cell was empty.
+struct ReferenceSeries {
+    Channel channel;
+    std::vector<double> values;
+    Rounding rounding; ///< how the file rounded this column, already in the author's unit
+};
+
+/// A row that could not be read and was left out. Lines and columns count from 1, columns in cells.
+struct SkippedRow {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string text;     ///< the offending cell, shortened
+    std::string reason;   ///< a clause: "not a number"
+    std::size_t rows = 1; ///< that it stands for
+};
+
+struct ReferenceData {
+    std::vector<double> time; ///< s, strictly increasing
+    std::vector<ReferenceSeries> series;
+    std::vector<SkippedRow> skipped;         ///< at most 1000, and then one more that counts the others
+    std::vector<std::string> ignoredColumns; ///< headings that mean no channel, or a channel without any number
+    FileLayout layout;                       ///< how the file is written, and what each column became and why
+
+    const ReferenceSeries *find(Channel channel) const;
+
+    std::size_t skippedRowCount() const; ///< listed and not
+};
+
+/// Why nothing sensible could be read. line 0: the file as a whole.
+struct ReadError {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string text;
+    std::string reason;  ///< a sentence that says what to do
+    FileLayout layout{}; ///< what was found; with columns, a person's choice of them may still help
+};
+
+struct ReadOptions {
+    std::vector<ColumnChoice> columns; ///< the columns not named here are what they were without
+
+    /// Called from the reading thread now and then, with the bytes done of all. May be empty.
+    std::function<void(std::size_t done, std::size_t all)> progress;
+};
+
+/// Reads any bytes. A channel or time that stands there twice under its own name, an unknown unit of either and a time
+/// that does not increase are refused rather than guessed at; a row that cannot be read is left out and reported.
+/// Watches `stop`.
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
+                                                         const ReadOptions &options = {});
+
+/// A file that is read in pieces, by several threads at once.
+struct ByteSource {
+    std::size_t size = 0;
+
+    /// Fills `room` from that offset on; false where there is not so much.
+    std::function<bool(std::size_t offset, std::span<char> room)> read;
+};
+
+/// The same of a large file, most of which is never in memory: where its beginning tells all of its form, its table is
+/// ASCII with decimal points, and every line can be read. None where anything is otherwise, or when stopped:
+/// readReferenceData() of all its bytes then says what.
+std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, std::stop_token stop = {},
+                                                    const ReadOptions &options = {});
+
+} // namespace slidercrank

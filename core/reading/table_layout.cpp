@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/table_layout.h"
+
+#include "core/reading/number_text.h"
+#include "core/reading/unit_text.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::size_t kLongestExcerpt = 40; ///< bytes of a cell that a message repeats
+constexpr std::size_t kPreviewRows = 6;
+
+/// The header is looked for in so many lines, blank ones not counted.
+constexpr std::size_t kLinesLookedAt = 200;
+
+constexpr std::string_view kDelimiters = "\t;,";
+
+/// A line that is not blank.
+struct Line {
+    std::size_t number = 0; ///< from 1
+    std::string_view text;
+    const char *next = nullptr; ///< where the next line begins
+};
+
+bool isBlankLine(std::string_view line)
+{
+    return line.find_first_not_of(" \t;,") == line.npos;
+}
+
+std::vector<Line> firstLines(std::string_view text)
+{
+    std::vector<Line> lines;
+    CellScanner scanner(text, kDelimiters.back(), 1);
+    while (!scanner.atEnd() && lines.size() < kLinesLookedAt) {
+        const char *const begin = scanner.position();
+        Line line{scanner.line(), {}, nullptr};
+        scanner.nextLine();
+        line.next = scanner.position();
+        line.text = {begin, static_cast<std::size_t>(line.next - begin)};
+        line.text = line.text.substr(0, std::min(line.text.find_first_of("\r\n"), line.text.size()));
+        if (!isBlankLine(line.text)) {
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+/// The cells of one line, without empty ones at the end.
+std::vector<std::string_view> cellsOf(std::string_view line, char delimiter)
+{
+    std::vector<std::string_view> cells;
+    for (CellScanner scanner(line, delimiter, 1); scanner.hasCell();) {
+        cells.push_back(scanner.cell().text);
+    }
+    while (!cells.empty() && cells.back().empty()) {
+        cells.pop_back();
+    }
+    return cells;
+}
+
+bool isNumber(std::string_view cell)
+{
+    return !readNumber(cell, DecimalSign::Point).fault || !readNumber(cell, DecimalSign::Comma).fault;
+}
+
+/// Whether all cells of the line are numbers or gaps, and two at least numbers.
+bool isDataLine(std::string_view line, char delimiter)
+{
+    const std::vector<std::string_view> cells = cellsOf(line, delimiter);
+    const auto filled =
+        std::count_if(cells.begin(), cells.end(), [](std::string_view cell) { return looksNumeric(cell); });
+    return filled >= 2 && std::all_of(cells.begin(), cells.end(), isNumber);
+}
+
+// ---- header
+// ----------------------------------------------------------------------------------------------------------
+
+/// How much a line looks like the names of a table's columns.
+struct HeaderScore {
+    std::size_t times = 0;
+    std::size_t quantities = 0;
+    std::size_t cells = 0;
+
+    bool complete() const { return times > 0 && quantities > 0; }
+    std::size_t known() const { return times + quantities; }
+};
+
+HeaderScore scoreOf(std::string_view line, char delimiter)
+{
+    HeaderScore score;
+    for (const std::string_view cell : cellsOf(line, delimiter)) {
+        ++score.cells;
+        if (looksNumeric(cell)) {
+            continue;
+        }
+        switch (meaningOf(headingOf(cell)).kind) {
+        case NameMeaning::Kind::Time: ++score.times; break;
+        case NameMeaning::Kind::Channel:
+        case NameMeaning::Kind::Quantity: ++score.quantities; break;
+        case NameMeaning::Kind::RowNumber:
+        case NameMeaning::Kind::Nothing: break;
+        }
+    }
+    return score;
+}
+
+struct HeaderFound {
+    std::size_t line = 0; ///< index among the first lines
+    char delimiter = kDelimiters.back();
+    bool hasNames = true; ///< false: the line holds numbers already
+};
+
+/// The first line that names a time and a quantity; else the one that names most of either before the numbers; else the
+/// line right above the numbers; else, where there are none, the first.
+HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimiters)
+{
+    std::optional<HeaderFound> firstData;
+    HeaderFound best;
+    HeaderScore bestScore;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        HeaderScore ofLine;
+        char delimiterOfLine = delimiters.back();
+        for (const char delimiter : delimiters) {
+            if (!firstData && isDataLine(lines[i].text, delimiter)) {
+                firstData = HeaderFound{i, delimiter, false};
+            }
+            const HeaderScore score = scoreOf(lines[i].text, delimiter);
+            if (std::pair(score.known(), score.cells) > std::pair(ofLine.known(), ofLine.cells)) {
+                ofLine = score;
+                delimiterOfLine = delimiter;
+            }
+        }
+        if (ofLine.complete()) {
+            return {i, delimiterOfLine, true};
+        }
+        if (!firstData && (i == 0 || ofLine.known() > bestScore.known())) {
+            best = {i, delimiterOfLine, true};
+            bestScore = ofLine;
+        }
+    }
+    if (bestScore.known() > 0 || !firstData) {
+        return best;
+    }
+    const std::size_t width = cellsOf(lines[firstData->line].text, firstData->delimiter).size();
+    for (std::size_t i = firstData->line; i-- > 0;) {
+        const std::vector<std::string_view> cells = cellsOf(lines[i].text, firstData->delimiter);
+        const bool units = std::all_of(cells.begin(), cells.end(),
+                                       [](std::string_view cell) { return cell.empty() || unitOf(cell).has_value(); });
+        if (cells.size() == width && !units) {
+            return {i, firstData->delimiter, true};
+        }
+    }
+    return *firstData;
+}
+
+// ---- units
+// -----------------------------------------------------------------------------------------------------------
+
+std::string_view withoutBrackets(std::string_view cell)
+{
+    const bool bracketed = cell.size() >= 2 &&
+                           ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'));
+    return bracketed ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
+bool isWord(std::string_view text)
+{
+    return !text.empty() && std::all_of(text.begin(), text.end(),
+                                        [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+}
+
+/// Where "Word:" stands first in the text, and what follows it up to the next such word.
+struct Entry {
+    std::string_view key;
+    std::string_view value;
+    std::string_view rest;
+};
+
+std::optional<Entry> entryOf(std::string_view cell)
+{
+    const std::size_t colon = cell.find(':');
+    Entry entry;
+    entry.key = trimmed(cell.substr(0, std::min(colon, cell.size())));
+    if (colon == cell.npos || !isWord(entry.key.substr(0, entry.key.find(' ')))) {
+        return std::nullopt;
+    }
+    entry.value = cell.substr(colon + 1);
+    const std::size_t nextColon = entry.value.find(':');
+    if (nextColon != entry.value.npos) {
+        const std::size_t space = entry.value.substr(0, nextColon).find_last_of(" \t");
+        if (space != entry.value.npos) {
+            entry.rest = trimmed(entry.value.substr(space));
+            entry.value = entry.value.substr(0, space);
+        }
+    }
+    entry.value = trimmed(entry.value);
+    while (!entry.value.empty() && (entry.value.back() == ',' || entry.value.back() == ';')) {
+        entry.value.remove_suffix(1);
+    }
+    return entry;
+}
+
+/// What Simulink's data inspector writes below the names, "Type: double Unit: rad": the unit, if it is among it.
+std::string_view unitEntry(std::string_view cell)
+{
+    for (std::optional<Entry> entry = entryOf(cell); entry; entry = entryOf(entry->rest)) {
+        if (equalIgnoringCase(entry->key, "unit") || equalIgnoringCase(entry->key, "units")) {
+            return entry->value;
+        }
+    }
+    return {};
+}
+
+/// What a line below the header says of the columns; nothing where it is a line of data.
+std::optional<std::vector<std::string_view>> annotationsOf(const std::vector<std::string_view> &cells)
+{
+    std::size_t filled = 0;
+    std::size_t units = 0;
+    std::size_t entries = 0;
+    for (const std::string_view cell : cells) {
+        const bool dimensionless = cell == "-" || withoutBrackets(cell) == "-";
+        filled += cell.empty() || dimensionless ? 0 : 1;
+        units += unitOf(withoutBrackets(cell)) ? 1 : 0;
+        entries += entryOf(cell) ? 1 : 0;
+        if (looksNumeric(cell)) {
+            return std::nullopt;
+        }
+    }
+    if (filled == 0) {
+        return std::nullopt;
+    }
+    std::vector<std::string_view> annotations(cells.size());
+    if (entries == filled) {
+        std::transform(cells.begin(), cells.end(), annotations.begin(), unitEntry);
+        return annotations;
+    }
+    if (units == 0 || 2 * units < filled) {
+        return std::nullopt;
+    }
+    std::transform(cells.begin(), cells.end(), annotations.begin(), withoutBrackets);
+    for (std::string_view &unit : annotations) {
+        unit = unit == "-" ? std::string_view() : unit;
+    }
+    return annotations;
+}
+
+/// Takes the lines of units and of other annotations that follow the header into the table.
+std::optional<ReadError> takeAnnotations(Table &table, std::string_view text)
+{
+    const std::size_t linesAbove = table.firstDataLine - 1;
+    for (const Line &line : firstLines(table.data)) {
+        const std::vector<std::string_view> cells = cellsOf(line.text, table.layout.delimiter);
+        const std::optional<std::vector<std::string_view>> units = annotationsOf(cells);
+        if (!units) {
+            break;
+        }
+        const std::size_t number = linesAbove + line.number;
+        for (std::size_t i = 0; i < std::min(units->size(), table.headings.size()); ++i) {
+            const std::string_view unit = (*units)[i];
+            Heading &heading = table.headings[i];
+            if (unit.empty()) {
+                continue;
+            }
+            if (!heading.unit.empty() && unitOf(heading.unit) != unitOf(unit)) {
+                ReadError error;
+                error.line = number;
+                error.column = i + 1;
+                error.text = excerpt(unit);
+                error.reason = "the line of units contradicts the heading, " + excerpt(heading.printed) +
+                               ": correct one of the two.";
+                return error;
+            }
+            heading.unit = unit;
+            table.layout.unitsLine = number;
+        }
+        table.data = text.substr(static_cast<std::size_t>(line.next - text.data()));
+        table.firstDataLine = number + 1;
+    }
+    return std::nullopt;
+}
+
+// ---- decimals
+// --------------------------------------------------------------------------------------------------------
+
+/// The decimal sign of a file. The first number that can be read in one way only decides: 0,005 and 74,5436 hold a
+/// decimal comma; 74,543 alone could be thousands. Where commas separate the cells as well, a decimal comma stands in
+/// quoted cells only, and in no file beside decimal points.
+DecimalSign findDecimalSign(CellScanner rows, bool commasSeparate)
+{
+    bool surelyComma = false;
+    bool commas = false;
+    bool points = false;
+    for (; !rows.atEnd(); rows.nextLine()) {
+        while (rows.hasCell()) {
+            const std::string_view text = rows.cell().text;
+            const std::size_t sign = text.find_first_of(".,");
+            if (sign == std::string_view::npos || !looksNumeric(text) ||
+                text.find_first_of(".,", sign + 1) != std::string_view::npos) {
+                continue;
+            }
+            const std::size_t firstDigit = text.find_first_of("0123456789");
+            const std::size_t fraction = text.find_first_not_of("0123456789", sign + 1);
+            const std::size_t fractionDigits = std::min(fraction, text.size()) - sign - 1;
+            const bool couldBeThousands = fractionDigits == 3 && fraction == std::string_view::npos &&
+                                          firstDigit < sign && text[firstDigit] != '0' && sign - firstDigit <= 3;
+            const bool comma = text[sign] == ',';
+            if (couldBeThousands) {
+                (comma ? commas : points) = true;
+            } else if (!comma) {
+                return DecimalSign::Point;
+            } else if (!commasSeparate) {
+                return DecimalSign::Comma;
+            } else {
+                surelyComma = true;
+            }
+        }
+    }
+    return surelyComma || (commas && !points && !commasSeparate) ? DecimalSign::Comma : DecimalSign::Point;
+}
+
+std::vector<std::vector<std::string>> previewOf(const Table &table)
+{
+    std::vector<std::vector<std::string>> rows;
+    const std::string_view begin = table.data.substr(0, std::min<std::size_t>(table.data.size(), 1U << 16U));
+    for (const Line &line : firstLines(begin)) {
+        if (rows.size() == kPreviewRows) {
+            break;
+        }
+        std::vector<std::string> row;
+        for (const std::string_view cell : cellsOf(line.text, table.layout.delimiter)) {
+            row.push_back(excerpt(cell));
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace
+
+std::string excerpt(std::string_view text)
+{
+    if (text.size() <= kLongestExcerpt) {
+        return std::string(text);
+    }
+    std::size_t length = kLongestExcerpt;
+    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
+        --length;
+    }
+    return std::string(text.substr(0, length)) + "…";
+}
+
+CellScanner rowsOf(const Table &table)
+{
+    return CellScanner(table.data, table.layout.delimiter, table.firstDataLine);
+}
+
+std::variant<Table, ReadError> findTable(std::string_view text)
+{
+    std::vector<Line> lines = firstLines(text);
+    Table table;
+    std::string_view delimiters = kDelimiters;
+    constexpr std::string_view kSeparatorHint = "sep="; // spreadsheets may write their delimiter so, in a first line
+    if (!lines.empty()) {
+        const std::string_view first = lines.front().text;
+        const std::size_t announced =
+            first.size() == kSeparatorHint.size() + 1 ? kDelimiters.find(first.back()) : first.npos;
+        if (announced != first.npos && equalIgnoringCase(first.substr(0, kSeparatorHint.size()), kSeparatorHint)) {
+            delimiters = kDelimiters.substr(announced, 1);
+            table.layout.preambleLines.push_back(lines.front().number);
+            lines.erase(lines.begin());
+        }
+    }
+    if (lines.empty()) {
+        ReadError error;
+        error.reason = "The file is empty: it needs a line with the names of the columns, and numbers below.";
+        return error;
+    }
+
+    const HeaderFound found = findHeader(lines, delimiters);
+    const Line &line = lines[found.line];
+    for (std::size_t i = 0; i < found.line; ++i) {
+        table.layout.preambleLines.push_back(lines[i].number);
+    }
+    table.layout.delimiter = found.delimiter;
+    table.headerText = excerpt(line.text);
+    for (const std::string_view cell : cellsOf(line.text, found.delimiter)) {
+        table.headings.push_back(found.hasNames ? headingOf(cell) : Heading());
+    }
+    const char *const dataBegin = found.hasNames ? line.next : line.text.data();
+    table.data = text.substr(static_cast<std::size_t>(dataBegin - text.data()));
+    table.firstDataLine = found.hasNames ? line.number + 1 : line.number;
+    if (found.hasNames) {
+        table.layout.headerLine = line.number;
+        if (std::optional<ReadError> error = takeAnnotations(table, text)) {
+            return *std::move(error);
+        }
+    }
+    table.layout.decimalSign = findDecimalSign(rowsOf(table), found.delimiter == ',');
+    for (const Heading &heading : table.headings) {
+        FileColumn column;
+        column.heading = heading.printed;
+        column.unit = heading.unit;
+        table.layout.columns.push_back(std::move(column));
+    }
+    table.layout.rows = previewOf(table);
+    return table;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/text_encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr char32_t kReplacement = 0xFFFD;
+
+unsigned byteAt(std::string_view bytes, std::size_t i)
+{
+    return static_cast<unsigned char>(bytes[i]);
+}
+
+/// Windows-1252 where it is not Latin-1: 0x80 to 0x9F. The five that it leaves open stay what they are.
+constexpr std::array<char32_t, 32> kWindows1252{0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
+                                                0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+
+void append(std::string &text, char32_t c)
+{
+    const auto put = [&text](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+    if (c < 0x80) {
+        put(c);
+    } else if (c < 0x800) {
+        put(0xC0 | (c >> 6));
+        put(0x80 | (c & 0x3F));
+    } else if (c < 0x10000) {
+        put(0xE0 | (c >> 12));
+        put(0x80 | ((c >> 6) & 0x3F));
+        put(0x80 | (c & 0x3F));
+    } else {
+        put(0xF0 | (c >> 18));
+        put(0x80 | ((c >> 12) & 0x3F));
+        put(0x80 | ((c >> 6) & 0x3F));
+        put(0x80 | (c & 0x3F));
+    }
+}
+
+bool isSurrogate(char32_t unit)
+{
+    return unit >= 0xD800 && unit < 0xE000;
+}
+
+bool opensPair(char32_t unit)
+{
+    return unit >= 0xD800 && unit < 0xDC00;
+}
+
+std::string fromUtf16(std::string_view bytes, bool littleEndian)
+{
+    const std::size_t count = bytes.size() / 2; // half a unit at the end is nothing
+    const auto unitAt = [&](std::size_t i) {
+        const unsigned first = byteAt(bytes, 2 * i);
+        const unsigned second = byteAt(bytes, 2 * i + 1);
+        return static_cast<char32_t>(littleEndian ? second << 8 | first : first << 8 | second);
+    };
+    std::string text;
+    text.reserve(count + count / 8);
+    for (std::size_t i = 0; i < count; ++i) {
+        const char32_t unit = unitAt(i);
+        if (!isSurrogate(unit)) {
+            append(text, unit);
+        } else if (opensPair(unit) && i + 1 < count && isSurrogate(unitAt(i + 1)) && !opensPair(unitAt(i + 1))) {
+            append(text, 0x10000 + ((unit - 0xD800) << 10) + (unitAt(i + 1) - 0xDC00));
+            ++i;
+        } else {
+            append(text, kReplacement);
+        }
+    }
+    return text;
+}
+
+std::string fromWindows1252(std::string_view bytes)
+{
+    std::string text;
+    text.reserve(bytes.size() + bytes.size() / 8);
+    for (const char c : bytes) {
+        const auto byte = static_cast<unsigned char>(c);
+        append(text, byte >= 0x80 && byte < 0xA0 ? kWindows1252[byte - 0x80U] : byte);
+    }
+    return text;
+}
+
+bool isUtf8(std::string_view bytes)
+{
+    std::size_t sound = 0;
+    std::size_t broken = 0;
+    for (std::size_t i = findBeyondAscii(bytes, 0); i < bytes.size(); i = findBeyondAscii(bytes, i)) {
+        const std::size_t length = sequenceLength(bytes.substr(i));
+        ++(length > 0 ? sound : broken);
+        i += std::max<std::size_t>(length, 1);
+    }
+    return broken <= sound;
+}
+
+/// Text in UTF-16 without a mark: in what begins a table nearly every character is ASCII, every other byte zero.
+std::optional<TextEncoding> findUtf16(std::string_view bytes)
+{
+    constexpr std::size_t kLookedAt = 1024;
+    bytes = bytes.substr(0, std::min(bytes.size() / 2 * 2, kLookedAt));
+    std::array<std::size_t, 2> zeros{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
+    }
+    const std::size_t most = bytes.size() / 2 * 3 / 4;
+    if (bytes.size() < 4 || std::max(zeros[0], zeros[1]) < most || std::min(zeros[0], zeros[1]) > 0) {
+        return std::nullopt;
+    }
+    return zeros[1] > 0 ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
+}
+
+} // namespace
+
+std::size_t findBeyondAscii(std::string_view bytes, std::size_t from)
+{
+    std::uint64_t eight = 0; // at a time: nearly all of a table is ASCII
+    for (; from + sizeof eight <= bytes.size(); from += sizeof eight) {
+        std::memcpy(&eight, bytes.data() + from, sizeof eight);
+        if ((eight & 0x8080808080808080U) != 0) {
+            break;
+        }
+    }
+    while (from < bytes.size() && byteAt(bytes, from) < 0x80) {
+        ++from;
+    }
+    return from;
+}
+
+std::size_t sequenceLength(std::string_view text)
+{
+    if (text.empty()) {
+        return 0;
+    }
+    const unsigned first = byteAt(text, 0);
+    if (first < 0x80) {
+        return 1;
+    }
+    const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
+                               : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4
+                                                               : 0;
+    if (length == 0 || text.size() < length) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byteAt(text, i) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+EncodingFound findEncoding(std::string_view bytes)
+{
+    if (bytes.starts_with("\xEF\xBB\xBF")) {
+        return {TextEncoding::Utf8, 3};
+    }
+    if (bytes.starts_with("\xFF\xFE")) {
+        return {TextEncoding::Utf16LittleEndian, 2};
+    }
+    if (bytes.starts_with("\xFE\xFF")) {
+        return {TextEncoding::Utf16BigEndian, 2};
+    }
+    if (const std::optional<TextEncoding> utf16 = findUtf16(bytes)) {
+        return {*utf16, 0};
+    }
+    return {isUtf8(bytes) ? TextEncoding::Utf8 : TextEncoding::Windows1252, 0};
+}
+
+std::string toUtf8(std::string_view bytes, const EncodingFound &found)
+{
+    bytes.remove_prefix(found.markLength);
+    switch (found.encoding) {
+    case TextEncoding::Utf8: return std::string(bytes);
+    case TextEncoding::Utf16LittleEndian: return fromUtf16(bytes, true);
+    case TextEncoding::Utf16BigEndian: return fromUtf16(bytes, false);
+    case TextEncoding::Windows1252: return fromWindows1252(bytes);
+    }
+    return {};
+}
+
+} // namespace slidercrank

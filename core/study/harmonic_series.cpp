@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/harmonic_series.h"
+
+#include "core/closed_form/closed_form.h"
+#include "core/limits/mobility.h"
+#include "core/mechanism/two_part_angle.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Equally spaced crank angles. What they cannot tell apart are harmonics n and kAngles - n, and those of a motion
+/// without a toggle have died out long before.
+constexpr std::size_t kAngles = 2048;
+
+/// The mean of values whose sum would lose digits that the second derivative, n² times a coefficient, needs.
+template <class Values>
+double meanOver(std::size_t count, const Values &value)
+{
+    TwoPart sum;
+    for (std::size_t i = 0; i < count; ++i) {
+        const TwoPart next = twoSum(sum.hi, value(i));
+        sum = {next.hi, sum.lo + next.lo};
+    }
+    return (sum.hi + sum.lo) / static_cast<double>(count);
+}
+
+/// The i-th of kAngles equal angles, in two parts: what a double 2π is short of, 2.4e-16, would tilt the waves all one
+/// way, and the n² of the second derivative would make 1e-12 of it after 32 harmonics.
+TwoPart equalAngle(std::size_t i)
+{
+    constexpr double kTurnLo = 2.4492935982947064e-16; // 2π is the double and this
+    const double part = static_cast<double>(i) / kAngles;
+    const TwoPart angle = twoProduct(2.0 * std::numbers::pi, part);
+    return twoSum(angle.hi, angle.lo + kTurnLo * part);
+}
+
+} // namespace
+
+bool HarmonicSeries::existsFor(const Mechanism &mechanism)
+{
+    return mechanism.b() >= shortestCouplerForFullTurn(mechanism);
+}
+
+// The trapezium rule, which for a period is the most exact there is: Aₙ = 2/M Σ f(θ) cos nθ, A₀ half of that.
+HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
+    : m_omega2(mechanism.omega2())
+    , m_theta20(mechanism.theta20())
+    , m_terms(static_cast<std::size_t>(harmonics) + 1)
+{
+    assert(existsFor(mechanism) && harmonics >= 1 && 2 * m_terms.size() < kAngles);
+    Parameters inAngle = mechanism.parameters(); // with θ2 for the time
+    inAngle.omega2 = 1.0;
+    inAngle.theta20 = 0.0;
+    const ClosedForm closedForm{Mechanism(inAngle)};
+    std::vector<SinCos> waves;
+    std::vector<Motion> motions;
+    for (std::size_t i = 0; i < kAngles; ++i) {
+        const TwoPart theta2 = equalAngle(i);
+        waves.push_back(sinCos(theta2));
+        motions.push_back(closedForm.motionAt(theta2.hi));
+    }
+    for (std::size_t n = 0; n < m_terms.size(); ++n) {
+        const auto mean = [&](double Motion::*channel, double SinCos::*wave) {
+            return meanOver(kAngles, [&](std::size_t i) { return motions[i].*channel * waves[n * i % kAngles].*wave; });
+        };
+        const double factor = n == 0 ? 1.0 : 2.0;
+        m_terms[n].theta3 = {factor * mean(&Motion::theta3, &SinCos::cos),
+                             factor * mean(&Motion::theta3, &SinCos::sin)};
+        m_terms[n].R4x = {factor * mean(&Motion::R4x, &SinCos::cos), factor * mean(&Motion::R4x, &SinCos::sin)};
+    }
+}
+
+HarmonicSeries::Sums HarmonicSeries::at(double t) const
+{
+    const SinCos once = sinCos(crankAngle(m_omega2, t, m_theta20));
+    SinCos nth{0.0, 1.0};
+    Sums sums;
+    double n = 0.0;
+    for (const Term &term : m_terms) {
+        const auto add = [&nth, n](const Harmonic &harmonic, Sum &sum) {
+            const double value = harmonic.cosine * nth.cos + harmonic.sine * nth.sin;
+            sum.value += value;
+            sum.first += n * (harmonic.sine * nth.cos - harmonic.cosine * nth.sin);
+            sum.second -= n * n * value;
+        };
+        add(term.theta3, sums.theta3);
+        add(term.R4x, sums.R4x);
+        nth = {nth.sin * once.cos + nth.cos * once.sin, nth.cos * once.cos - nth.sin * once.sin};
+        n += 1.0;
+    }
+    for (Sum *sum : {&sums.theta3, &sums.R4x}) {
+        sum->first *= m_omega2;
+        sum->second *= m_omega2 * m_omega2;
+    }
+    return sums;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Speed against error: each method of the program, and what a student would do instead, timed on the same instants and
+// judged against the exact motion in at least 50 digits (100 beside a toggle). The one place in the core that reads a
+// clock.
+//
+// Errors are those of the six plotted channels, relative to the channel's peak in the run, the worst of them, over the
+// instants that the method itself calls solved. The bound beside them is κ·u, in the same measure and over the same
+// instants:
+//
+//     κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t        u = 2⁻⁵³
+//
+// an error that even a perfect method makes when what it is given has been rounded to doubles. What takes its numbers
+// as exact, as the closed form does, may do better.
+
+#include "core/mechanism/mechanism.h"
+#include "core/study/cases.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slidercrank
+{
+
+struct StudyRequest {
+    std::vector<Case> cases;
+
+    /// Each round times every method once, so that whatever else the machine does meanwhile meets all of them.
+    int rounds = 15;
+
+    /// How long a method is repeated in one round: well above what the clock can tell apart.
+    double secondsPerRound = 150e-6;
+};
+
+/// A row of the study.
+struct MethodResult {
+    std::string method;              ///< newton-dense, closed-form-batch, harmonic-4, …
+    std::optional<double> tolerance; ///< of Newton-Raphson
+    int channels = 6;                ///< how many are computed: 36 or 6
+
+    double nsPerState = 0.0; ///< median over the rounds
+    double spread = 0.0;     ///< between the quartiles, ns
+
+    std::optional<double> iterationsPerState; ///< of Newton-Raphson
+    std::optional<double> maxError;           ///< none where no instant is solved
+    std::optional<double> errorBound;         ///< κ·u; none where no instant is solved, or it knows no bound
+
+    std::array<std::size_t, kStatusCount> counts{}; ///< of instants, by Status
+    Status status = Status::Solved;                 ///< the worst of them
+
+    /// Instants called solved that are not: a channel is off by more than kSilentPart of its peak, as it is on the
+    /// wrong branch, or no position exists. None for methods that are approximations to begin with.
+    std::optional<std::size_t> silentFailures;
+};
+
+inline constexpr double kSilentPart = 0.01;
+
+/// (|h| - b)/b up to which a position at a limit is a matter of the last digits.
+inline constexpr double kLimitRounding = 1e-14;
+
+struct CaseResult {
+    std::string name;
+    Parameters parameters;
+    std::size_t instants = 0;
+    std::vector<MethodResult> methods;
+};
+
+struct StudyResult {
+    std::string machine; ///< what the times belong to: processor family, vectors, threads, compiler
+    std::vector<CaseResult> cases;
+    double seconds = 0.0; ///< that the study took
+    bool complete = true; ///< false when stopped: then the cases are those that were done
+};
+
+/// `progress` is called from the calling thread with 0 … 1, ascending, 1 last unless stopped.
+StudyResult runStudy(const StudyRequest &request, std::stop_token stop = {},
+                     const std::function<void(double)> &progress = {});
+
+/// A turn of this mechanism in 200 steps; a second where the crank stands still.
+Case studyCase(const Parameters &parameters);
+
+/// As the command line names it: "solved", "singular", "iteration-limit", "not-assemblable", "not-finite".
+std::string_view wordOf(Status status);
+
+/// The rows of a case that no other is both faster and at least as exact than: by ascending time, falling error.
+std::vector<std::size_t> bestFront(const CaseResult &result);
+
+/// UTF-8 with Unix line ends. What does not exist is null in JSON, empty in CSV.
+std::string studyJson(const StudyResult &result);
+std::string studyCsv(const StudyResult &result);
+
+} // namespace slidercrank

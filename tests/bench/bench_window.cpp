@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the window costs: a slider moved until nine plots are painted, playing, doing nothing, starting, memory. Run
+// with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display.
+
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/parameters/timeline.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QPainter>
+#include <QProcess>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <vector>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const char *const kPlots[] = {"plot_theta3",       "plot_R4_x",       "plot_error_position",
+                              "plot_theta3_diff",  "plot_R4_x_diff",  "plot_error_velocity",
+                              "plot_theta3_diff2", "plot_R4_x_diff2", "plot_error_acceleration"};
+constexpr int kPlotCount = 9;
+
+/// Sees which of the nine plots have been painted since reset().
+class PaintWatch : public QObject
+{
+public:
+    explicit PaintWatch(QWidget &window)
+    {
+        for (int i = 0; i < kPlotCount; ++i) {
+            m_plots[i] = window.findChild<QWidget *>(QLatin1String(kPlots[i]));
+            m_plots[i]->installEventFilter(this);
+        }
+    }
+
+    void reset() { m_painted = 0; }
+    bool allPainted() const { return m_painted == (1 << kPlotCount) - 1; }
+
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::Paint) {
+            for (int i = 0; i < kPlotCount; ++i) {
+                if (watched == m_plots[i]) {
+                    m_painted |= 1 << i;
+                }
+            }
+        }
+        return false;
+    }
+
+private:
+    QWidget *m_plots[kPlotCount];
+    int m_painted = 0;
+};
+
+void waitUntilPainted(const PaintWatch &watch)
+{
+    while (!watch.allPainted()) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    QCoreApplication::processEvents();
+}
+
+std::unique_ptr<MainWindow> shownWindow()
+{
+    auto window = std::make_unique<MainWindow>();
+    PaintWatch watch(*window);
+    window->show();
+    waitUntilPainted(watch);
+    return window;
+}
+
+void spin(int milliseconds)
+{
+    QEventLoop loop;
+    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+double processorSeconds()
+{
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// A window whose slider of b moves to and fro, with as many samples a curve and maybe the sample file's curves beside.
+class MovingSlider
+{
+public:
+    MovingSlider(int samples, bool withReference)
+        : m_window(shownWindow())
+        , m_slider(m_window->findChild<QSlider *>(QStringLiteral("slider_b")))
+        , m_watch(*m_window)
+        , m_start(m_slider->value())
+    {
+        if (withReference) {
+            m_window->session().loadReference(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
+            spin(500); // it is read, compared and explained
+        }
+        Sampling sampling;
+        sampling.steps = samples - 1;
+        m_window->session().setSampling(sampling);
+        move(); // what is still under way is out of date with it
+    }
+
+    /// From the move to the paint of all nine plots.
+    void move()
+    {
+        m_watch.reset();
+        m_slider->setValue(m_start + 1 + ++m_moves % 20);
+        waitUntilPainted(m_watch);
+    }
+
+    /// The room that the nine plots have.
+    QSize plotsSize() const { return m_window->findChild<PlotGrid *>()->size(); }
+
+private:
+    std::unique_ptr<MainWindow> m_window;
+    QSlider *m_slider;
+    PaintWatch m_watch;
+    int m_start;
+    int m_moves = 0;
+};
+
+void sliderToNinePlots(benchmark::State &state)
+{
+    MovingSlider slider(static_cast<int>(state.range(0)), state.range(1) != 0);
+    for (auto _ : state) {
+        slider.move();
+    }
+}
+BENCHMARK(sliderToNinePlots)
+    ->ArgNames({"samples", "reference"})
+    ->ArgsProduct({{201, 20'001, 1'000'001}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->MinTime(1.0)
+    ->Repetitions(5)
+    ->ReportAggregatesOnly();
+
+/// The same with the sample file beside, against matplotlib drawing the same figure from curves computed beforehand:
+/// each one's median time, and how many times it is ours. Needs Python with matplotlib: $PYTHON, or python3.
+void againstMatplotlib(benchmark::State &state)
+{
+    constexpr int kMoves = 31;
+    const int samples = static_cast<int>(state.range(0));
+    MovingSlider slider(samples, true);
+    std::vector<double> ours;
+    QProcess python;
+    const QString python3 = qEnvironmentVariable("PYTHON", QStringLiteral("python3"));
+    for (auto _ : state) {
+        for (int i = 0; i < kMoves; ++i) {
+            QElapsedTimer clock;
+            clock.start();
+            slider.move();
+            ours.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+        }
+        python.start(python3, {QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/bench/nine_plots_matplotlib.py"),
+                               QString::number(samples), QString::number(slider.plotsSize().width()),
+                               QString::number(slider.plotsSize().height()), QString::number(kMoves)});
+        python.waitForFinished(-1);
+    }
+    if (python.exitStatus() != QProcess::NormalExit || python.exitCode() != 0) {
+        state.SkipWithError("matplotlib could not be run: is python3-matplotlib installed?");
+        return;
+    }
+    std::nth_element(ours.begin(), ours.begin() + kMoves / 2, ours.end());
+    const double theirs = python.readAllStandardOutput().trimmed().toDouble();
+    state.counters["ours_ms"] = ours[kMoves / 2];
+    state.counters["matplotlib_ms"] = theirs;
+    state.counters["times"] = theirs / ours[kMoves / 2];
+}
+BENCHMARK(againstMatplotlib)->ArgName("samples")->Arg(201)->Arg(20'001)->Arg(1'000'001)->Iterations(1);
+
+/// Processor share over three seconds, in percent of one core.
+void processorShare(benchmark::State &state)
+{
+    const bool playing = state.range(0) != 0;
+    const std::unique_ptr<MainWindow> window = shownWindow();
+    auto *timeline = window->findChild<Timeline *>();
+    if (playing) {
+        timeline->play();
+    }
+    spin(500);
+    for (auto _ : state) {
+        const double before = processorSeconds();
+        QElapsedTimer clock;
+        clock.start();
+        spin(3000);
+        const double elapsed = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+        state.counters["percent_of_a_core"] = 100.0 * (processorSeconds() - before) / elapsed;
+    }
+}
+BENCHMARK(processorShare)->ArgName("playing")->Arg(1)->Arg(0)->Iterations(1)->Repetitions(3);
+
+/// One frame of playing: pose and nine cursors, painted; bare, and with everything on show beside the mechanism.
+void playingFrame(benchmark::State &state)
+{
+    const std::unique_ptr<MainWindow> window = shownWindow();
+    if (state.range(0) != 0) {
+        window->findChild<MechanismView *>()->setSettings({true, true, true, true, true});
+    }
+    double t = 0.0;
+    for (auto _ : state) {
+        t = t > 0.98 ? 0.0 : t + 0.0167;
+        window->session().setTime(t);
+        QCoreApplication::processEvents();
+    }
+}
+BENCHMARK(playingFrame)->ArgName("arrows")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+const QString kProbe = QStringLiteral("--start-probe");
+
+/// In the started process: say so when the ninth plot is painted, then how much memory there is, and end.
+int startProbe()
+{
+    MainWindow window;
+    PaintWatch watch(window);
+    window.show();
+    waitUntilPainted(watch);
+    std::fputs("painted\n", stdout);
+    std::fflush(stdout);
+    QFile status(QStringLiteral("/proc/self/status")); // elsewhere there is no such file, and no figure
+    if (status.open(QIODevice::ReadOnly)) {
+        for (const QByteArray &line : status.readAll().split('\n')) {
+            if (line.startsWith("VmRSS:")) {
+                std::fputs((line + '\n').constData(), stdout);
+            }
+        }
+    }
+    return 0;
+}
+
+/// From starting a process to its ninth painted plot.
+void startToNinthPlot(benchmark::State &state)
+{
+    double kibibytes = 0.0;
+    for (auto _ : state) {
+        QElapsedTimer clock;
+        QProcess process;
+        clock.start();
+        process.start(QCoreApplication::applicationFilePath(), {kProbe});
+        process.waitForReadyRead();
+        state.SetIterationTime(static_cast<double>(clock.nsecsElapsed()) * 1e-9);
+        process.waitForFinished();
+        for (const QByteArray &line : process.readAllStandardOutput().split('\n')) {
+            if (line.startsWith("VmRSS:")) {
+                kibibytes = line.simplified().split(' ').value(1).toDouble();
+            }
+        }
+    }
+    state.counters["resident_MB"] = kibibytes * 1024.0 / 1e6;
+}
+BENCHMARK(startToNinthPlot)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(1)->Repetitions(21);
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QApplication application(argc, argv);
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    if (QCoreApplication::arguments().contains(kProbe)) {
+        return startProbe();
+    }
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

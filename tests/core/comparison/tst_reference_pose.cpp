@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/closed_form/closed_form.h"
+#include "core/comparison/reference_pose.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr int kRows = 50; // intervals a turn: coarse, so that what stands between rows matters
+
+Mechanism withCoupler(double b)
+{
+    Parameters parameters;
+    parameters.b = b;
+    return Mechanism(parameters);
+}
+
+const Mechanism kOfTheFile = withCoupler(60.0);
+const Mechanism kOnShow = withCoupler(65.0);
+const Channel kTheta3{Theta3, Order::Position};
+const Channel kTheta3Rate{Theta3, Order::Velocity};
+const Channel kSlider{R4x, Order::Position};
+const Channel kSliderSpeed{R4x, Order::Velocity};
+
+/// One turn of the mechanism with b = 60 as a file with those columns.
+ReferenceData fileWith(std::initializer_list<Channel> channels)
+{
+    ReferenceData data;
+    const ClosedForm motion(kOfTheFile);
+    for (int i = 0; i <= kRows; ++i) {
+        data.time.push_back(static_cast<double>(i) / kRows);
+    }
+    for (const Channel channel : channels) {
+        ReferenceSeries series{channel, {}, {}};
+        for (const double t : data.time) {
+            const State state = motion.stateAt(t);
+            const Vector12 &of = channel.order == Order::Position ? state.q : state.qDot;
+            series.values.push_back(inAuthorUnit(channel, of[channel.coordinate]));
+        }
+        data.series.push_back(series);
+    }
+    return data;
+}
+
+/// How far the pins are from those of that mechanism at most, mm, over instants on and between the rows.
+double farthest(const ReferenceData &data, const Mechanism &lengths, const Mechanism &truth)
+{
+    double farthest = 0.0;
+    for (int i = 0; i <= 7 * kRows; ++i) {
+        const double t = i / (7.0 * kRows);
+        const ReferencePose pose = referencePoseAt(data, lengths, t);
+        const Motion motion = ClosedForm(truth).motionAt(t);
+        if (!pose.exists) {
+            return std::numeric_limits<double>::infinity();
+        }
+        farthest =
+            std::max({farthest, std::abs(pose.sliderX - motion.R4x), std::abs(pose.sliderY - truth.c()),
+                      std::hypot(pose.pinX - truth.a() * motion.crank.cos, pose.pinY - truth.a() * motion.crank.sin)});
+    }
+    return farthest;
+}
+
+} // namespace
+
+class TestReferencePose : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void followsTheFileBetweenItsRows()
+    {
+        // Straight lines would be off by 20 mm · (2π/50)²/8 = 0.04 mm and more; at the ends there are only parabolas.
+        const double off = farthest(fileWith({kTheta3, kSlider}), kOfTheFile, kOfTheFile);
+        QVERIFY2(off < 0.02, qPrintable(QString::number(off)));
+    }
+
+    void aMissingColumnComesFromTheMechanism()
+    {
+        QVERIFY(farthest(fileWith({kSlider}), kOfTheFile, kOfTheFile) < 0.02);
+        QVERIFY(farthest(fileWith({kTheta3}), kOfTheFile, kOfTheFile) < 0.02);
+    }
+
+    void showsTheFilesMotionNotTheMechanisms()
+    {
+        const ReferencePose pose = referencePoseAt(fileWith({kTheta3, kSlider}), kOnShow, 0.0);
+        QVERIFY(pose.exists);
+        QVERIFY(std::abs(pose.sliderX - (20.0 + 60.0 * std::cos(std::asin(25.0 / 60.0)))) < 1e-12);
+        QVERIFY(std::abs(pose.pinY - (25.0 - 65.0 * 25.0 / 60.0)) < 1e-12);
+    }
+
+    void anAngleKeptWithinOneTurnIsFollowedAcrossItsJump()
+    {
+        ReferenceData data = fileWith({kTheta3, kSlider});
+        for (double &value : data.series[0].values) {
+            value = value < 20.0 ? value + 360.0 : value;
+        }
+        QVERIFY(farthest(data, kOfTheFile, kOfTheFile) < 0.02);
+    }
+
+    void isNowhereOutsideTheRowsOrBesideAnEmptyCell()
+    {
+        ReferenceData data = fileWith({kTheta3, kSlider});
+        data.series[1].values[10] = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(!referencePoseAt(data, kOfTheFile, -0.001).exists);
+        QVERIFY(referencePoseAt(data, kOfTheFile, 0.0).exists);
+        QVERIFY(referencePoseAt(data, kOfTheFile, 1.0).exists);
+        QVERIFY(!referencePoseAt(data, kOfTheFile, 1.001).exists);
+        QVERIFY(!referencePoseAt(data, kOfTheFile, std::numeric_limits<double>::quiet_NaN()).exists);
+        QVERIFY(referencePoseAt(data, kOfTheFile, 8.5 / kRows).exists);
+        QVERIFY(!referencePoseAt(data, kOfTheFile, 9.5 / kRows).exists);
+        QVERIFY(!referencePoseAt(data, kOfTheFile, 10.5 / kRows).exists);
+        QVERIFY(referencePoseAt(data, kOfTheFile, 11.5 / kRows).exists);
+    }
+
+    void isNowhereWithoutThePositionsItNeeds()
+    {
+        QVERIFY(!referencePoseAt(fileWith({kTheta3Rate, kSliderSpeed}), kOfTheFile, 0.5).exists);
+        QVERIFY(!referencePoseAt(ReferenceData(), kOfTheFile, 0.0).exists);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestReferencePose)
+#include "tst_reference_pose.moc"

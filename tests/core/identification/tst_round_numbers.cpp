@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/round_numbers.h"
+
+#include "core/diagnosis/interpretation.h"
+#include "tests/support/printed_motion.h"
+#include "tests/support/random_mechanisms.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::uint64_t kSeed = 20240917;
+
+bool allAgree(const Parameters &parameters, const ReferenceData &data)
+{
+    const Mechanism mechanism(parameters);
+    return std::ranges::all_of(compareExactly(mechanism, data).channels,
+                               [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+}
+
+} // namespace
+
+class TestRoundNumbers : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void takesTheRoundestNumberThatTheErrorLeavesRoomFor_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("standardError");
+        QTest::addColumn<double>("expected");
+        QTest::newRow("a whole number") << 19.9999997 << 4e-7 << 20.0;
+        QTest::newRow("three standard errors away") << 20.0000029 << 1e-6 << 20.0;
+        QTest::newRow("four standard errors away") << 20.0000040 << 1e-6 << 20.0000040;
+        QTest::newRow("decimals") << 12.7500003 << 1e-6 << 12.75;
+        QTest::newRow("nothing") << -7.7e-9 << 5.1e-9 << 0.0;
+        QTest::newRow("negative") << -24.99999 << 1e-5 << -25.0;
+        QTest::newRow("not known well enough to be a chosen number") << 57.34 << 5.0 << 57.3;
+        QTest::newRow("near nothing round") << 12.345678 << 2e-4 << 12.34568;
+        QTest::newRow("large") << 123456789.4 << 200.0 << 123456790.0;
+    }
+
+    void takesTheRoundestNumberThatTheErrorLeavesRoomFor()
+    {
+        QFETCH(const double, value);
+        QFETCH(const double, standardError);
+        QFETCH(const double, expected);
+        QCOMPARE(roundest(value, standardError, std::array{1.0}), expected);
+    }
+
+    void countsInTheUnitInWhichTheNumberIsRoundest()
+    {
+        const std::array units{1.0, kPi / 180.0, kPi / 30.0};
+        QCOMPARE(roundest(6.2831853001, 7e-9, units), 2.0 * kPi); // 60 turns a minute
+        QCOMPARE(roundest(6.28, 7e-9, units), 6.28);
+        QCOMPARE(roundest(kPi / 4.0 + 1e-9, 7e-9, units), kPi / 4.0); // 45 °/s
+    }
+
+    void findsTheNumbersThatSomebodyChose()
+    {
+        RandomMechanisms random(kSeed);
+        int exact = 0;
+        constexpr int kMechanisms = 50;
+        for (int i = 0; i < kMechanisms; ++i) {
+            Parameters chosen;
+            chosen.a = std::round(random.uniform(10.0, 60.0));
+            chosen.c = 0.5 * std::round(random.uniform(-1.5, 1.5) * chosen.a);
+            chosen.b = std::round((chosen.a + std::abs(chosen.c)) * random.uniform(1.2, 3.0));
+            chosen.omega2 = std::round(random.uniform(-200.0, -20.0)) * kPi / 30.0;
+            chosen.theta20 = std::round(random.uniform(-170.0, 170.0)) * kPi / 180.0;
+            Printing printing;
+            printing.to = 2.0 * kPi / std::abs(chosen.omega2);
+            const ReferenceData data = printedData(chosen, printing);
+            const Interpretation found = interpret(data, Mechanism(Parameters()));
+            QCOMPARE(found.identification.status, Identification::Status::Found);
+            QVERIFY(allAgree(found.rounded, data));
+            const auto isSame = [](double x, double y) { return std::abs(x - y) <= 1e-15 * std::abs(y); };
+            exact += found.rounded.a == chosen.a && found.rounded.b == chosen.b && found.rounded.c == chosen.c &&
+                             isSame(found.rounded.omega2, chosen.omega2) &&
+                             isSame(found.rounded.theta20, chosen.theta20)
+                         ? 1
+                         : 0;
+        }
+        QVERIFY2(exact >= kMechanisms * 9 / 10, QByteArray::number(exact)); // three standard errors are no certainty
+    }
+
+    void roundsNothingAwayThatTheDataHold_data()
+    {
+        QTest::addColumn<double>("turns");
+        QTest::addColumn<QByteArray>("format");
+        QTest::newRow("one turn") << 1.0 << QByteArray("%.6g");
+        QTest::newRow("one turn, all digits") << 1.0 << QByteArray("%.17g");
+        QTest::newRow("a twentieth of a turn, where the parameters depend on each other") << 0.05 << QByteArray("%.6g");
+    }
+
+    void roundsNothingAwayThatTheDataHold()
+    {
+        QFETCH(const double, turns);
+        QFETCH(const QByteArray, format);
+        RandomMechanisms random(kSeed + 1);
+        int found = 0;
+        for (int i = 0; i < 30; ++i) {
+            Parameters p;
+            p.a = random.uniform(5.0, 100.0);
+            p.c = p.a * random.uniform(-1.5, 1.5);
+            p.b = (p.a + std::abs(p.c)) * random.uniform(1.1, 3.0);
+            p.omega2 = random.uniform(1.0, 20.0);
+            p.theta20 = random.uniform(-kPi, kPi);
+            Printing printing;
+            printing.to = turns * 2.0 * kPi / p.omega2;
+            printing.format = format.constData();
+            const ReferenceData data = printedData(p, printing);
+            const Identification identification = identify(data, Mechanism(p));
+            if (identification.status != Identification::Status::Found) {
+                continue;
+            }
+            ++found;
+            const Mechanism fitted(identification.parameters);
+            const std::vector<ChannelComparison> before = compareExactly(fitted, data).channels;
+            const Mechanism rounded(inRoundNumbers(identification, data, before));
+            const std::vector<ChannelComparison> after = compareExactly(rounded, data).channels;
+            for (std::size_t k = 0; k < before.size(); ++k) {
+                QVERIFY(after[k].verdict <= before[k].verdict);
+                const double floor = 1e-12 * naturalScale(rounded, after[k].channel);
+                QVERIFY2(*after[k].rms <= 1.05 * *before[k].rms + floor,
+                         QByteArray::number(i) + ": rms " + QByteArray::number(*after[k].rms) + " instead of " +
+                             QByteArray::number(*before[k].rms));
+            }
+        }
+        QVERIFY(found > 25);
+    }
+
+    void keepsWhatTheDataDoNotFix()
+    {
+        Parameters start;
+        start.a = 31.25;
+        Printing printing;
+        printing.channels = "101010"; // θ3 and its derivatives: ratios only
+        Parameters chosen;            // 20, 65, 25
+        const Interpretation found = interpret(printedData(chosen, printing), Mechanism(start));
+        QVERIFY(found.identification.onlyRatios);
+        QCOMPARE(found.rounded.a, 31.25);
+        QVERIFY(std::abs(found.rounded.b - 31.25 * 65.0 / 20.0) < 1e-3);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRoundNumbers)
+#include "tst_round_numbers.moc"

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/extremes.h"
+#include "core/limits/mobility.h"
+#include "core/study/cases.h"
+#include "core/study/exact_motion.h"
+#include "tests/support/random_mechanisms.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <set>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTurn = 2.0 * kPi;
+
+/// Half the height of b cos θ3's valley at the steepest coupler, in crank angle; where it is small the peaks are as
+/// narrow.
+double valleyOf(const Parameters &p)
+{
+    const Digits50 gap = Digits50(p.b) - p.a - std::abs(p.c);
+    return std::min(1.0, std::sqrt(static_cast<double>(2 * gap / p.a)));
+}
+
+Digits50 valueAt(const Parameters &p, Channel channel, const Digits50 &theta2)
+{
+    ExactInput<Digits50> in(p, 0.0);
+    in.theta20 = theta2;
+    return exactState(in).values[indexOf(channel)];
+}
+
+/// Crank angles all round the circle, closer to each other beside ±90°, down to a hundredth of the valley.
+std::vector<double> angleSteps(const Parameters &p)
+{
+    std::vector<double> steps;
+    for (double step = 0.01 * valleyOf(p); step < 0.5 * kPi;
+         step += std::min(0.06 * std::hypot(step, valleyOf(p)), 0.05)) {
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+struct ExactPeak {
+    Digits50 theta2;
+    Digits50 magnitude;
+};
+
+/// The largest of a fine scan, refined by golden section between its neighbours.
+ExactPeak scannedPeak(const Parameters &p, Channel channel)
+{
+    using std::abs;
+    const Digits50 quarter = boost::math::constants::half_pi<Digits50>();
+    std::vector<Digits50> angles;
+    for (const int centre : {-1, 1}) {
+        angles.push_back(centre * quarter);
+        for (const double step : angleSteps(p)) {
+            angles.push_back(centre * quarter - step);
+            angles.push_back(centre * quarter + step);
+        }
+    }
+    std::sort(angles.begin(), angles.end());
+    std::size_t best = 0;
+    Digits50 largest = 0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const Digits50 magnitude = abs(valueAt(p, channel, angles[i]));
+        if (magnitude > largest) {
+            largest = magnitude;
+            best = i;
+        }
+    }
+    const Digits50 turn = 4 * quarter;
+    Digits50 low = best > 0 ? angles[best - 1] : Digits50(angles.back() - turn);
+    Digits50 high = best + 1 < angles.size() ? angles[best + 1] : Digits50(angles.front() + turn);
+    const Digits50 golden = (sqrt(Digits50(5)) - 1) / 2;
+    for (int i = 0; i < 110; ++i) {
+        const Digits50 left = high - golden * (high - low);
+        const Digits50 right = low + golden * (high - low);
+        if (abs(valueAt(p, channel, left)) < abs(valueAt(p, channel, right))) {
+            low = left;
+        } else {
+            high = right;
+        }
+    }
+    const Digits50 theta2 = (low + high) / 2;
+    return {theta2, abs(valueAt(p, channel, theta2))};
+}
+
+bool turnsRoundFreely(const Parameters &p)
+{
+    return Digits50(p.b) > Digits50(p.a) + std::abs(p.c) && p.omega2 != 0.0;
+}
+
+const Peak &peakOf(const std::vector<Peak> &peaks, Channel channel)
+{
+    return *std::find_if(peaks.begin(), peaks.end(), [&](const Peak &peak) { return peak.channel == channel; });
+}
+
+const Channel kSliderSpeed{R4x, Order::Velocity};
+const Channel kSliderAcceleration{R4x, Order::Acceleration};
+const Channel kCouplerSpeed{Theta3, Order::Velocity};
+const Channel kCouplerAcceleration{Theta3, Order::Acceleration};
+constexpr std::array<Channel, 4> kRates{kSliderSpeed, kSliderAcceleration, kCouplerSpeed, kCouplerAcceleration};
+
+std::string describe(const Parameters &p, const Peak &peak, const ExactPeak &exact)
+{
+    char text[400];
+    std::snprintf(text, sizeof text, "%s: %s is %.17g at %.17g of %zu, exactly %.17g at %.17g", describe(p).c_str(),
+                  std::string(nameOf(peak.channel)).c_str(), peak.magnitude,
+                  peak.places.empty() ? 0.0 : peak.places.front().theta2, peak.places.size(),
+                  static_cast<double>(exact.magnitude), static_cast<double>(exact.theta2));
+    return text;
+}
+
+} // namespace
+
+class tst_extremes : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void peaksAreThoseOfAFineScan_data();
+    void peaksAreThoseOfAFineScan();
+    void everyPlaceHasThePeaksValue();
+    void theCouplersSpeedPeaksTwice();
+    void peaksOfTheCentralSliderCrankAreTheTextbooks();
+    void speedScalesThePeaks();
+    void aRockerIsUnboundedAtItsLimits();
+    void anExactToggleBoundsOnlyTheSpeeds();
+    void theChangePointTurnsTheCouplerEvenly();
+    void nothingMovesWithoutSpeedOrRoom();
+    void isCheapEnoughToDrag();
+};
+
+void tst_extremes::peaksAreThoseOfAFineScan_data()
+{
+    QTest::addColumn<Parameters>("p");
+    std::set<std::array<double, 4>> seen;
+    for (const Case &which : allCases()) {
+        const Parameters &p = which.parameters;
+        const std::array<double, 4> key{p.a, p.b, p.c, p.branch == Branch::Open ? 0.0 : 1.0};
+        if (turnsRoundFreely(p) && seen.insert(key).second) {
+            QTest::newRow(std::string(which.name).c_str()) << p;
+        }
+    }
+    RandomMechanisms random(71);
+    for (int i = 0; i < 25; ++i) {
+        QTest::addRow("random %d", i) << random.next();
+    }
+    const Parameters barely{1.0, std::nextafter(1.0, 2.0), 2e-16, 1.0, 0.0, Branch::Open}; // a gap of 2e-17
+    QTest::newRow("gap 2e-17") << barely;
+}
+
+void tst_extremes::peaksAreThoseOfAFineScan()
+{
+    QFETCH(Parameters, p);
+    const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+    QCOMPARE(peaks.size(), std::size_t(4));
+    for (std::size_t i = 0; i < kRates.size(); ++i) {
+        const Peak &peak = peaks[i];
+        QVERIFY(peak.channel == kRates[i]);
+        const ExactPeak exact = scannedPeak(p, peak.channel);
+        const double relative = static_cast<double>((Digits50(peak.magnitude) - exact.magnitude) / exact.magnitude);
+        QVERIFY2(std::abs(relative) <= 4e-15, describe(p, peak, exact).c_str());
+
+        // As the angle from ±90° goes; a double there is itself no finer than 2.2e-16.
+        const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
+        const double tolerance = 1e-11 * valleyOf(p) + 1e-14 * fromSteepest + 2.3e-16;
+        double nearest = kTurn;
+        for (const PeakPlace &place : peak.places) {
+            const double off = static_cast<double>(Digits50(place.theta2) - exact.theta2);
+            nearest = std::min(nearest, std::abs(std::remainder(off, kTurn)));
+            QVERIFY(place.theta2 >= -kPi && place.theta2 < kPi);
+        }
+        QVERIFY2(nearest <= tolerance, describe(p, peak, exact).c_str());
+    }
+}
+
+void tst_extremes::everyPlaceHasThePeaksValue()
+{
+    RandomMechanisms random(72);
+    for (int i = 0; i < 100; ++i) {
+        const Parameters p = random.next();
+        for (const Peak &peak : motionPeaks(Mechanism(p))) {
+            QVERIFY(!peak.places.empty());
+            for (const PeakPlace &place : peak.places) {
+                const double exact = static_cast<double>(valueAt(p, peak.channel, place.theta2));
+                QVERIFY2(std::abs(place.value - exact) <= 1e-13 * peak.magnitude, describe(p).c_str());
+                QVERIFY2(std::abs(std::abs(place.value) - peak.magnitude) <= 1e-11 * peak.magnitude,
+                         describe(p).c_str());
+            }
+        }
+    }
+}
+
+/// θ3 depends on sin θ2 alone.
+void tst_extremes::theCouplersSpeedPeaksTwice()
+{
+    RandomMechanisms random(73);
+    for (int i = 0; i < 100; ++i) {
+        const Parameters p = random.next();
+        const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+        const std::vector<PeakPlace> &places = peakOf(peaks, kCouplerSpeed).places;
+        QVERIFY2(places.size() == 2, describe(p).c_str());
+        QVERIFY(std::abs(std::remainder(places[0].theta2 - (kPi - places[1].theta2), kTurn)) < 1e-12);
+        QVERIFY(std::signbit(places[0].value) != std::signbit(places[1].value));
+        QCOMPARE(peakOf(peaks, kSliderSpeed).places.size(), std::size_t(1));
+    }
+}
+
+/// c = 0 (Norton, "Design of Machinery", 13.2): the slider's acceleration peaks at the outer dead centre with
+/// a ω² (1 + a/b), the coupler's speed at both with ω a/b; the slider's speed either side of the outer one.
+void tst_extremes::peaksOfTheCentralSliderCrankAreTheTextbooks()
+{
+    const Parameters p{20.0, 60.0, 0.0, 10.0, 0.3, Branch::Open};
+    const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+    const Peak &acceleration = peakOf(peaks, kSliderAcceleration);
+    QCOMPARE(acceleration.magnitude, 2000.0 * (4.0 / 3.0));
+    QCOMPARE(acceleration.places.size(), std::size_t(1));
+    QVERIFY(std::abs(acceleration.places[0].theta2) < 1e-15);
+    QVERIFY(acceleration.places[0].value < 0.0);
+
+    const Peak &turning = peakOf(peaks, kCouplerSpeed);
+    QCOMPARE(turning.magnitude, 10.0 / 3.0);
+    QCOMPARE(turning.places.size(), std::size_t(2));
+
+    const Peak &speed = peakOf(peaks, kSliderSpeed);
+    QCOMPARE(speed.places.size(), std::size_t(2));
+    QVERIFY(std::abs(speed.places[0].theta2 + speed.places[1].theta2) < 1e-14);
+    QVERIFY(speed.places[0].value > 0.0 && speed.places[1].value < 0.0);
+
+    const Peak &angular = peakOf(peaks, kCouplerAcceleration);
+    QCOMPARE(angular.places.size(), std::size_t(2));
+    QVERIFY(std::abs(angular.places[0].theta2 + 0.5 * kPi) < 1e-15);
+}
+
+void tst_extremes::speedScalesThePeaks()
+{
+    Parameters p;
+    const std::vector<Peak> once = motionPeaks(Mechanism(p));
+    p.omega2 *= -4.0;
+    p.theta20 = 123.0;
+    const std::vector<Peak> fast = motionPeaks(Mechanism(p));
+    for (std::size_t i = 0; i < once.size(); ++i) {
+        const bool speed = once[i].channel.order == Order::Velocity;
+        QCOMPARE(fast[i].magnitude, (speed ? 4.0 : 16.0) * once[i].magnitude);
+        QCOMPARE(fast[i].places.size(), once[i].places.size());
+        QCOMPARE(fast[i].places[0].theta2, once[i].places[0].theta2);
+        QCOMPARE(fast[i].places[0].value, (speed ? -4.0 : 16.0) * once[i].places[0].value);
+    }
+}
+
+void tst_extremes::aRockerIsUnboundedAtItsLimits()
+{
+    for (const double b : {40.0, 10.0}) {
+        Parameters p;
+        p.b = b;
+        p.c = b == 10.0 ? 5.0 : 25.0;
+        const MotionLimits limits = motionLimits(Mechanism(p));
+        const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+        QCOMPARE(peaks.size(), std::size_t(4));
+        for (const Peak &peak : peaks) {
+            QVERIFY(std::isinf(peak.magnitude));
+            QCOMPARE(peak.places.size(), 2 * limits.ranges.size());
+            for (const PeakPlace &place : peak.places) {
+                const double height = p.c - p.a * std::sin(place.theta2);
+                QVERIFY(std::abs(std::abs(height) - p.b) < 1e-12);
+            }
+        }
+    }
+}
+
+/// The slider comes to the toggle and turns back from it at once: the speeds have one-sided limits (those of θ3 are
+/// ±ω √(a/b)), an acceleration would have to be infinite.
+void tst_extremes::anExactToggleBoundsOnlyTheSpeeds()
+{
+    for (const double c : {25.0, -25.0}) {
+        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+            const Parameters p{20.0, 45.0, c, 3.0, 0.0, branch};
+            const double toggle = c > 0.0 ? -0.5 * kPi : 0.5 * kPi;
+            const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+            for (const Channel channel : {kSliderAcceleration, kCouplerAcceleration}) {
+                const Peak &peak = peakOf(peaks, channel);
+                QVERIFY(std::isinf(peak.magnitude));
+                QCOMPARE(peak.places.size(), std::size_t(1));
+                QCOMPARE(peak.places[0].theta2, toggle);
+            }
+            const Peak &turning = peakOf(peaks, kCouplerSpeed);
+            QVERIFY(std::abs(turning.magnitude - 3.0 * std::sqrt(20.0 / 45.0)) < 1e-13);
+            QCOMPARE(turning.places.size(), std::size_t(1));
+            QVERIFY(std::abs(turning.places[0].theta2 - toggle) < 1e-14);
+            const Peak &speed = peakOf(peaks, kSliderSpeed);
+            QVERIFY(std::abs(speed.magnitude - 3.0 * (20.0 + std::sqrt(20.0 * 45.0))) < 1e-12);
+            QVERIFY(std::abs(speed.places[0].theta2 - toggle) < 1e-14);
+        }
+    }
+}
+
+/// a = b, c = 0: the slider goes to 2a and back in one half turn and rests in the other.
+void tst_extremes::theChangePointTurnsTheCouplerEvenly()
+{
+    const Parameters p{20.0, 20.0, 0.0, -3.0, 0.0, Branch::Open};
+    const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+    const Peak &turning = peakOf(peaks, kCouplerSpeed);
+    QCOMPARE(turning.magnitude, 3.0);
+    QVERIFY(turning.places.empty());
+    const Peak &speed = peakOf(peaks, kSliderSpeed);
+    QVERIFY(std::abs(speed.magnitude - 120.0) < 1e-12);
+    QCOMPARE(speed.places.size(), std::size_t(2));
+    for (const Channel channel : {kSliderAcceleration, kCouplerAcceleration}) {
+        QVERIFY(std::isinf(peakOf(peaks, channel).magnitude));
+        QCOMPARE(peakOf(peaks, channel).places.size(), std::size_t(2));
+    }
+}
+
+void tst_extremes::nothingMovesWithoutSpeedOrRoom()
+{
+    Parameters p;
+    p.omega2 = 0.0;
+    for (const double b : {65.0, 45.0, 40.0}) {
+        p.b = b;
+        const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+        QCOMPARE(peaks.size(), std::size_t(4));
+        for (const Peak &peak : peaks) {
+            QCOMPARE(peak.magnitude, 0.0);
+            QVERIFY(peak.places.empty());
+        }
+    }
+    p.omega2 = 1.0;
+    for (const double b : {5.0, 4.0}) { // locked, impossible
+        p.b = b;
+        QVERIFY(motionPeaks(Mechanism(p)).empty());
+    }
+}
+
+/// Informs; fails only where something is badly wrong.
+void tst_extremes::isCheapEnoughToDrag()
+{
+    constexpr int kTimes = 200;
+    for (const double gap : {0.5, 1e-12}) {
+        Parameters p;
+        p.b = 45.0 * (1.0 + gap);
+        QElapsedTimer clock;
+        clock.start();
+        std::size_t places = 0;
+        for (int i = 0; i < kTimes; ++i) {
+            p.omega2 = 1.0 + i;
+            places += motionPeaks(Mechanism(p))[0].places.size();
+        }
+        const double each = static_cast<double>(clock.nsecsElapsed()) * 1e-3 / kTimes;
+        qInfo("gap %g: %.1f microseconds", gap, each);
+        QVERIFY(places > 0);
+        QVERIFY(each < 5000.0);
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_extremes)
+#include "tst_extremes.moc"

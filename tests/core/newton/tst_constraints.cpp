@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/newton/constraints.h"
+#include "core/study/cases.h"
+#include "core/study/exact_motion.h"
+#include "tests/support/random_mechanisms.h"
+
+#include <Eigen/LU>
+
+#include <QTest>
+
+Q_DECLARE_METATYPE(slidercrank::Parameters)
+
+using namespace slidercrank;
+
+namespace
+{
+
+bool isAngleRow(Eigen::Index row)
+{
+    return row == GroundAngle || row == SliderAngle || row == CrankDrive;
+}
+
+/// Lengths are judged in units of a + b + |c|, angles in rad.
+double rowUnit(const Parameters &p, Eigen::Index row)
+{
+    return isAngleRow(row) ? 1.0 : p.a + p.b + std::abs(p.c);
+}
+
+double coordinateUnit(const Parameters &p, Eigen::Index column)
+{
+    return isAngle(static_cast<Coordinate>(column)) ? 1.0 : p.a + p.b + std::abs(p.c);
+}
+
+/// Anything: lengths within the mechanism's reach, angles within a turn or so.
+Vector12 anywhere(const Parameters &p, RandomMechanisms &random)
+{
+    Vector12 q;
+    for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+        q[i] = coordinateUnit(p, i) * random.uniform(-5.0, 5.0);
+    }
+    return q;
+}
+
+QString entry(const Parameters &p, const char *what, Eigen::Index row, Eigen::Index column, double got, double expected,
+              double tolerance)
+{
+    return QString("%1(%2, %3): got %4, expected %5, difference %6, tolerance %7\n    %8")
+        .arg(what)
+        .arg(row)
+        .arg(column)
+        .arg(got, 0, 'g', 17)
+        .arg(expected, 0, 'g', 17)
+        .arg(got - expected)
+        .arg(tolerance)
+        .arg(QString::fromStdString(describe(p)));
+}
+
+/// Of a central difference with this step: truncation h²/6 and rounding u/h, both below a thousandth of a millionth.
+constexpr double kStep = 1e-5;
+constexpr double kDifferenceTolerance = 1e-9;
+
+Vector12 coordinates(const ExactState<Digits50> &exact, Order order)
+{
+    Vector12 result;
+    for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+        result[i] = static_cast<double>(exact.values[indexOf({static_cast<Coordinate>(i), order})]);
+    }
+    return result;
+}
+
+/// Laws hold for any mechanism; each row has a few random poses.
+void addMechanisms()
+{
+    QTest::addColumn<Parameters>("parameters");
+    for (const Case &which : allCases()) {
+        QTest::newRow(std::string(which.name).c_str()) << which.parameters;
+    }
+    RandomMechanisms random(11);
+    for (int i = 0; i < 40; ++i) {
+        QTest::addRow("random %d", i) << random.next();
+    }
+}
+
+} // namespace
+
+class tst_constraints : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void rowsMeanWhatTheirNamesSay();
+    void vanishOnTheExactMotion();
+    void jacobianIsTheDerivative_data() { addMechanisms(); }
+    void jacobianIsTheDerivative();
+    void timeDerivativeIsTheDerivative_data() { addMechanisms(); }
+    void timeDerivativeIsTheDerivative();
+    void quadraticVelocityTermIsTheDerivative_data() { addMechanisms(); }
+    void quadraticVelocityTermIsTheDerivative();
+    void determinantIsMinusBCosTheta3_data() { addMechanisms(); }
+    void determinantIsMinusBCosTheta3();
+};
+
+/// Pushing one coordinate out of its place breaks the constraints that hold it, by that much, and no others.
+void tst_constraints::rowsMeanWhatTheirNamesSay()
+{
+    const Parameters p;
+    const Mechanism mechanism(p);
+    const Vector12 q = coordinates(exactState<Digits50>(p, 0.2), Order::Position);
+    struct Row {
+        Coordinate pushed;
+        std::vector<std::pair<Constraint, double>> broken;
+    };
+    const Row rows[] = {
+        {R1x, {{GroundX, 1.0}}},
+        {R1y, {{GroundY, 1.0}}},
+        {Theta1, {{GroundAngle, 1.0}, {SliderAngle, -1.0}}},
+        {R2x, {{CrankPivotX, 1.0}, {CrankPinX, 1.0}}},
+        {R2y, {{CrankPivotY, 1.0}, {CrankPinY, 1.0}}},
+        {R3x, {{CrankPinX, -1.0}, {SliderPinX, -1.0}}},
+        {R3y, {{CrankPinY, -1.0}, {SliderPinY, -1.0}}},
+        {R4x, {{SliderPinX, 1.0}}},
+        {R4y, {{SliderPinY, 1.0}, {SliderLine, 1.0}}},
+        {Theta4, {{SliderAngle, 1.0}}},
+    };
+    constexpr double kPush = 0.5;
+    constexpr double kTolerance = 1e-13; // mm or rad, a few roundings of 100 mm
+    for (const Row &row : rows) {
+        Vector12 pushed = q;
+        pushed[row.pushed] += kPush;
+        Vector12 expected = Vector12::Zero();
+        for (const auto &[constraint, sign] : row.broken) {
+            expected[constraint] = sign * kPush;
+        }
+        const Vector12 C = constraints(mechanism, pushed, 0.2);
+        QVERIFY2((C - expected).cwiseAbs().maxCoeff() < kTolerance, std::string(nameOf({row.pushed, {}})).c_str());
+    }
+}
+
+/// C = 0, C_q q̇ = -C_t and C_q q̈ = Q_d, on the exact motion of random mechanisms: to a few roundings of the terms of
+/// each row.
+void tst_constraints::vanishOnTheExactMotion()
+{
+    constexpr double kRoundings = 16.0;
+    RandomMechanisms random(12);
+    for (int i = 0; i < 300; ++i) {
+        const Parameters p = random.next();
+        const Mechanism mechanism(p);
+        const double t = random.uniform(0.0, 2.0 * std::numbers::pi / std::abs(p.omega2));
+        const ExactState<Digits50> exact = exactState<Digits50>(p, t);
+        const Vector12 q = coordinates(exact, Order::Position);
+        const Vector12 qDot = coordinates(exact, Order::Velocity);
+        const Vector12 qDDot = coordinates(exact, Order::Acceleration);
+        const Matrix12 Cq = constraintJacobian(mechanism, q);
+        const Vector12 C = constraints(mechanism, q, t);
+        const Vector12 velocity = Cq * qDot + constraintTimeDerivative(mechanism);
+        const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
+        const Vector12 acceleration = Cq * qDDot - Qd;
+        // An error of u in θ2 or θ3 moves each C by u θ ∂C/∂θ, and its derivatives by as much of theirs.
+        const Vector12 angleSizes = Vector12::Constant(1.0 + std::abs(q[Theta2]) + std::abs(q[Theta3]));
+        const Vector12 velocityTerms = Cq.cwiseAbs() * qDot.cwiseAbs();
+        const Vector12 accelerationTerms = Cq.cwiseAbs() * qDDot.cwiseAbs() + Qd.cwiseAbs();
+        const double lengths = p.a + p.b + std::abs(p.c);
+        const double speeds = std::abs(p.omega2) + std::abs(qDot[Theta3]);
+        const double accelerations = std::abs(qDDot[Theta3]) + speeds * speeds;
+        for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+            const double unit = kRoundings * kUnitRoundoff * rowUnit(p, row);
+            const double position = unit * angleSizes[row];
+            const double speed = kRoundings * kUnitRoundoff * (velocityTerms[row] + lengths * speeds * angleSizes[row]);
+            const double rate =
+                kRoundings * kUnitRoundoff * (accelerationTerms[row] + lengths * accelerations * angleSizes[row]);
+            QVERIFY2(std::abs(C[row]) <= position, qPrintable(entry(p, "C", row, 0, C[row], 0.0, position)));
+            QVERIFY2(std::abs(velocity[row]) <= speed,
+                     qPrintable(entry(p, "Cq qDot + Ct", row, 0, velocity[row], 0.0, speed)));
+            QVERIFY2(std::abs(acceleration[row]) <= rate,
+                     qPrintable(entry(p, "Cq qDDot - Qd", row, 0, acceleration[row], 0.0, rate)));
+        }
+    }
+}
+
+void tst_constraints::jacobianIsTheDerivative()
+{
+    QFETCH(Parameters, parameters);
+    const Mechanism mechanism(parameters);
+    RandomMechanisms random(13);
+    for (int pose = 0; pose < 4; ++pose) {
+        const Vector12 q = anywhere(parameters, random);
+        const Matrix12 Cq = constraintJacobian(mechanism, q);
+        for (Eigen::Index column = 0; column < kCoordinateCount; ++column) {
+            const double step = kStep * coordinateUnit(parameters, column);
+            Vector12 more = q;
+            Vector12 less = q;
+            more[column] += step;
+            less[column] -= step;
+            // t = 0: C_q does not depend on it, and a large ω2 t would only drown the difference.
+            const Vector12 difference =
+                (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) / (more[column] - less[column]);
+            for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+                const double tolerance =
+                    kDifferenceTolerance * rowUnit(parameters, row) / coordinateUnit(parameters, column);
+                QVERIFY2(std::abs(Cq(row, column) - difference[row]) <= tolerance,
+                         qPrintable(entry(parameters, "Cq", row, column, Cq(row, column), difference[row], tolerance)));
+            }
+        }
+    }
+}
+
+void tst_constraints::timeDerivativeIsTheDerivative()
+{
+    QFETCH(Parameters, parameters);
+    const Mechanism mechanism(parameters);
+    RandomMechanisms random(14);
+    const Vector12 q = anywhere(parameters, random);
+    const Vector12 Ct = constraintTimeDerivative(mechanism);
+    const double turnTime = parameters.omega2 == 0.0 ? 1.0 : 1.0 / std::abs(parameters.omega2);
+    const double step = kStep * turnTime;
+    const double t = 0.3 * turnTime;
+    const Vector12 difference =
+        (constraints(mechanism, q, t + step) - constraints(mechanism, q, t - step)) / (2.0 * step);
+    for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+        const double tolerance = kDifferenceTolerance * rowUnit(parameters, row) / turnTime;
+        QVERIFY2(std::abs(Ct[row] - difference[row]) <= tolerance,
+                 qPrintable(entry(parameters, "Ct", row, 0, Ct[row], difference[row], tolerance)));
+    }
+}
+
+/// Along any motion q(t) with q̈ = 0 the velocity equation's left-hand side C_q q̇ + C_t changes at the rate -Q_d.
+void tst_constraints::quadraticVelocityTermIsTheDerivative()
+{
+    QFETCH(Parameters, parameters);
+    const Mechanism mechanism(parameters);
+    RandomMechanisms random(15);
+    for (int pose = 0; pose < 8; ++pose) {
+        const Vector12 q = anywhere(parameters, random);
+        const Vector12 qDot = anywhere(parameters, random);
+        const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
+        const Vector12 later = constraintJacobian(mechanism, q + kStep * qDot) * qDot;
+        const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
+        const Vector12 expected = -(later - earlier) / (2.0 * kStep);
+        for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+            // speeds of up to 5 rad/s: the third derivative is up to 5⁴ times the length
+            const double tolerance = 100.0 * kDifferenceTolerance * rowUnit(parameters, row);
+            QVERIFY2(std::abs(Qd[row] - expected[row]) <= tolerance,
+                     qPrintable(entry(parameters, "Qd", row, 0, Qd[row], expected[row], tolerance)));
+        }
+    }
+}
+
+void tst_constraints::determinantIsMinusBCosTheta3()
+{
+    QFETCH(Parameters, parameters);
+    const Mechanism mechanism(parameters);
+    RandomMechanisms random(16);
+    for (int pose = 0; pose < 8; ++pose) {
+        const Vector12 q = anywhere(parameters, random);
+        const double determinant = constraintJacobian(mechanism, q).determinant();
+        const double expected = -parameters.b * std::cos(q[Theta3]);
+        const double tolerance = 64.0 * kUnitRoundoff * (parameters.a + parameters.b);
+        QVERIFY2(std::abs(determinant - expected) <= tolerance,
+                 qPrintable(entry(parameters, "det Cq", 0, 0, determinant, expected, tolerance)));
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_constraints)
+#include "tst_constraints.moc"

@@ -1,0 +1,696 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/reference_data.h"
+
+#include "core/comparison/comparison.h"
+#include "core/run/trajectory.h"
+#include "tests/support/file_variants.h"
+
+#include <QFile>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+using namespace slidercrank;
+
+namespace
+{
+
+std::variant<ReferenceData, ReadError> read(const QByteArray &bytes, std::stop_token stop = {})
+{
+    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, stop);
+}
+
+/// The shortest text that gives the number back: two numbers with the same text are the same number.
+std::string exactText(double value)
+{
+    std::array<char, 32> text;
+    const auto [end, fault] = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end};
+}
+
+std::string described(const std::vector<double> &values)
+{
+    std::string text;
+    for (const double value : values) {
+        text += ' ' + (std::isnan(value) ? std::string("gap") : exactText(value));
+    }
+    return text;
+}
+
+/// All that was read, as one line: "time 0 0.5; R4_x 85 gap; skipped 3:2 abc (not a number); ignored notes".
+QString described(const std::variant<ReferenceData, ReadError> &outcome)
+{
+    if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
+        return QStringLiteral("error: ") + QString::fromStdString(error->reason);
+    }
+    const ReferenceData &data = std::get<ReferenceData>(outcome);
+    std::string text = "time" + described(data.time);
+    for (const ReferenceSeries &series : data.series) {
+        text += "; " + std::string(nameOf(series.channel)) + described(series.values);
+    }
+    for (const SkippedRow &row : data.skipped) {
+        text += "; skipped " + std::to_string(row.line) + ':' + std::to_string(row.column) + ' ' + row.text + " (" +
+                row.reason + ')';
+    }
+    for (const std::string &name : data.ignoredColumns) {
+        text += "; ignored " + name;
+    }
+    return QString::fromStdString(text);
+}
+
+/// Some 5 MB: three columns, lines of different lengths, now and then a gap.
+QByteArray largeFile(const QByteArray &head, const QByteArray &lineEnd)
+{
+    QByteArray bytes = head;
+    for (int row = 0; row < 220000; ++row) {
+        const double t = row * 0.001;
+        bytes += QByteArray::number(t) + ',' +
+                 (row % 1000 == 7 ? QByteArray() : QByteArray::number(std::sin(t), 'g', 9)) + ',' +
+                 QByteArray::number(80.0 + std::cos(t), 'f', 3) + lineEnd;
+    }
+    return bytes;
+}
+
+ByteSource sourceOf(const QByteArray &bytes)
+{
+    const auto size = static_cast<std::size_t>(bytes.size());
+    return {size, [bytes, size](std::size_t offset, std::span<char> room) {
+                if (offset > size || size - offset < room.size()) {
+                    return false;
+                }
+                std::copy_n(bytes.constData() + offset, room.size(), room.begin());
+                return true;
+            }};
+}
+
+/// What each column became: "time R4_x theta3? -", with a question mark where it was guessed.
+std::string rolesOf(const FileLayout &layout)
+{
+    std::string roles;
+    for (const FileColumn &column : layout.columns) {
+        roles += roles.empty() ? "" : " ";
+        switch (column.role) {
+        case ColumnRole::Ignored: roles += '-'; break;
+        case ColumnRole::Time: roles += "time"; break;
+        case ColumnRole::Channel: roles += nameOf(column.channel); break;
+        }
+        roles += isGuess(column.reason) ? "?" : "";
+    }
+    return roles;
+}
+
+/// "UTF-8 with mark ; comma line 3 units 4".
+std::string formOf(const FileLayout &layout)
+{
+    std::string form;
+    switch (layout.encoding) {
+    case TextEncoding::Utf8: form = "UTF-8"; break;
+    case TextEncoding::Utf16LittleEndian: form = "UTF-16LE"; break;
+    case TextEncoding::Utf16BigEndian: form = "UTF-16BE"; break;
+    case TextEncoding::Windows1252: form = "Windows-1252"; break;
+    }
+    form += layout.byteOrderMark ? " with mark " : " ";
+    form += layout.delimiter == '\t' ? std::string("tab") : std::string(1, layout.delimiter);
+    form += layout.decimalSign == DecimalSign::Comma ? " comma" : " point";
+    form += " line " + std::to_string(layout.headerLine);
+    return form + (layout.unitsLine > 0 ? " units " + std::to_string(layout.unitsLine) : "");
+}
+
+std::variant<ReferenceData, ReadError> read(const QByteArray &bytes, const std::vector<ColumnChoice> &choices)
+{
+    ReadOptions options;
+    options.columns = choices;
+    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
+}
+
+} // namespace
+
+class TestReferenceData : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void reads_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("expected");
+        const QString two = QStringLiteral("time 0 0.005; R4_x 74.5436 74.8173");
+
+        // Lines, marks and delimiters.
+        QTest::newRow("LF") << QByteArray("time,R4_x\n0,74.5436\n0.005,74.8173\n") << two;
+        QTest::newRow("CR LF") << QByteArray("time,R4_x\r\n0,74.5436\r\n0.005,74.8173\r\n") << two;
+        QTest::newRow("CR") << QByteArray("time,R4_x\r0,74.5436\r0.005,74.8173\r") << two;
+        QTest::newRow("no line end at the end") << QByteArray("time,R4_x\n0,74.5436\n0.005,74.8173") << two;
+        QTest::newRow("byte order mark") << QByteArray("\xEF\xBB\xBFtime,R4_x\n0,74.5436\n0.005,74.8173\n") << two;
+        QTest::newRow("semicolons") << QByteArray("time;R4_x\n0;74.5436\n0.005;74.8173\n") << two;
+        QTest::newRow("tabs") << QByteArray("time\tR4_x\n0\t74.5436\n0.005\t74.8173\n") << two;
+        QTest::newRow("a delimiter announced in the first line")
+            << QByteArray("sep=;\ntime;R4_x\n0;74.5436\n0.005;74.8173\n") << two;
+        QTest::newRow("blank lines and spaces")
+            << QByteArray("\n \ntime , R4_x \n\n 0 , 74.5436 \n   \n0.005,\t74.8173\t\n,,\n\n") << two;
+        QTest::newRow("a delimiter at the end of each line")
+            << QByteArray("time,R4_x,\n0,74.5436,\n0.005,74.8173,\n") << two;
+        QTest::newRow("delimiters at the end of the rows")
+            << QByteArray("time,R4_x\n0,74.5436,,\n0.005,74.8173,\n") << two;
+        QTest::newRow("a delimiter at the end of the header")
+            << QByteArray("time,R4_x,\n0,74.5436\n0.005,74.8173\n") << two;
+        QTest::newRow("an empty last cell is a gap")
+            << QByteArray("time,R4_x,theta3\n0,1,2\n1,3,\n") << "time 0 1; R4_x 1 3; theta3 2 gap";
+
+        // Decimal commas.
+        QTest::newRow("decimal comma, semicolons") << QByteArray("time;R4_x\n0;74,5436\n0,005;74,8173\n") << two;
+        QTest::newRow("decimal comma, tabs") << QByteArray("time\tR4_x\n0\t74,5436\n0,005\t74,8173\n") << two;
+        QTest::newRow("decimal comma, quoted")
+            << QByteArray("time;R4_x\n\"0\";\"74,5436\"\n\"0,005\";\"74,8173\"\n") << two;
+        QTest::newRow("three digits behind every comma are decimals where semicolons separate")
+            << QByteArray("time;R4_x\n1;1,234\n2;5,678\n") << "time 1 2; R4_x 1.234 5.678";
+        QTest::newRow("thousands are no numbers where a point is decimal")
+            << QByteArray("time;R4_x\n1,000;74.5436\n1.5;1,234\n2;1,234.5\n2.5;3\n")
+            << "time 2.5; R4_x 3; skipped 2:1 1,000 (not a number: this file writes a decimal point); skipped 3:2 "
+               "1,234 "
+               "(not a number: this file writes a decimal point); skipped 4:2 1,234.5 (not a number: this file writes "
+               "a "
+               "decimal point)";
+        QTest::newRow("thousands are no numbers where a comma is decimal")
+            << QByteArray("time;R4_x\n0,500;1.234\n1;1.234,5\n2;3,500\n")
+            << "time 2; R4_x 3.5; skipped 2:2 1.234 (not a number: this file writes a decimal comma); skipped 3:2 "
+               "1.234,5 (not a number: this file writes a decimal comma)";
+        QTest::newRow("a quoted comma is not decimal where commas separate")
+            << QByteArray("time,R4_x\n0,\"1,234\"\n1,5\n")
+            << "time 1; R4_x 5; skipped 2:2 1,234 (not a number: this file writes a decimal point)";
+
+        // Names.
+        QTest::newRow("columns in any order and case")
+            << QByteArray("THETA3_Diff2,r4_X,Time\n3,2,1\n") << "time 1; theta3_diff2 3; R4_x 2";
+        QTest::newRow("quoted names and doubled quotation marks")
+            << QByteArray("\"time\",\"the \"\"x\"\", in mm\",\"R4_x\"\n0,\"a,\"\"b,5\n0,7,2\n")
+            << "time 0; R4_x 2; skipped 2:2 a,\"\"b,5 (a quotation mark that is not closed at the end of the "
+               "cell); ignored the \"x\", in mm";
+        QTest::newRow("text behind a closing quotation mark")
+            << QByteArray("time,R4_x\n0,\"12\"3\n0,5\n")
+            << "time 0; R4_x 5; skipped 2:2 12 (a quotation mark that is not closed at the end of the cell)";
+        QTest::newRow("delimiters in quotes")
+            << QByteArray("time,note,R4_x\n0,\"a, b \"\"c\"\"\",5\n") << "time 0; R4_x 5; ignored note";
+        QTest::newRow("unknown columns are listed, whatever they hold")
+            << QByteArray("n,time,,\"P[1,1] ( deg )\",R4_x,R4_x_diff3\nabc,0,1,1e999,5,inf\n")
+            << "time 0; R4_x 5; ignored n; ignored column 3; ignored P[1,1] ( deg ); ignored R4_x_diff3";
+        QTest::newRow("a column without a number is listed too")
+            << QByteArray("time,R4_x,theta3\n0,1,\n1,2,nan\n") << "time 0 1; R4_x 1 2; ignored theta3";
+
+        // Numbers.
+        QTest::newRow("forms of numbers") << QByteArray("time,R4_x\n-1.5e-3,+5\n.5,-.25\n1.,1E2\n2,-0\n")
+                                          << "time -0.0015 0.5 1 2; R4_x 5 -0.25 100 -0";
+        QTest::newRow("17 digits") << QByteArray("time,R4_x\n0,74.543567890123451\n")
+                                   << "time 0; R4_x 74.54356789012346";
+        QTest::newRow("gaps") << QByteArray("time,R4_x,theta3\n0,,1\n1,nan,1\n2,NaN,1\n3,-nan,\n4,5,1\n")
+                              << "time 0 1 2 3 4; R4_x gap gap gap gap 5; theta3 1 1 1 gap 1";
+        QTest::newRow("too small for a double is zero") << QByteArray("time,R4_x\n0,1e-400\n") << "time 0; R4_x 0";
+        QTest::newRow("what is no number")
+            << QByteArray(
+                   "time,R4_x\n0,inf\n1,-Infinity\n2,12abc\n3,1 2\n4,0x1p3\n5,--1\n6,+-1\n7,.\n8,1e999\n9,n/a\n10,+\n"
+                   "11,1.2.3\n12,7\n")
+            << "time 12; R4_x 7; skipped 2:2 inf (not a number); skipped 3:2 -Infinity (not a number); skipped 4:2 "
+               "12abc "
+               "(not a number); skipped 5:2 1 2 (not a number); skipped 6:2 0x1p3 (not a number); skipped 7:2 --1 (not "
+               "a "
+               "number); skipped 8:2 +-1 (not a number); skipped 9:2 . (not a number); skipped 10:2 1e999 (not a "
+               "number: "
+               "too large); skipped 11:2 n/a (not a number); skipped 12:2 + (not a number); skipped 13:2 1.2.3 (not a "
+               "number)";
+        QTest::newRow("too large once converted") << QByteArray("time,R4_x [m]\n0,1e308\n1,1\n")
+                                                  << "time 1; R4_x 1000; skipped 2:2 1e308 (not a number: too large)";
+        QTest::newRow("rows of another width, or without time")
+            << QByteArray("time,R4_x,theta3\n0,1\n1,2,3,4\n,2,3\nnan,2,3\n2,3,4\n")
+            << "time 2; R4_x 3; theta3 4; skipped 2:2  (too few cells); skipped 3:4 4 (too many cells); skipped 4:1  "
+               "(no "
+               "time); skipped 5:1 nan (no time)";
+        QTest::newRow("a long cell is shortened between characters")
+            << QByteArray("time,R4_x\n0,x") + QByteArray("\u00B1").repeated(30) + "\n1,2\n"
+            << "time 1; R4_x 2; skipped 2:2 x" + QString(QChar(0xB1)).repeated(19) + QChar(0x2026) + " (not a number)";
+        QTest::newRow("lines count with any end")
+            << QByteArray("time,R4_x\r\n\r\n0,1\n\n1,a\r2,b\r\n3,1\n")
+            << "time 0 3; R4_x 1 1; skipped 5:2 a (not a number); skipped 6:2 b (not a number)";
+    }
+
+    void reads()
+    {
+        QFETCH(const QByteArray, bytes);
+        QTEST(described(read(bytes)), "expected");
+    }
+
+    void readsWhatProgramsWrite_data()
+    {
+        QTest::addColumn<GoodFile>("file");
+        for (const GoodFile &file : goodFiles()) {
+            QTest::newRow(file.name.c_str()) << file;
+        }
+    }
+
+    void readsWhatProgramsWrite()
+    {
+        QFETCH(const GoodFile, file);
+        const auto outcome = readReferenceData(file.bytes);
+        QVERIFY2(std::holds_alternative<ReferenceData>(outcome), qPrintable(described(outcome)));
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(QString::fromStdString(rolesOf(data.layout)), QString::fromStdString(file.columns));
+        QCOMPARE(QString::fromStdString(formOf(data.layout)), QString::fromStdString(file.form));
+        QCOMPARE(data.layout.isGuessed(), file.columns.find('?') != std::string::npos);
+        QVERIFY(data.skipped.empty());
+
+        // Every column is what it is taken for, in its unit: the motion that the file was written from.
+        Parameters parameters;
+        parameters.b = 60.0;
+        const Mechanism mechanism(parameters);
+        SolverSettings exact;
+        exact.method = Method::ClosedForm;
+        const Trajectory motion = sample(mechanism, data.time, allChannels(), exact);
+        for (const ChannelComparison &channel : compare(mechanism, motion, data)) {
+            const ReferenceSeries &series = *data.find(channel.channel);
+            const double peak =
+                std::abs(*std::max_element(series.values.begin(), series.values.end(),
+                                           [](double x, double y) { return std::abs(x) < std::abs(y); }));
+            QVERIFY2(*channel.maxAbs <= 1e-5 * peak, std::string(nameOf(channel.channel)).c_str());
+        }
+    }
+
+    void refusesWhatItCannotTell_data()
+    {
+        QTest::addColumn<BadFile>("file");
+        for (const BadFile &file : badFiles()) {
+            QTest::newRow(file.name.c_str()) << file;
+        }
+    }
+
+    void refusesWhatItCannotTell()
+    {
+        QFETCH(const BadFile, file);
+        const auto outcome = readReferenceData(file.bytes);
+        const ReadError *error = std::get_if<ReadError>(&outcome);
+        QVERIFY2(error, qPrintable(described(outcome)));
+        QVERIFY2(error->reason.find(file.reason) != std::string::npos, error->reason.c_str());
+        QVERIFY2(error->reason.back() == '.', error->reason.c_str());
+    }
+
+    void letsAPersonChooseTheColumns()
+    {
+        const QByteArray bytes = "n,time,a,R4_x\n1,5,0.1,3\n2,4,0.2,4\n3,3,0.3,5\n";
+        QCOMPARE(described(read(bytes, {{2, ColumnRole::Time, {}, "ms"},
+                                        {3, ColumnRole::Ignored, {}, {}},
+                                        {0, ColumnRole::Channel, {R4x, Order::Position}, "m"}})),
+                 QStringLiteral("time 1e-04 2e-04 3e-04; R4_x 1000 2000 3000; ignored time; ignored R4_x"));
+    }
+
+    void readsAFileWithoutNamesAsAPersonChooses()
+    {
+        const QByteArray bytes = "0;1,5\n0,5;2,5\n";
+        const auto refused = read(bytes);
+        QCOMPARE(std::get<ReadError>(refused).layout.columns.size(), std::size_t(2));
+        QCOMPARE(std::get<ReadError>(refused).layout.rows.size(), std::size_t(2));
+        const auto outcome =
+            read(bytes, {{0, ColumnRole::Time, {}, {}}, {1, ColumnRole::Channel, {Theta3, Order::Velocity}, "rad/s"}});
+        QCOMPARE(described(outcome), QStringLiteral("time 0 0.5; theta3_diff 85.94366926962348 143.2394487827058"));
+        QCOMPARE(std::get<ReferenceData>(outcome).layout.headerLine, std::size_t(0));
+    }
+
+    void refusesAChoiceThatContradictsItself()
+    {
+        const QByteArray bytes = "time,R4_x [mm]\n0,1\n1,2\n";
+        const auto twice = read(bytes, {{0, ColumnRole::Time, {}, {}}, {1, ColumnRole::Time, {}, "s"}});
+        QVERIFY(described(twice).contains(QStringLiteral("two columns are chosen as the time")));
+        const auto unit = read(bytes, {{1, ColumnRole::Channel, {Theta3, Order::Position}, {}}});
+        QVERIFY(described(unit).contains(QStringLiteral("[°]")));
+        QCOMPARE(std::get<ReadError>(unit).column, std::size_t(2));
+    }
+
+    void saysWhyAColumnIsWhatItIs()
+    {
+        const auto outcome =
+            read("time,R4_x,Linear Velocity1 (mm/s),pressure,,R4_y\n0,0,2,5,1,\n1,2,2,5,1,\n2,4,2,5,1,\n");
+        const std::vector<FileColumn> &columns = std::get<ReferenceData>(outcome).layout.columns;
+        QCOMPARE(columns.at(1).reason, ColumnReason::KnownName);
+        QCOMPARE(columns.at(2).reason, ColumnReason::QuantityInName);
+        QCOMPARE(columns.at(2).unit, std::string("mm/s"));
+        QCOMPARE(columns.at(2).heading, std::string("Linear Velocity1 (mm/s)"));
+        QCOMPARE(columns.at(3).reason, ColumnReason::UnknownName);
+        QCOMPARE(columns.at(4).reason, ColumnReason::NoName);
+        QCOMPARE(columns.at(5).reason, ColumnReason::NoNumber);
+        QCOMPARE(columns.at(5).role, ColumnRole::Ignored);
+    }
+
+    void tellsHowFarItIs()
+    {
+        QByteArray bytes = "time,R4_x\n";
+        for (int i = 0; i < 20'000; ++i) {
+            bytes += QByteArray::number(i) + ",1\n";
+        }
+        std::vector<std::size_t> done;
+        std::size_t all = 0;
+        ReadOptions options;
+        options.progress = [&](std::size_t bytesDone, std::size_t ofAll) {
+            done.push_back(bytesDone);
+            all = ofAll;
+        };
+        readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
+        QVERIFY(done.size() >= 4);
+        QVERIFY(std::is_sorted(done.begin(), done.end()));
+        QVERIFY(done.back() > all / 2 && done.back() <= all);
+    }
+
+    void convertsUnits_data()
+    {
+        QTest::addColumn<QByteArray>("heading");
+        QTest::addColumn<double>("one"); // what a 1 in the file is in the author's unit
+        const double degree = kDegreesPerRadian;
+        QTest::newRow("none: length") << QByteArray("R4_x") << 1.0;
+        QTest::newRow("none: angle") << QByteArray("theta3") << 1.0;
+        QTest::newRow("empty brackets") << QByteArray("theta3 []") << 1.0;
+        QTest::newRow("mm") << QByteArray("R4_x [mm]") << 1.0;
+        QTest::newRow("cm") << QByteArray("R4_x[cm]") << 10.0;
+        QTest::newRow("m") << QByteArray("R4_x (m)") << 1000.0;
+        QTest::newRow("in") << QByteArray("R4_x ( in )") << 25.4;
+        QTest::newRow("deg") << QByteArray("theta3 [deg]") << 1.0;
+        QTest::newRow("degree sign") << QByteArray("theta3 [\u00B0]") << 1.0;
+        QTest::newRow("ordinal sign") << QByteArray("theta3 [\u00BA]") << 1.0;
+        QTest::newRow("degree sign, 8 bits") << QByteArray("theta3 [\xB0]") << 1.0;
+        QTest::newRow("rad") << QByteArray("theta3 [RAD]") << degree;
+        QTest::newRow("mm/s") << QByteArray("R4_x_diff [mm/s]") << 1.0;
+        QTest::newRow("m / s") << QByteArray("R4_x_diff [m / s]") << 1000.0;
+        QTest::newRow("mm/ms") << QByteArray("R4_x_diff (mm/ms)") << 1000.0;
+        QTest::newRow("rad/s") << QByteArray("theta3_diff [rad/s]") << degree;
+        QTest::newRow("degree sign/s") << QByteArray("theta3_diff [\u00B0/s]") << 1.0;
+        QTest::newRow("m/s^2") << QByteArray("R4_x_diff2 [m/s^2]") << 1000.0;
+        QTest::newRow("cm/s2") << QByteArray("R4_x_diff2 [cm/s2]") << 10.0;
+        QTest::newRow("in/s/s") << QByteArray("R4_x_diff2 [in/s/s]") << 25.4;
+        QTest::newRow("mm/ms²") << QByteArray("R4_x_diff2 [mm/ms\u00B2]") << 1e6;
+        QTest::newRow("rad/s²") << QByteArray("theta3_diff2 [rad/s\u00B2]") << degree;
+        QTest::newRow("rad/s², 8 bits") << QByteArray("theta3_diff2 [rad/s\xB2]") << degree;
+    }
+
+    void convertsUnits()
+    {
+        QFETCH(const QByteArray, heading);
+        QFETCH(const double, one);
+        const auto outcome =
+            read("time\t" + heading +
+                 "\n0\t1\n1\t2.50\n2\t3.75\n3\t1.37\n4\t8.13\n5\t0.25\n6\t4.94\n7\t6.66\n8\t7.21\n9\t3.12\n");
+        QVERIFY2(std::holds_alternative<ReferenceData>(outcome), qPrintable(described(outcome)));
+        const ReferenceSeries &series = std::get<ReferenceData>(outcome).series.at(0);
+        QCOMPARE(exactText(series.values[0]), exactText(one));
+        QCOMPARE(exactText(series.values[1]), exactText(2.5 * one));
+        QVERIFY(std::abs(series.rounding.stepAt(series.values[1]) - 0.01 * one) < 1e-12 * one);
+    }
+
+    void convertsMilliseconds()
+    {
+        QByteArray bytes = "R4_x,time [ms]\n";
+        for (int i = 0; i < 200; ++i) {
+            bytes += "1," + QByteArray::number(i) + '\n';
+        }
+        const auto outcome = read(bytes);
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        for (int i = 0; i < 200; ++i) {
+            QCOMPARE(exactText(data.time.at(static_cast<std::size_t>(i))), exactText(i / 1000.0));
+        }
+    }
+
+    void refuses_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<std::size_t>("line");
+        QTest::addColumn<std::size_t>("column");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("reason");
+        const auto row = [](const char *name, const QByteArray &bytes, std::size_t line, std::size_t column,
+                            const char *text, const char *reason) {
+            QTest::newRow(name) << bytes << line << column << QString::fromUtf8(text) << QString::fromUtf8(reason);
+        };
+        row("nothing", "", 0, 0, "", "empty");
+        row("blank lines", "\r\n \r\n,,\r\n", 0, 0, "", "empty");
+        row("only a byte order mark", "\xEF\xBB\xBF", 0, 0, "", "empty");
+        row("a spreadsheet", QByteArray("PK\x03\x04\0\0", 6), 0, 0, "", "save the table as CSV");
+        row("zero bytes", QByteArray("time,R4_x\n0,1\n1,\0\n", 18), 3, 0, "", "not text");
+        row("numbers without names", "\n0.0,74.5\n0.1,74.8\n", 2, 1, "0.0", "put a line such as time,theta3,R4_x");
+        row("no time", "pressure,R4_x\n1,1\n0,2\n", 1, 0, "pressure,R4_x", "name the column of the instants \"time\"");
+        row("prose", "Lorem ipsum\ndolor\n", 1, 0, "Lorem ipsum", "no time column");
+        row("no channel", "time,pressure\n0,1\n", 1, 0, "time,pressure", "theta3_diff2");
+        row("an unknown unit", "time,theta3,R4_x [ell]\n0,1,2\n", 1, 3, "R4_x [ell]", "[mm]");
+        row("a unit of another quantity", "time,theta3_diff [mm/s]\n0,1\n", 1, 2, "theta3_diff [mm/s]", "[°/s]");
+        row("a unit of another derivative", "time,R4_x_diff2 [m/s]\n0,1\n", 1, 2, "R4_x_diff2 [m/s]", "[mm/s²]");
+        row("half a unit", "time,R4_x_diff [m/]\n0,1\n", 1, 2, "R4_x_diff [m/]", "[mm/s]");
+        row("an unknown unit of time", "time [h],R4_x\n0,1\n", 1, 1, "time [h]", "[ms]");
+        row("a channel twice", "time,R4_x,R4_x [m]\n0,1,2\n", 1, 3, "R4_x [m]", "keep one");
+        row("the time twice", "time,R4_x,Time\n0,1,2\n", 1, 3, "Time", "keep one");
+        row("only a header", "time,R4_x\n", 1, 0, "", "no numbers below");
+        row("no row can be read", "time,R4_x\n\n0,a\n1,b\n", 3, 2, "a", "not a number");
+        row("decimal commas between commas", "time,R4_x\n0,005,74,5436\n0,010,74,8173\n", 2, 3, "74", "semicolons");
+        row("no value at all", "time,R4_x\n0,\n1,nan\n", 2, 0, "", "no column beside the time holds a number");
+        row("time stands still", "R4_x,time\n1,0\n2,0.5\n3,0.5\n", 4, 2, "0.5", "does not increase");
+        row("time falls", "time,R4_x\n0,1\n1,x\n-0.25,2\n", 4, 1, "-0.25", "does not increase");
+    }
+
+    void refuses()
+    {
+        QFETCH(const QByteArray, bytes);
+        QFETCH(const QString, reason);
+        const auto outcome = read(bytes);
+        const ReadError *error = std::get_if<ReadError>(&outcome);
+        QVERIFY2(error, qPrintable(described(outcome)));
+        QTEST(error->line, "line");
+        QTEST(error->column, "column");
+        QTEST(QString::fromStdString(error->text), "text");
+        QVERIFY2(QString::fromStdString(error->reason).contains(reason), error->reason.c_str());
+        QVERIFY2(error->reason.back() == '.', error->reason.c_str());
+    }
+
+    void readsManyRows()
+    {
+        constexpr int kRows = 100'000;
+        QByteArray bytes = "time,R4_x,theta3\n";
+        for (int i = 0; i < kRows; ++i) {
+            bytes += QByteArray::number(i) + ',' + QByteArray::number(i % 977) + ".5," + QByteArray::number(-i) + '\n';
+        }
+        const auto outcome = read(bytes);
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(data.time.size(), std::size_t(kRows));
+        QVERIFY(data.skipped.empty());
+        for (std::size_t i = 0; i < kRows; ++i) {
+            const int n = static_cast<int>(i);
+            if (data.time[i] != n || data.series[0].values[i] != n % 977 + 0.5 || data.series[1].values[i] != -n) {
+                QFAIL(qPrintable(QStringLiteral("row %1").arg(i)));
+            }
+        }
+    }
+
+    void countsTheRowsItDoesNotList()
+    {
+        QByteArray bytes = "time,R4_x\n0,1\n";
+        for (int i = 0; i < 2500; ++i) {
+            bytes += "1,x\n";
+        }
+        const auto outcome = read(bytes);
+        const std::vector<SkippedRow> &skipped = std::get<ReferenceData>(outcome).skipped;
+        QCOMPARE(skipped.size(), std::size_t(1001));
+        QCOMPARE(std::get<ReferenceData>(outcome).skippedRowCount(), std::size_t(2500));
+        QCOMPARE(skipped.back().line, std::size_t(1003));
+        QVERIFY2(skipped.back().reason.find("1499 more") != std::string::npos, skipped.back().reason.c_str());
+    }
+
+    void readsALargeFileInOnePiece_data()
+    {
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::newRow("LF") << QByteArray("\n");
+        QTest::newRow("CR LF") << QByteArray("\r\n");
+        QTest::newRow("CR") << QByteArray("\r");
+    }
+
+    /// Several megabytes are read by several threads: nothing of that may show.
+    void readsALargeFileInOnePiece()
+    {
+        QFETCH(QByteArray, lineEnd);
+        constexpr int kRows = 300000;
+        constexpr int kBadEvery = 9973;
+        constexpr int kGapEvery = 7919;
+        QByteArray bytes = "time,R4_x" + lineEnd;
+        std::vector<double> time;
+        std::vector<double> values;
+        std::vector<std::size_t> badLines;
+        std::vector<QByteArray> lines;
+        for (int i = 1; i <= kRows; ++i) {
+            const QByteArray instant = QByteArray::number(i) + ".5";
+            const QByteArray value = QByteArray::number(i % 1000) + "." + QByteArray::number(100 + i % 900);
+            const bool bad = i % kBadEvery == 0;
+            const bool gap = i % kGapEvery == 0;
+            lines.push_back(instant + ',' + (bad ? QByteArray("oops") : gap ? QByteArray() : value));
+            if (bad) {
+                badLines.push_back(static_cast<std::size_t>(i) + 1);
+                continue;
+            }
+            time.push_back(i + 0.5);
+            values.push_back(gap ? std::numeric_limits<double>::quiet_NaN() : value.toDouble());
+        }
+        const auto fileOf = [&](const std::vector<QByteArray> &rows) {
+            QByteArray file = bytes;
+            for (const QByteArray &row : rows) {
+                file += row + lineEnd;
+            }
+            return file;
+        };
+        const QByteArray file = fileOf(lines);
+        QVERIFY(file.size() > 4 << 20);
+        const auto outcome = read(file);
+        const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+        QVERIFY(data);
+        QVERIFY(data->time == time);
+        QCOMPARE(described(data->series[0].values), described(values));
+        QCOMPARE(data->series[0].rounding.digits, 3);
+        QCOMPARE(data->skipped.size(), badLines.size());
+        for (std::size_t i = 0; i < badLines.size(); ++i) {
+            QCOMPARE(data->skipped[i].line, badLines[i]);
+        }
+
+        // The first fault counts, wherever it stands: here in the last quarter, and right where it is easily missed.
+        for (const std::size_t row : {std::size_t{kRows} / 4 * 3, std::size_t{kRows} / 2, std::size_t{kRows} - 2}) {
+            std::vector<QByteArray> faulty = lines;
+            faulty[row] = lines[row - 1].left(lines[row - 1].indexOf(',')) + ",1.5";
+            const auto refusal = read(fileOf(faulty));
+            const ReadError *error = std::get_if<ReadError>(&refusal);
+            QVERIFY(error);
+            QCOMPARE(error->line, row + 2);
+        }
+    }
+
+    void aLargePlainFileReadsInPiecesAsItReadsAsAWhole_data()
+    {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::addColumn<QByteArray>("tail");
+        QTest::newRow("plain") << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("CR LF") << QByteArray("time,theta3,R4_x\r\n") << QByteArray("\r\n") << QByteArray();
+        QTest::newRow("last line not ended")
+            << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray("1e9,1,2");
+        QTest::newRow("preamble, units, a mark") << QByteArray("\xEF\xBB\xBF"
+                                                               "A title\ntime,theta3,R4_x\ns,\xC2\xB0,m\n")
+                                                 << QByteArray("\n") << QByteArray();
+        QTest::newRow("a column left out") << QByteArray("time,theta3,notes\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("blank lines at the end")
+            << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray("\n\n\n");
+    }
+
+    void aLargePlainFileReadsInPiecesAsItReadsAsAWhole()
+    {
+        QFETCH(const QByteArray, head);
+        QFETCH(const QByteArray, lineEnd);
+        QFETCH(const QByteArray, tail);
+        const QByteArray bytes = largeFile(head, lineEnd) + tail;
+        std::vector<std::size_t> told;
+        ReadOptions options;
+        options.progress = [&told](std::size_t done, std::size_t) { told.push_back(done); };
+        const std::optional<ReferenceData> inPieces = readPlainReferenceData(sourceOf(bytes), {}, options);
+        QVERIFY(inPieces);
+        QVERIFY(told.size() > 3 && std::is_sorted(told.begin(), told.end()));
+        const auto outcome = read(bytes);
+        const ReferenceData &whole = std::get<ReferenceData>(outcome);
+        QCOMPARE(inPieces->time, whole.time);
+        QVERIFY(described(*inPieces) == described(outcome));
+        QCOMPARE(rolesOf(inPieces->layout), rolesOf(whole.layout));
+        QCOMPARE(inPieces->layout.headerLine, whole.layout.headerLine);
+        QCOMPARE(inPieces->layout.unitsLine, whole.layout.unitsLine);
+        QCOMPARE(inPieces->layout.byteOrderMark, whole.layout.byteOrderMark);
+        QCOMPARE(inPieces->layout.rows, whole.layout.rows);
+        for (std::size_t i = 0; i < whole.series.size(); ++i) {
+            const Rounding &x = inPieces->series[i].rounding;
+            const Rounding &y = whole.series[i].rounding;
+            QVERIFY(x.rule == y.rule && x.digits == y.digits && x.unitFactor == y.unitFactor &&
+                    x.smallestExponent == y.smallestExponent && x.finestPlace == y.finestPlace);
+        }
+    }
+
+    void whatIsNotPlainIsLeftToWhoReadsItAsAWhole_data()
+    {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::addColumn<QByteArray>("tail");
+        const QByteArray names = "time,theta3,R4_x\n";
+        QTest::newRow("a row that cannot be read") << names << QByteArray("\n") << QByteArray("1e9,oops,2\n");
+        QTest::newRow("a time that does not increase") << names << QByteArray("\n") << QByteArray("0,1,2\n");
+        QTest::newRow("beyond ASCII, late") << names << QByteArray("\n") << QByteArray("1e9,1,2,\xB0\n");
+        QTest::newRow("no text, late") << names << QByteArray("\n") << QByteArray("1e9,1,\0\n", 8);
+        QTest::newRow("a very long line")
+            << names << QByteArray("\n") << "1e9,1,2" + QByteArray(300000, ' ') + "\n1e10,1,2";
+        QTest::newRow("lines end with CR") << QByteArray("time,theta3,R4_x\r") << QByteArray("\r") << QByteArray();
+        QTest::newRow("names that leave a guess")
+            << QByteArray("t,P[1] (deg),P[2] (mm)\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("names that say nothing") << QByteArray("a,b,c\n") << QByteArray("\n") << QByteArray();
+        QTest::newRow("a web page") << QByteArray("<html>\n") + names << QByteArray("\n") << QByteArray();
+    }
+
+    void whatIsNotPlainIsLeftToWhoReadsItAsAWhole()
+    {
+        QFETCH(const QByteArray, head);
+        QFETCH(const QByteArray, lineEnd);
+        QFETCH(const QByteArray, tail);
+        QVERIFY(!readPlainReferenceData(sourceOf(largeFile(head, lineEnd) + tail)));
+    }
+
+    void aFileThatShrinksWhileItIsReadIsNotPlain()
+    {
+        const QByteArray bytes = largeFile("time,theta3,R4_x\n", "\n");
+        ByteSource source = sourceOf(bytes);
+        source.size += 1000;
+        QVERIFY(!readPlainReferenceData(source));
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!readPlainReferenceData(sourceOf(bytes), stop.get_token()));
+        QVERIFY(!readPlainReferenceData(sourceOf("time,theta3,R4_x\n0,1,2\n"))); // small: nothing to gain
+    }
+
+    void stopsWhenAsked()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        const auto outcome = read("time,R4_x\n0,1\n", stop.get_token());
+        QCOMPARE(described(outcome), QStringLiteral("error: Reading was stopped."));
+    }
+
+    void findsASeries()
+    {
+        const auto outcome = read("time,theta3,R4_x\n0,1,2\n");
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(data.find({R4x, Order::Position}), &data.series[1]);
+        QVERIFY(!data.find({R4x, Order::Velocity}));
+    }
+
+    void survivesDamage()
+    {
+        QFile file(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray whole = file.read(2000);
+        constexpr char kPieces[] = "0123456789,;.\t\r\n\"-+eE[]() tR4_x\xB0\xC2\xFF";
+        std::mt19937 random(20240607); // fixed: a failure can be repeated
+        for (int i = 0; i < 3000; ++i) {
+            QByteArray bytes = whole.left(static_cast<qsizetype>(random() % 2000));
+            for (int damage = 0; damage < 8 && !bytes.isEmpty(); ++damage) {
+                bytes[static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()))] =
+                    kPieces[random() % (sizeof kPieces - 1)];
+            }
+            // A copy of just this size, so that a sanitizer sees every read beyond the end.
+            const std::vector<char> exact(bytes.begin(), bytes.end());
+            const auto outcome = readReferenceData({exact.data(), exact.size()});
+            if (const ReferenceData *data = std::get_if<ReferenceData>(&outcome)) {
+                QVERIFY(!data->time.empty() && std::is_sorted(data->time.begin(), data->time.end()));
+                for (const ReferenceSeries &series : data->series) {
+                    QCOMPARE(series.values.size(), data->time.size());
+                }
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestReferenceData)
+#include "tst_reference_data.moc"

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/finite_difference.h"
+#include "core/study/harmonic_series.h"
+#include "core/study/study.h"
+#include "core/study/study_methods.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+Q_DECLARE_METATYPE(slidercrank::Case)
+
+using namespace slidercrank;
+
+namespace
+{
+
+/// Errors and statuses without the time that good times take.
+StudyRequest quick(std::vector<Case> cases)
+{
+    StudyRequest request;
+    request.cases = std::move(cases);
+    request.rounds = 3;
+    request.secondsPerRound = 0.0;
+    return request;
+}
+
+Case coarse(Case which, int steps)
+{
+    which.sampling.steps = std::min(which.sampling.steps, steps);
+    return which;
+}
+
+Case named(std::string_view name)
+{
+    for (const Case &which : allCases()) {
+        if (which.name == name) {
+            return which;
+        }
+    }
+    qFatal("no such case");
+}
+
+CaseResult studied(const Case &which)
+{
+    return runStudy(quick({which})).cases.front();
+}
+
+const MethodResult *rowOf(const CaseResult &result, std::string_view method, std::optional<double> tolerance = {})
+{
+    const auto found = std::find_if(result.methods.begin(), result.methods.end(), [&](const MethodResult &row) {
+        return row.method == method && row.tolerance == tolerance;
+    });
+    return found == result.methods.end() ? nullptr : &*found;
+}
+
+double errorOf(const CaseResult &result, std::string_view method, std::optional<double> tolerance = {})
+{
+    const MethodResult *row = rowOf(result, method, tolerance);
+    return row && row->maxError ? *row->maxError : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+class tst_study : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void namesTheMethodsOfTheContract();
+    void closedFormIsExactToTheLastDigits_data();
+    void closedFormIsExactToTheLastDigits();
+    void aSmallerToleranceIsNoLessExact();
+    void differencesAreSecondOrderInTheStep();
+    void differencesOfAParabolaAreExact();
+    void harmonicsFallWithTheirNumber();
+    void harmonicsAreLeftOutWhereTheCrankRocks();
+    void twoHarmonicsAreTheTextbooks();
+    void theBoundIsOfTheSizeOfRounding();
+    void theBoundFollowsTheGap();
+    void nothingIsSilentlyWrong_data();
+    void nothingIsSilentlyWrong();
+    void countsEveryInstantOnce();
+    void knowsTheWorstStatus();
+    void tellsWhatCannotBeAssembled();
+    void theBestFrontHasOnlyTheBest();
+    void progressRisesToOne();
+    void stopsWhenAsked();
+    void stopsBeforeTheFirstCase();
+    void writesTheJsonOfTheContract();
+    void writesTheSameRowsAsCsv();
+    void measuresTimes();
+};
+
+void tst_study::namesTheMethodsOfTheContract()
+{
+    std::vector<std::string> names;
+    for (const StudyMethod &method : studyMethods()) {
+        if (std::find(names.begin(), names.end(), method.name) == names.end()) {
+            names.push_back(method.name);
+        }
+    }
+    const std::vector<std::string> expected{
+        "newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor",
+        "closed-form",  "closed-form-batch",   "finite-difference", "harmonic-2",
+        "harmonic-4",   "harmonic-8",          "harmonic-16",       "harmonic-32"};
+    QCOMPARE(names, expected);
+}
+
+void tst_study::closedFormIsExactToTheLastDigits_data()
+{
+    QTest::addColumn<Case>("which");
+    for (const Case &which : nominalCases()) {
+        QTest::newRow(std::string(which.name).c_str()) << which;
+    }
+    for (const Case &which : hardCases()) {
+        const bool anyPose = which.name.find("rocker") == std::string_view::npos &&
+                             which.name.find("locked") == std::string_view::npos &&
+                             which.name.find("never") == std::string_view::npos;
+        if (anyPose) {
+            QTest::newRow(std::string(which.name).c_str()) << which;
+        }
+    }
+}
+
+void tst_study::closedFormIsExactToTheLastDigits()
+{
+    QFETCH(Case, which);
+    const CaseResult result = studied(coarse(which, 24));
+    QCOMPARE_LE(errorOf(result, "closed-form"), 1e-15);
+    QCOMPARE_LE(errorOf(result, "closed-form-batch"), 2e-15);
+}
+
+void tst_study::aSmallerToleranceIsNoLessExact()
+{
+    const CaseResult result = studied(coarse(nominalCases()[0], 50));
+    for (const char *method :
+         {"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor"}) {
+        double before = 1.0;
+        for (const double tolerance : {1e-4, 1e-8, 1e-12, 0.0}) {
+            const double error = errorOf(result, method, tolerance);
+            constexpr double kNoise = 1e-14; // where all of them are exact
+            QVERIFY2(error <= before + kNoise, method);
+            before = error;
+        }
+        QVERIFY2(before < kSilentPart, method);
+        QCOMPARE_LE(before, 2.0 * *rowOf(result, method, 0.0)->errorBound + 1e-15);
+    }
+    QCOMPARE_LT(errorOf(result, "newton-structured-taylor", 1e-12), errorOf(result, "newton-structured-taylor", 1e-4));
+}
+
+void tst_study::differencesAreSecondOrderInTheStep()
+{
+    Case which = nominalCases()[0];
+    double before = 0.0;
+    for (const int steps : {50, 100, 200, 400}) {
+        which.sampling.steps = steps;
+        const double error = errorOf(studied(which), "finite-difference");
+        if (before > 0.0) {
+            const double ratio = before / error;
+            QVERIFY2(ratio > 3.6 && ratio < 4.4, qPrintable(QString("%1 steps: %2 times less").arg(steps).arg(ratio)));
+        }
+        before = error;
+    }
+}
+
+void tst_study::differencesOfAParabolaAreExact()
+{
+    const std::vector<double> samples{9.0, 4.0, 1.0, 0.0, 1.0, 4.0}; // (2x - 3)² at x = 0, ½, 1, …
+    std::vector<double> first(4);
+    std::vector<double> second(4);
+    centralDifferences(samples, 0.5, first, second);
+    QCOMPARE(first, (std::vector<double>{-8.0, -4.0, 0.0, 4.0}));
+    QCOMPARE(second, (std::vector<double>{8.0, 8.0, 8.0, 8.0}));
+}
+
+void tst_study::harmonicsFallWithTheirNumber()
+{
+    const CaseResult result = studied(coarse(nominalCases()[0], 50));
+    double before = 1.0;
+    for (const char *method : {"harmonic-2", "harmonic-4", "harmonic-8", "harmonic-16", "harmonic-32"}) {
+        const double error = errorOf(result, method);
+        QVERIFY2(error < 0.2 * before, qPrintable(QString("%1: %2 after %3").arg(method).arg(error).arg(before)));
+        before = error;
+    }
+    QCOMPARE_LT(before, 2e-13); // nothing but rounding, which n² makes the more of
+}
+
+void tst_study::harmonicsAreLeftOutWhereTheCrankRocks()
+{
+    const CaseResult result = studied(coarse(named("rocker, one arc"), 20));
+    QVERIFY(!rowOf(result, "harmonic-2"));
+    QVERIFY(rowOf(result, "closed-form"));
+}
+
+void tst_study::twoHarmonicsAreTheTextbooks()
+{
+    // Norton, section 13.2, c = 0: ẍ ≈ -r ω² (cos ωt + (r/l) cos 2ωt), up to terms of (r/l)³.
+    Parameters parameters;
+    parameters.a = 20.0;
+    parameters.b = 400.0;
+    parameters.c = 0.0;
+    parameters.omega2 = 3.0;
+    const HarmonicSeries series(Mechanism(parameters), 2);
+    const double ratio = parameters.a / parameters.b;
+    for (int i = 0; i < 24; ++i) {
+        const double t = 0.1 * i;
+        const double angle = 3.0 * t;
+        const double expected = -20.0 * 9.0 * (std::cos(angle) + ratio * std::cos(2.0 * angle));
+        QCOMPARE_LT(std::abs(series.at(t).R4x.second - expected), 20.0 * 9.0 * ratio * ratio * ratio);
+    }
+}
+
+void tst_study::theBoundIsOfTheSizeOfRounding()
+{
+    const CaseResult result = studied(coarse(nominalCases()[0], 50));
+    for (const MethodResult &row : result.methods) {
+        QVERIFY2(row.errorBound && *row.errorBound > 5e-16 && *row.errorBound < 5e-15, row.method.c_str());
+    }
+}
+
+void tst_study::theBoundFollowsTheGap()
+{
+    double before = 0.0;
+    for (const char *name : {"toggle gap 1e-4, c > 0", "toggle gap 1e-6, c > 0", "toggle gap 1e-8, c > 0"}) {
+        const CaseResult result = studied(coarse(named(name), 20));
+        const double bound = rowOf(result, "closed-form")->errorBound.value();
+        if (before > 0.0) {
+            QVERIFY2(bound / before > 90.0 && bound / before < 110.0, name); // as 1/gap
+        }
+        before = bound;
+    }
+}
+
+void tst_study::nothingIsSilentlyWrong_data()
+{
+    QTest::addColumn<Case>("which");
+    for (const Case &which : allCases()) {
+        QTest::newRow(std::string(which.name).c_str()) << which;
+    }
+}
+
+void tst_study::nothingIsSilentlyWrong()
+{
+    QFETCH(Case, which);
+    const CaseResult result = studied(coarse(which, 24));
+    for (const MethodResult &row : result.methods) {
+        const bool isApproximation = row.method == "finite-difference" || row.method.starts_with("harmonic");
+        QCOMPARE(row.silentFailures.has_value(), !isApproximation);
+        QVERIFY2(row.silentFailures.value_or(0) == 0,
+                 qPrintable(QString("%1, tolerance %2: %3 of %4 silently wrong, error %5")
+                                .arg(row.method.c_str())
+                                .arg(row.tolerance.value_or(-1.0))
+                                .arg(row.silentFailures.value_or(0))
+                                .arg(result.instants)
+                                .arg(row.maxError.value_or(0.0))));
+    }
+}
+
+void tst_study::countsEveryInstantOnce()
+{
+    Case which = coarse(named("theta20 = 1 rad"), 30); // two square instants beside the steps
+    const CaseResult result = studied(which);
+    QCOMPARE(result.instants, std::size_t(33));
+    for (const MethodResult &row : result.methods) {
+        std::size_t sum = 0;
+        for (const std::size_t count : row.counts) {
+            sum += count;
+        }
+        QCOMPARE(sum, row.method == "finite-difference" ? std::size_t(31) : std::size_t(33));
+    }
+}
+
+void tst_study::knowsTheWorstStatus()
+{
+    Case which = nominalCases()[0];
+    which.parameters.a *= 1e9;
+    which.parameters.b *= 1e9;
+    which.parameters.c *= 1e9;
+    const CaseResult result = studied(coarse(which, 20));
+    const MethodResult *report = rowOf(result, "newton-dense", 1e-8); // mm: below what rounding leaves
+    QVERIFY(report);
+    QCOMPARE(report->status, Status::IterationLimit);
+    QVERIFY(report->counts[static_cast<std::size_t>(Status::IterationLimit)] > 0);
+    QCOMPARE(rowOf(result, "newton-structured", 1e-8)->status, Status::Solved);
+}
+
+void tst_study::tellsWhatCannotBeAssembled()
+{
+    const CaseResult result = studied(coarse(named("never assemblable"), 10));
+    for (const MethodResult &row : result.methods) {
+        QCOMPARE(row.status, Status::NotAssemblable);
+        QVERIFY(!row.maxError && !row.errorBound);
+    }
+}
+
+void tst_study::theBestFrontHasOnlyTheBest()
+{
+    CaseResult result;
+    const auto add = [&](double time, std::optional<double> error) {
+        MethodResult row;
+        row.nsPerState = time;
+        row.maxError = error;
+        result.methods.push_back(row);
+    };
+    add(10.0, 1e-3);
+    add(5.0, 1e-1);
+    add(7.0, 1e-1);  // slower, no better
+    add(20.0, 1e-2); // slower and worse
+    add(1.0, {});    // solved nothing
+    add(30.0, 1e-9);
+    QCOMPARE(bestFront(result), (std::vector<std::size_t>{1, 0, 5}));
+}
+
+void tst_study::progressRisesToOne()
+{
+    double last = 0.0;
+    bool falls = false;
+    int calls = 0;
+    runStudy(quick({coarse(nominalCases()[0], 10), coarse(nominalCases()[1], 10)}), {}, [&](double part) {
+        falls = falls || part < last;
+        last = part;
+        ++calls;
+    });
+    QVERIFY(!falls);
+    QCOMPARE(last, 1.0);
+    QVERIFY(calls > 20);
+}
+
+void tst_study::stopsWhenAsked()
+{
+    std::stop_source stop;
+    double last = 0.0;
+    const StudyResult result =
+        runStudy(quick({coarse(nominalCases()[0], 10), nominalCases()[1]}), stop.get_token(), [&](double part) {
+            last = part;
+            if (part > 0.6) { // within the second case
+                stop.request_stop();
+            }
+        });
+    QVERIFY(!result.complete);
+    QCOMPARE(result.cases.size(), std::size_t(1));
+    QVERIFY(last < 1.0);
+}
+
+void tst_study::stopsBeforeTheFirstCase()
+{
+    std::stop_source stop;
+    stop.request_stop();
+    const StudyResult result = runStudy(quick({nominalCases()[0]}), stop.get_token());
+    QVERIFY(!result.complete);
+    QVERIFY(result.cases.empty());
+}
+
+void tst_study::writesTheJsonOfTheContract()
+{
+    const StudyResult result = runStudy(quick({coarse(nominalCases()[0], 20), coarse(named("never assemblable"), 4)}));
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(studyJson(result)));
+    QVERIFY(document.isObject());
+    QVERIFY(!document["machine"].toString().isEmpty());
+    const QJsonArray cases = document["cases"].toArray();
+    QCOMPARE(cases.size(), 2);
+    QCOMPARE(cases[0]["name"].toString(), QString("Table 1 of the report"));
+    const QJsonArray methods = cases[0]["methods"].toArray();
+    QCOMPARE(methods.size(), qsizetype(result.cases[0].methods.size()));
+    for (const QJsonValue &method : methods) {
+        for (const char *key : {"method", "tolerance", "channels", "nsPerState", "spread", "iterationsPerState",
+                                "maxError", "errorBound", "status", "silentFailures"}) {
+            QVERIFY2(method.toObject().contains(QLatin1String(key)), key);
+        }
+        const int channels = method["channels"].toInt();
+        QVERIFY(channels == 36 || channels == 6);
+        QCOMPARE(method["status"].toString(), QString("solved"));
+        QCOMPARE(method["counts"]["solved"].toInt(), 21);
+        const bool newton = method["method"].toString().startsWith("newton");
+        QCOMPARE(method["tolerance"].isDouble(), newton);
+        QCOMPARE(method["tolerance"].isNull(), !newton);
+    }
+    // Never assemblable: nothing to judge.
+    QCOMPARE(cases[1]["name"].toString(), QString("never assemblable"));
+    QVERIFY(cases[1]["methods"][0]["maxError"].isNull());
+    QVERIFY(cases[1]["methods"][0]["errorBound"].isNull());
+}
+
+void tst_study::writesTheSameRowsAsCsv()
+{
+    const StudyResult result = runStudy(quick({coarse(nominalCases()[0], 20)}));
+    const QList<QByteArray> lines = QByteArray::fromStdString(studyCsv(result)).trimmed().split('\n');
+    QCOMPARE(lines.size(), qsizetype(result.cases[0].methods.size()) + 1);
+    const qsizetype columns = lines[0].split(',').size();
+    for (const QByteArray &line : lines) {
+        QCOMPARE(line.split(',').size(), columns);
+    }
+    QVERIFY(lines[1].startsWith("\"Table 1 of the report\",newton-dense,"));
+    QVERIFY(!studyCsv(result).ends_with("\n\n"));
+}
+
+void tst_study::measuresTimes()
+{
+    StudyRequest request = quick({coarse(nominalCases()[0], 40)});
+    request.rounds = 5;
+    request.secondsPerRound = 50e-6;
+    const StudyResult result = runStudy(request);
+    for (const MethodResult &row : result.cases.front().methods) {
+        QVERIFY2(row.nsPerState > 0.0 && row.spread >= 0.0, row.method.c_str());
+        QCOMPARE(row.iterationsPerState.has_value(), row.tolerance.has_value());
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_study)
+#include "tst_study.moc"

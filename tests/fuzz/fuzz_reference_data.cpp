@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Any bytes into the reader, as libFuzzer finds them: it must come back, within the bytes it was given, with data or a
+// reason that hold together, whatever a person then chooses of the columns.
+
+#include "core/reading/reference_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string_view>
+#include <variant>
+
+using namespace slidercrank;
+
+namespace
+{
+
+void require(bool holds, const char *what)
+{
+    if (!holds) {
+        std::fprintf(stderr, "Broken promise: %s\n", what);
+        std::abort();
+    }
+}
+
+void check(const FileLayout &layout)
+{
+    for (const FileColumn &column : layout.columns) {
+        require(!clauseOf(column.reason).empty(), "each column has a reason");
+        require(!column.otherColumn || *column.otherColumn < layout.columns.size(), "the other column exists");
+    }
+}
+
+void check(const ReadError &error)
+{
+    require(!error.reason.empty() && error.reason.back() == '.', "an error is a sentence");
+    check(error.layout);
+}
+
+void check(const ReferenceData &data)
+{
+    require(!data.time.empty() && !data.series.empty(), "data are not empty");
+    require(std::is_sorted(data.time.begin(), data.time.end(), std::less_equal<>()), "the time increases");
+    ChannelSet seen;
+    for (const ReferenceSeries &series : data.series) {
+        require(series.values.size() == data.time.size(), "a value for each instant");
+        require(!seen.test(indexOf(series.channel)), "each channel once");
+        seen.set(indexOf(series.channel));
+        require(
+            std::none_of(series.values.begin(), series.values.end(), [](double value) { return std::isinf(value); }),
+            "values are finite, or gaps");
+        require(!(series.rounding.stepAt(series.values.front()) < 0.0), "no step is negative");
+    }
+    ChannelSet named;
+    std::size_t times = 0;
+    for (const FileColumn &column : data.layout.columns) {
+        times += column.role == ColumnRole::Time ? 1 : 0;
+        if (column.role == ColumnRole::Channel) {
+            named.set(indexOf(column.channel));
+        }
+    }
+    require(times == 1 && named == seen, "the columns are those of the data");
+    check(data.layout);
+}
+
+FileLayout checked(std::string_view bytes, const ReadOptions &options)
+{
+    const std::variant<ReferenceData, ReadError> outcome = readReferenceData(bytes, {}, options);
+    std::visit([](const auto &each) { check(each); }, outcome);
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? data->layout : std::get<ReadError>(outcome).layout;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t size)
+{
+    const std::string_view text(reinterpret_cast<const char *>(bytes), size);
+    const FileLayout layout = checked(text, {});
+    if (layout.columns.size() >= 2) {
+        ReadOptions options;
+        options.columns = {{layout.columns.size() - 1, ColumnRole::Time, {}, {}},
+                           {0, ColumnRole::Channel, {Theta3, Order::Velocity}, "rad/s"}};
+        checked(text, options);
+    }
+    return 0;
+}

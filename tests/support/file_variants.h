@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Files as programs and people write them, all of one motion (Table 1 with b = 60, 101 instants of one turn, six
+// significant digits), and files that no reader should take. What tests, and the fuzz target's corpus, share.
+
+#include "core/mechanism/channel.h"
+
+#include <string>
+#include <vector>
+
+namespace slidercrank
+{
+
+struct GoodFile {
+    std::string name;
+    std::string bytes;
+    std::string columns; ///< what each becomes: "time", "R4_x", "R4_x?" when guessed, "-" when ignored
+    std::string form;    ///< "UTF-8 , point line 1", with "units 2" where there is such a line
+};
+
+struct BadFile {
+    std::string name;
+    std::string bytes;
+    std::string reason; ///< part of the sentence
+};
+
+std::vector<GoodFile> goodFiles();
+std::vector<BadFile> badFiles();
+
+} // namespace slidercrank

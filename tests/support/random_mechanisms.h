@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Random mechanisms that can be replayed: the same on every machine, whatever its standard library.
+
+#include "core/mechanism/mechanism.h"
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace slidercrank
+{
+
+class RandomMechanisms
+{
+public:
+    explicit RandomMechanisms(std::uint64_t seed)
+        : m_engine(seed)
+    {
+    }
+
+    double uniform(double from, double to)
+    {
+        return from + (to - from) * std::ldexp(static_cast<double>(m_engine() >> 11), -53);
+    }
+
+    /// The crank turns round with at least a fiftieth to spare: b = 1.02 … 7.4 times a + |c|; offset and speed of both
+    /// signs, both branches in turn.
+    Parameters next()
+    {
+        Parameters p;
+        p.a = std::exp(uniform(0.0, std::log(100.0)));
+        p.c = p.a * uniform(-3.0, 3.0);
+        p.b = (p.a + std::abs(p.c)) * (1.02 * std::exp(uniform(0.0, 2.0)));
+        p.omega2 = std::exp(uniform(std::log(0.1), std::log(100.0))) * (uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
+        p.theta20 = uniform(-10.0, 10.0);
+        p.branch = m_count++ % 2 == 0 ? Branch::Open : Branch::Crossed;
+        return p;
+    }
+
+private:
+    std::mt19937_64 m_engine;
+    int m_count = 0;
+};
+
+} // namespace slidercrank

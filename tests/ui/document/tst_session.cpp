@@ -1,0 +1,558 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <limits>
+
+using namespace slidercrank;
+
+namespace
+{
+
+QString writeFile(const QTemporaryDir &folder, const QString &name, const QByteArray &bytes)
+{
+    const QString path = folder.filePath(name);
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+        qFatal("cannot write %s", qPrintable(path));
+    }
+    return path;
+}
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
+const QString kAuthorsFile = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv");
+
+bool allAgree(const std::vector<ChannelComparison> &comparison)
+{
+    return !comparison.empty() && std::ranges::all_of(comparison, [](const ChannelComparison &channel) {
+        return channel.verdict == Verdict::Agrees;
+    });
+}
+
+const QByteArray kSmallFile = "time,R4_x\n0,85\n0.5,45\n";
+
+} // namespace
+
+class TestSession : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void startsWithTable1Computed()
+    {
+        Session session;
+        QCOMPARE(session.parameters(), Parameters());
+        QCOMPARE(session.result()->trajectory.time.size(), std::size_t(201));
+        QCOMPARE(session.result()->trajectory.count(Status::Solved), std::size_t(201));
+        QVERIFY(!session.result()->reference);
+    }
+
+    void publishesOneResultForOneEdit()
+    {
+        Session session;
+        QSignalSpy results(&session, &Session::resultChanged);
+        Parameters parameters;
+        parameters.b = 70.0;
+        session.setParameters(parameters);
+        QCOMPARE(results.count(), 1);
+        QCOMPARE(session.result()->mechanism.b(), 70.0);
+        session.setParameters(parameters);
+        QCOMPARE(results.count(), 1); // the same: nothing to do
+    }
+
+    void refusesWhatIsNoMechanism_data()
+    {
+        QTest::addColumn<double>("b");
+        QTest::addColumn<QString>("hint");
+        QTest::newRow("zero") << 0.0 << QStringLiteral("greater than 0");
+        QTest::newRow("negative") << -1.0 << QStringLiteral("greater than 0");
+        QTest::newRow("not a number") << std::numeric_limits<double>::quiet_NaN() << QStringLiteral("a number");
+        QTest::newRow("too large") << 2e12 << QStringLiteral("exceed");
+    }
+
+    void refusesWhatIsNoMechanism()
+    {
+        QFETCH(const double, b);
+        QFETCH(const QString, hint);
+        Session session;
+        const auto before = session.result();
+        QSignalSpy problems(&session, &Session::problemFound);
+        QSignalSpy returned(&session, &Session::parametersChanged);
+        Parameters parameters;
+        parameters.b = b;
+        session.setParameters(parameters);
+        QCOMPARE(problems.count(), 1);
+        QVERIFY2(problems.first().first().toString().contains(hint), qPrintable(problems.first().first().toString()));
+        QCOMPARE(returned.count(), 1); // the panel learns that its number did not hold
+        QCOMPARE(session.parameters(), Parameters());
+        QCOMPARE(session.result(), before);
+    }
+
+    void publishesTheImpossible()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.b = 4.0;
+        session.setParameters(parameters);
+        QCOMPARE(session.result()->limits.mobility, Mobility::Impossible);
+        QVERIFY(!session.pose().exists());
+        session.setParameters(Parameters());
+        QVERIFY(session.pose().exists());
+    }
+
+    void poseAgreesWithTheTextbook()
+    {
+        Session session;
+        QSignalSpy times(&session, &Session::timeChanged);
+        session.setTime(0.25); // crank straight up: h = 25 - 20
+        QCOMPARE(times.count(), 1);
+        const Pose pose = session.pose();
+        QVERIFY(std::abs(pose.pinX) < 1e-12);
+        QVERIFY(std::abs(pose.pinY - 20.0) < 1e-12);
+        QVERIFY(std::abs(pose.theta3 - std::asin(5.0 / 65.0)) < 1e-14);
+        QVERIFY(std::abs(pose.sliderX - std::sqrt(65.0 * 65.0 - 25.0)) < 1e-12);
+    }
+
+    void keepsTheTimeWithinTheRun()
+    {
+        Session session;
+        session.setTime(7.0);
+        QCOMPARE(session.time(), 1.0);
+        session.setTime(-1.0);
+        QCOMPARE(session.time(), 0.0);
+        session.setTime(0.75);
+        Sampling sampling;
+        sampling.duration = 0.5;
+        session.setSampling(sampling);
+        QCOMPARE(session.time(), 0.5);
+    }
+
+    void movingTheTimeComputesNothing()
+    {
+        Session session;
+        QSignalSpy results(&session, &Session::resultChanged);
+        session.setTime(0.3);
+        QCOMPARE(results.count(), 0);
+    }
+
+    void readsAFileAsideAndCompares()
+    {
+        QTemporaryDir folder;
+        const QString path = writeFile(folder, QStringLiteral("año 1 Δ.csv"), kSmallFile);
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy results(&session, &Session::resultChanged);
+        session.loadReference(path);
+        QVERIFY(loaded.wait());
+        QTRY_COMPARE(results.count(), 1);
+        QCOMPARE(session.reference()->name, QStringLiteral("año 1 Δ.csv"));
+        QCOMPARE(session.result()->comparison.size(), std::size_t(1));
+        const double exact = 20.0 + std::sqrt(65.0 * 65.0 - 25.0 * 25.0); // 80 mm at t = 0, 40 mm half a turn on
+        QVERIFY(std::abs(*session.result()->comparison[0].maxAbs - (85.0 - exact)) < 1e-9);
+        session.setReference(nullptr);
+        QVERIFY(session.result()->comparison.empty());
+    }
+
+    void keepsWhatIsThereWhenAFileIsBad_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("no known column") << QByteArray("time,banana\n0,1\n");
+        QTest::newRow("binary") << QByteArray("\x7f\0\1\2\xff", 5);
+    }
+
+    void keepsWhatIsThereWhenAFileIsBad()
+    {
+        QFETCH(const QByteArray, bytes);
+        QTemporaryDir folder;
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        session.loadReference(writeFile(folder, QStringLiteral("good.csv"), kSmallFile));
+        QVERIFY(loaded.wait());
+        const auto before = session.reference();
+        QSignalSpy problems(&session, &Session::referenceRefused);
+        session.loadReference(writeFile(folder, QStringLiteral("bad.csv"), bytes));
+        QVERIFY(problems.wait());
+        QVERIFY(problems.first()[1].toString().contains(QStringLiteral("bad.csv")));
+        QCOMPARE(session.reference(), before);
+    }
+
+    void tellsHowFarALargeFileIsRead()
+    {
+        QByteArray bytes = "time,theta3,R4_x\n";
+        for (int row = 0; row < 200000; ++row) {
+            bytes += QByteArray::number(row) + ",20,75\n";
+        }
+        QTemporaryDir folder;
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy parts(&session, &Session::readingProgressed);
+        session.loadReference(writeFile(folder, QStringLiteral("large.csv"), bytes));
+        QVERIFY(loaded.wait(60000));
+        QVERIFY(parts.count() > 10);
+        double before = 0.0;
+        for (const QList<QVariant> &told : parts) {
+            const double part = told.first().toDouble();
+            QVERIFY(part > before && part <= 1.0);
+            before = part;
+        }
+        QVERIFY(before > 0.8);
+    }
+
+    void saysThatAFileIsMissing()
+    {
+        Session session;
+        QSignalSpy problems(&session, &Session::referenceRefused);
+        session.loadReference(QStringLiteral("no/such/file.csv"));
+        QVERIFY(problems.wait());
+        QVERIFY(problems.first()[1].toString().contains(QStringLiteral("file.csv")));
+    }
+
+    void computesLongRunsAsideAndTheLastEditWins()
+    {
+        Session session;
+        QSignalSpy results(&session, &Session::resultChanged);
+        QSignalSpy busy(&session, &Session::busyChanged);
+        Sampling sampling;
+        sampling.steps = 400000;
+        SolverSettings solver = session.solver();
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        results.clear();
+        session.setSampling(sampling);
+        QCOMPARE(results.count(), 0); // not yet: the window stays alive
+        QCOMPARE(busy.count(), 1);
+        Parameters parameters;
+        for (const double b : {66.0, 67.0, 68.0}) {
+            parameters.b = b;
+            session.setParameters(parameters);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        QCOMPARE(session.result()->mechanism.b(), 68.0);
+        QCOMPARE(session.result()->trajectory.time.size(), std::size_t(400001));
+        for (int i = 0; i < results.count(); ++i) {
+            QVERIFY(results.at(i).first().value<std::shared_ptr<const Result>>());
+        }
+    }
+
+    void cancelKeepsWhatIsOnShow()
+    {
+        Session session;
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        const auto before = session.result();
+        QSignalSpy busy(&session, &Session::busyChanged);
+        Sampling sampling;
+        sampling.steps = 1000000;
+        session.setSampling(sampling);
+        session.cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        QCOMPARE(session.result(), before);
+    }
+
+    void cancelWhileComparingTakesTheFileBack()
+    {
+        Session session;
+        session.setReference(std::make_shared<Reference>());
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        const auto before = session.result();
+        auto large = std::make_shared<Reference>();
+        for (int i = 0; i < 1000000; ++i) {
+            large->data.time.push_back(i * 1e-6);
+        }
+        large->data.series = {{{R4x, Order::Position}, std::vector<double>(large->data.time.size(), 80.0), {}}};
+        QSignalSpy busy(&session, &Session::busyChanged);
+        QSignalSpy references(&session, &Session::referenceLoaded);
+        session.setReference(large);
+        QCOMPARE(session.result(), before); // still being compared
+        session.cancel();
+        QCOMPARE(session.result(), before);
+        QCOMPARE(session.reference(), before->reference);
+        QCOMPARE(references.count(), 2); // there and back
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the method"));
+        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        QCOMPARE(session.result(), before);
+    }
+
+    void cancelTakesBackOnlyWhatIsNotOnShowYet()
+    {
+        Session session;
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        Parameters parameters;
+        session.beginDrag();
+        parameters.b = 66.0;
+        session.setParameters(parameters);
+        session.endDrag();
+        Sampling sampling;
+        sampling.steps = 1000000;
+        session.setSampling(sampling);
+        parameters.b = 67.0;
+        session.setParameters(parameters);
+        session.cancel();
+        QCOMPARE(session.parameters().b, 66.0);
+        QCOMPARE(session.sampling(), Sampling());
+        QCOMPARE(session.result()->mechanism.b(), 66.0);
+    }
+
+    void aSearchThatWasCancelledIsOver()
+    {
+        Session session;
+        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference(kSample)));
+        session.cancel();
+        QVERIFY(session.diagnosis());
+        QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
+        QTest::qWait(300); // what was under way does not come back
+        QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
+        session.setParameter(Parameter::B, 64.0);
+        QTRY_COMPARE(session.diagnosis()->found.identification.status, Identification::Status::Found);
+    }
+
+    void oneClickTakesTheFoundMechanismOver_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::newRow("the sample") << kSample;
+        QTest::newRow("the author's file") << kAuthorsFile;
+    }
+
+    void oneClickTakesTheFoundMechanismOver()
+    {
+        QFETCH(const QString, path);
+        if (!QFile::exists(path)) {
+            QSKIP("the author's InventorData.csv is not at hand");
+        }
+        Session session; // Table 1: b = 65 mm
+        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        session.loadReference(path);
+        QTRY_COMPARE(diagnoses.count(), 1);
+        const Diagnosis &diagnosis = *session.diagnosis();
+        QCOMPARE(diagnosis.reference, session.reference());
+        QCOMPARE(diagnosis.found.identification.status, Identification::Status::Found);
+        QCOMPARE(diagnosis.found.attribution.front().parameter, Parameter::B);
+        QVERIFY(std::abs(diagnosis.found.attribution.front().value - 60.0) < 1e-4);
+        QVERIFY(diagnosis.found.attribution.front().explained > 0.999999);
+        QVERIFY(allAgree(diagnosis.found.identified));
+
+        session.takeOver();
+        Parameters inRoundNumbers; // not 19.9999997 and 60.0000003
+        inRoundNumbers.b = 60.0;
+        QCOMPARE(session.parameters(), inRoundNumbers);
+        QCOMPARE(session.result()->comparison.size(), std::size_t(6));
+        QVERIFY(allAgree(session.result()->comparison));
+        session.undoStack().undo();
+        QCOMPARE(session.parameters(), Parameters());
+        QVERIFY(!allAgree(session.result()->comparison));
+        session.undoStack().redo();
+        QVERIFY(allAgree(session.result()->comparison));
+    }
+
+    void diagnosesAnewWhenTheParametersRest()
+    {
+        Session session;
+        session.loadReference(kSample);
+        QTRY_VERIFY(session.diagnosis());
+        const auto first = session.diagnosis();
+        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        Parameters parameters;
+        for (int i = 1; i <= 20; ++i) {
+            parameters.b = 65.0 + i;
+            session.setParameters(parameters);
+            QTest::qWait(20); // the whole drag takes longer than a rest
+        }
+        QCOMPARE(diagnoses.count(), 0);
+        QCOMPARE(session.diagnosis(), first); // what was found of the file stands
+        QTRY_COMPARE(diagnoses.count(), 1);
+        QCOMPARE(session.diagnosis()->parameters.b, 85.0);
+        QCOMPARE(session.diagnosis()->found.attribution.front().parameter, Parameter::B);
+        QCOMPARE(session.diagnosis()->found.identification.parameters, first->found.identification.parameters);
+    }
+
+    void thereIsNothingToExplainWhereEverythingAgrees()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.b = 60.0;
+        session.setParameters(parameters);
+        session.loadReference(kSample);
+        QTRY_VERIFY(session.diagnosis());
+        QVERIFY(allAgree(session.result()->comparison));
+        QVERIFY(session.diagnosis()->found.attribution.empty());
+        QVERIFY(session.diagnosis()->found.conventions.empty());
+    }
+
+    void withoutAReferenceThereIsNoDiagnosis()
+    {
+        Session session;
+        session.takeOver();
+        QCOMPARE(session.parameters(), Parameters());
+        session.loadReference(kSample);
+        QTRY_VERIFY(session.diagnosis());
+        session.setReference(nullptr);
+        QVERIFY(!session.diagnosis());
+        QTest::qWait(300); // what was under way does not come back
+        QVERIFY(!session.diagnosis());
+        session.takeOver();
+        QCOMPARE(session.parameters(), Parameters());
+    }
+
+    void aConventionIsAppliedAndTakenBack()
+    {
+        const Channel theta3{Theta3, Order::Position};
+        auto printed = std::make_shared<Reference>();
+        printed->data.time = {0.0, 0.5};
+        printed->data.series = {{theta3, {0.25, 0.5}, {}}};
+        Session session;
+        session.setReference(printed);
+        const Convention radians{Convention::Kind::AngleUnit, {theta3}, 2.0};
+        session.apply(radians);
+        session.apply(radians);
+        QCOMPARE(session.reference()->data.find(theta3)->values[1], 2.0);
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
+        QCOMPARE(session.result()->reference, session.reference());
+        session.undoStack().undo();
+        QCOMPARE(session.reference()->data.find(theta3)->values[1], 1.0);
+        session.undoStack().redo();
+        session.readAsPrinted();
+        QCOMPARE(session.reference(), printed);
+        session.undoStack().undo();
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
+    }
+
+    void theOtherAssemblyIsTheModelsNotTheFiles()
+    {
+        Session session;
+        session.setReference(std::make_shared<Reference>());
+        const auto before = session.reference();
+        session.apply({Convention::Kind::Branch, {}, 1.0});
+        QCOMPARE(session.parameters().branch, Branch::Crossed);
+        QCOMPARE(session.reference(), before);
+        session.undoStack().undo();
+        QCOMPARE(session.parameters().branch, Branch::Open);
+    }
+
+    void everyEditIsUndoneAndRedone()
+    {
+        QTemporaryDir folder;
+        Session session;
+        Parameters parameters;
+        parameters.b = 70.0;
+        session.setParameters(parameters);
+        Sampling sampling;
+        sampling.steps = 100;
+        session.setSampling(sampling);
+        SolverSettings solver = session.solver();
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        const auto reference = std::make_shared<Reference>();
+        session.setReference(reference);
+
+        QStringList names;
+        for (int i = 0; i < session.undoStack().count(); ++i) {
+            names << session.undoStack().text(i);
+        }
+        QCOMPARE(names.size(), 4);
+        QCOMPARE(names.first(), QStringLiteral("change of b"));
+
+        session.undoStack().undo();
+        QVERIFY(!session.reference() && !session.result()->reference);
+        session.undoStack().undo();
+        QCOMPARE(session.result()->solver.method, Method::ClosedForm);
+        session.undoStack().undo();
+        QCOMPARE(session.result()->trajectory.time.size(), std::size_t(201));
+        session.undoStack().undo();
+        QCOMPARE(session.result()->mechanism.b(), 65.0);
+        QVERIFY(!session.undoStack().canUndo());
+        session.undoStack().setIndex(4);
+        QCOMPARE(session.parameters(), parameters);
+        QCOMPARE(session.sampling(), sampling);
+        QCOMPARE(session.solver(), solver);
+        QCOMPARE(session.reference(), reference);
+    }
+
+    void anUndoTellsThePanels()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.c = -3.0;
+        session.setParameters(parameters);
+        QSignalSpy parametersBack(&session, &Session::parametersChanged);
+        QSignalSpy settingsBack(&session, &Session::settingsChanged);
+        QSignalSpy results(&session, &Session::resultChanged);
+        session.undoStack().undo();
+        QCOMPARE(parametersBack.count(), 1);
+        QCOMPARE(parametersBack.first().first().value<Parameters>(), Parameters());
+        QCOMPARE(settingsBack.count(), 0);
+        QCOMPARE(results.count(), 1);
+    }
+
+    void oneDragIsOneStep()
+    {
+        Session session;
+        Parameters parameters;
+        const auto dragTo = [&](std::initializer_list<double> couplers) {
+            session.beginDrag();
+            for (const double b : couplers) {
+                parameters.b = b;
+                session.setParameters(parameters);
+            }
+            session.endDrag();
+        };
+        dragTo({66.0, 67.0, 68.0});
+        dragTo({69.0, 70.0}); // pressed anew
+        QCOMPARE(session.undoStack().count(), 2);
+        session.beginDrag();
+        for (const double b : {71.0, 72.0}) {
+            parameters.b = b;
+            session.setParameters(parameters);
+            QTest::qWait(1100); // held still for long, but not let go
+        }
+        session.endDrag();
+        QCOMPARE(session.undoStack().count(), 3);
+        session.undoStack().undo();
+        session.undoStack().undo();
+        QCOMPARE(session.parameters().b, 68.0);
+        session.undoStack().undo();
+        QCOMPARE(session.parameters().b, 65.0);
+
+        parameters.b = 65.0;
+        dragTo({70.0, 65.0}); // there and back: nothing was done
+        QVERIFY(!session.undoStack().canUndo());
+    }
+
+    void aKeyHeldDownIsOneStepAndAnotherParameterIsAnother()
+    {
+        Session session;
+        Parameters parameters;
+        for (const double b : {66.0, 67.0, 68.0}) {
+            parameters.b = b;
+            session.setParameters(parameters);
+        }
+        parameters.a = 21.0;
+        session.setParameters(parameters);
+        QCOMPARE(session.undoStack().count(), 2);
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of a"));
+        session.undoStack().undo();
+        session.undoStack().undo();
+        QCOMPARE(session.parameters(), Parameters());
+    }
+
+    void whatIsNoMechanismIsNoStep()
+    {
+        Session session;
+        Parameters parameters;
+        parameters.a = -1.0;
+        session.setParameters(parameters);
+        QCOMPARE(session.undoStack().count(), 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSession)
+#include "tst_session.moc"

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/report.h"
+#include "ui/export/report_pages.h"
+
+#include <QFile>
+#include <QLocale>
+#include <QPainter>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace slidercrank;
+
+namespace
+{
+
+using Kind = ReportBlock::Kind;
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+
+std::shared_ptr<const Reference> sampleFile()
+{
+    const auto outcome = readReference(kSample);
+    const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
+    return reference ? *reference : nullptr;
+}
+
+/// The report on a file (may be null) against Table 1 with another b.
+ReportContent contentWith(double b, const std::shared_ptr<const Reference> &reference)
+{
+    Session session;
+    Parameters parameters;
+    parameters.b = b;
+    session.setParameters(parameters);
+    session.setReference(reference);
+    ReportContent content{session.result(), {}, false};
+    if (reference) {
+        content.interpretation = interpret(reference->data, Mechanism(parameters));
+    }
+    return content;
+}
+
+QString allText(const std::vector<ReportBlock> &blocks)
+{
+    QStringList lines;
+    for (const ReportBlock &block : blocks) {
+        lines << block.text << block.table.header.join(u'|');
+        for (const QStringList &row : block.table.rows) {
+            lines << row.join(u'|');
+        }
+    }
+    return lines.join(u'\n');
+}
+
+const ReportBlock *blockOf(const std::vector<ReportBlock> &blocks, Kind kind)
+{
+    const auto block = std::find_if(blocks.begin(), blocks.end(),
+                                    [kind](const ReportBlock &candidate) { return candidate.kind == kind; });
+    return block == blocks.end() ? nullptr : &*block;
+}
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+qsizetype pageCount(const QByteArray &pdf)
+{
+    return pdf.count("/Type /Page\n");
+}
+
+ReportDrawings noDrawings()
+{
+    return {[](QPainter &, const QSize &) {}, [](QPainter &, const QSize &) {}};
+}
+
+} // namespace
+
+class TestReport : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void saysWhoseMotionADifferentFileIs()
+    {
+        const std::vector<ReportBlock> blocks = reportOf(contentWith(65.0, sampleFile()));
+        QCOMPARE(blocks.front().kind, Kind::Title);
+        QVERIFY(blockOf(blocks, Kind::Difference));
+        QVERIFY(!blockOf(blocks, Kind::Agreement));
+        const QString text = allText(blocks);
+        QVERIFY2(text.contains("Reference: inventor_sample.csv, t = 0 s to 1 s, 201 instants."), qPrintable(text));
+        QVERIFY(text.contains("This error looks like b: 60.000 instead of 65 mm explains 99.9999 % of it."));
+        QVERIFY(text.contains("Against its own mechanism the file agrees in 6 of 6 channels."));
+        QVERIFY(text.contains("± is one standard deviation"));
+        QVERIFY(!text.contains("conventions"));
+
+        const ReportTable &parameters = blockOf(blocks, Kind::Mechanism)->table;
+        QCOMPARE(parameters.header, QStringList({"", "model", "the file's own"}));
+        QCOMPARE(parameters.rows.size(), std::size_t(6));
+        QCOMPARE(parameters.rows[1].first(), QString("b, coupler"));
+        QCOMPARE(parameters.rows[1][1], QString("65 mm"));
+        QVERIFY2(parameters.rows[1][2].startsWith("60.0") && parameters.rows[1][2].contains(" ± "),
+                 qPrintable(parameters.rows[1][2]));
+        QCOMPARE(parameters.rows[5], QStringList({"assembly", "open", "open"}));
+    }
+
+    void saysThatAFileAgrees()
+    {
+        const ReportContent content = contentWith(60.0, sampleFile());
+        const std::vector<ReportBlock> blocks = reportOf(content);
+        QVERIFY(blockOf(blocks, Kind::Agreement));
+        QVERIFY(!blockOf(blocks, Kind::Difference));
+        QVERIFY(!allText(blocks).contains("looks like"));
+        const ReportTable &errors = blockOf(blocks, Kind::Table)->table;
+        QCOMPARE(errors.rows.size(), std::size_t(6));
+        QCOMPARE(errors.header.size(), errors.numeric.size());
+        for (const QStringList &row : errors.rows) {
+            QCOMPARE(row.size(), errors.header.size());
+            QCOMPARE(row.last(), QString("agrees to the last printed digit"));
+        }
+        QCOMPARE(errors.rows[3].first(), QString("θ³ [°]"));
+        QVERIFY(std::abs(errors.rows[3][1].toDouble() / *content.result->comparison[3].maxAbs - 1.0) < 5e-3);
+    }
+
+    void reportsAMechanismWithoutAFile()
+    {
+        const std::vector<ReportBlock> blocks = reportOf(contentWith(65.0, nullptr));
+        QVERIFY(!blockOf(blocks, Kind::Table) && !blockOf(blocks, Kind::Agreement) &&
+                !blockOf(blocks, Kind::Difference));
+        QCOMPARE(blockOf(blocks, Kind::Mechanism)->table.header.size(), qsizetype(2));
+        QVERIFY(blockOf(blocks, Kind::Figure));
+        QVERIFY(!allText(blocks).contains("reference"));
+    }
+
+    void namesTheMethodAndItsTolerance_data()
+    {
+        QTest::addColumn<SolverSettings>("solver");
+        QTest::addColumn<QString>("says");
+        SolverSettings solver;
+        QTest::newRow("as the report") << solver << "until ‖C‖ ≤ 1e-8 (absolute, mm and rad as they are), at most 10 ";
+        solver.newton.toleranceKind = ToleranceKind::Relative;
+        solver.newton.tolerance = 2.5e-12;
+        QTest::newRow("relative") << solver << "until ‖C‖ ≤ 2.5e-12 (relative, lengths divided by a + b + |c|)";
+        solver.newton.tolerance = 0.0;
+        QTest::newRow("to the end") << solver << "until the residual ‖C‖ no longer falls";
+        solver.method = Method::ClosedForm;
+        QTest::newRow("closed form") << solver << "Closed form, exact to rounding. 201 instants from t = 0 s to 1 s.";
+    }
+
+    void namesTheMethodAndItsTolerance()
+    {
+        QFETCH(SolverSettings, solver);
+        QFETCH(QString, says);
+        Session session;
+        session.setSolver(solver);
+        const QString text = allText(reportOf({session.result(), {}, false}));
+        QVERIFY2(text.contains(says), qPrintable(text));
+        QCOMPARE(text.contains("iterations in all"), solver.method == Method::Newton);
+    }
+
+    void namesConventionsAndWhatIsNotFound()
+    {
+        ReportContent content = contentWith(65.0, sampleFile());
+        const Convention radians{Convention::Kind::AngleUnit, {{Theta3, Order::Position}}, kDegreesPerRadian};
+        content.interpretation.conventions = {{radians, 98.0, 0.001}};
+        QString text = allText(reportOf(content));
+        QVERIFY2(text.contains("theta3: in radians, but read as degrees."), qPrintable(text));
+        QVERIFY(text.contains("read with the conventions named above"));
+        content.interpretation.identification.status = Identification::Status::NotFound;
+        text = allText(reportOf(content));
+        QVERIFY2(text.contains("No slider-crank moves as these data do") && !text.contains("its own mechanism") &&
+                     !text.contains("the file's own"),
+                 qPrintable(text));
+    }
+
+    void tellsWhatOfAFileWasLeftOut()
+    {
+        auto reference = std::make_shared<Reference>(*sampleFile());
+        QVERIFY(!allText(reportOf(contentWith(60.0, reference))).contains("Left out"));
+        reference->data.skipped.push_back({17, 2, "oops", "not a number"});
+        reference->data.ignoredColumns = {"colour", "taste"};
+        const QString text = allText(reportOf(contentWith(60.0, reference)));
+        QVERIFY2(text.contains("Left out of the file: 1 rows, the first in line 17 (\"oops\": not a number); the "
+                               "columns colour, taste."),
+                 qPrintable(text));
+    }
+
+    void putsDrawingsAndTextOnA4()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("report.pdf"));
+        int mechanisms = 0;
+        QSize figure;
+        const ReportDrawings drawings{[&](QPainter &, const QSize &size) {
+                                          ++mechanisms;
+                                          QVERIFY(size.width() > 150 && size.height() > 150);
+                                      },
+                                      [&](QPainter &painter, const QSize &size) {
+                                          figure = size;
+                                          painter.setPen(Qt::red); // what a drawing does to the painter ends with it
+                                          painter.translate(1000.0, 1000.0);
+                                      }};
+        QCOMPARE(exportReport(path, contentWith(65.0, sampleFile()), drawings), std::optional<QString>());
+        QCOMPARE(mechanisms, 1);
+        QVERIFY(figure.width() >= 800 && figure.height() > figure.width());
+        const QByteArray pdf = contentOf(path);
+        QVERIFY(pdf.startsWith("%PDF"));
+        QCOMPARE(pageCount(pdf), qsizetype(2));
+        QVERIFY(pdf.contains("/Type /Font")); // text is text
+    }
+
+    void goesOnWithALongTableOnTheNextPage()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("report.pdf"));
+        const ReportContent content = contentWith(65.0, sampleFile());
+        auto longer = std::make_shared<Result>(*content.result);
+        for (int i = 0; i < 100; ++i) {
+            longer->comparison.push_back(longer->comparison.front());
+        }
+        QCOMPARE(exportReport(path, {longer, content.interpretation, false}, noDrawings()), std::optional<QString>());
+        const qsizetype pages = pageCount(contentOf(path));
+        QVERIFY2(pages >= 4 && pages <= 6, QByteArray::number(pages).constData());
+    }
+
+    void leavesNoHalfReport()
+    {
+        QTemporaryDir folder;
+        for (const QString &path : {folder.filePath(QStringLiteral("missing/report.pdf")), folder.path()}) {
+            const std::optional<QString> problem = exportReport(path, contentWith(65.0, nullptr), noDrawings());
+            QVERIFY(problem && problem->contains("cannot be written"));
+        }
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+};
+
+QTEST_MAIN(TestReport)
+#include "tst_report.moc"

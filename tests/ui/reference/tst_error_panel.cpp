@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.h"
+#include "ui/reference/error_panel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTest>
+
+using namespace slidercrank;
+
+namespace
+{
+
+enum Column { Name, Outcome, LargestError, LargestErrorAt, Rms, LargestPercent, LargestPercentAt };
+
+template <typename Widget>
+Widget *child(const QWidget &parent, const QString &name)
+{
+    auto *widget = parent.findChild<Widget *>(name);
+    if (!widget) {
+        qFatal("no %s", qPrintable(name));
+    }
+    return widget;
+}
+
+ChannelComparison compared(Channel channel, Verdict verdict, double maxAbs, double at)
+{
+    ChannelComparison comparison;
+    comparison.channel = channel;
+    comparison.count = 201;
+    comparison.maxAbs = maxAbs;
+    comparison.timeOfMaxAbs = at;
+    comparison.rms = maxAbs / 2.0;
+    comparison.maxPercent = 10.0 * maxAbs;
+    comparison.timeOfMaxPercent = at + 0.1;
+    comparison.percentOfPeak = 5.0 * maxAbs;
+    comparison.roundingStep = 0.001;
+    comparison.verdict = verdict;
+    return comparison;
+}
+
+std::shared_ptr<Result> resultWith(const std::vector<ChannelComparison> &comparison)
+{
+    auto reference = std::make_shared<Reference>();
+    reference->name = QStringLiteral("inventor.csv");
+    auto result = std::make_shared<Result>();
+    result->reference = reference;
+    result->comparison = comparison;
+    return result;
+}
+
+/// The file is of b = 60 mm, and agrees with that.
+std::shared_ptr<const Diagnosis> diagnosisOf(const Result &result)
+{
+    auto diagnosis = std::make_shared<Diagnosis>();
+    diagnosis->reference = result.reference;
+    diagnosis->parameters = result.mechanism.parameters();
+    Identification &found = diagnosis->found.identification;
+    found.status = Identification::Status::Found;
+    found.parameters.b = 60.00001;
+    found.standardError.fill(3e-5);
+    found.identifiable.fill(true);
+    diagnosis->found.identified = result.comparison;
+    for (ChannelComparison &channel : diagnosis->found.identified) {
+        channel.verdict = Verdict::Agrees;
+    }
+    diagnosis->found.attribution = {{Parameter::B, 60.00001, 0.9999999}};
+    return diagnosis;
+}
+
+const Channel kTheta3{Theta3, Order::Position};
+const Channel kSlider{R4x, Order::Position};
+const Channel kSliderSpeed{R4x, Order::Velocity};
+
+} // namespace
+
+class TestErrorPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void offersFilesWhereThereIsNoReference()
+    {
+        ErrorPanel panel;
+        panel.resize(700, 220);
+        panel.setResult(std::make_shared<Result>());
+        panel.show();
+        auto *openReference = child<QPushButton>(panel, "openReferenceButton");
+        auto *openSample = child<QPushButton>(panel, "openSampleButton");
+        QVERIFY(openReference->isVisible());
+        QVERIFY(!child<QTableWidget>(panel, "errorTable")->isVisible());
+        QSignalSpy references(&panel, &ErrorPanel::openReferenceRequested);
+        QSignalSpy samples(&panel, &ErrorPanel::openSampleRequested);
+        openReference->click();
+        QCOMPARE(references.count(), 1);
+        QCOMPARE(samples.count(), 0);
+        openSample->click();
+        QCOMPARE(samples.count(), 1);
+    }
+
+    void hasARowAChannel()
+    {
+        ErrorPanel panel;
+        panel.show();
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25),
+                                    compared(kSliderSpeed, Verdict::Close, 14.2345, 0.5)}));
+        auto *table = child<QTableWidget>(panel, "errorTable");
+        QVERIFY(table->isVisible());
+        QCOMPARE(table->rowCount(), 2);
+        QCOMPARE(table->item(0, Name)->text(), QString("θ³ [°]"));
+        QCOMPARE(table->item(1, Name)->text(), QString("dRₓ⁴/dt [mm/s]"));
+        QCOMPARE(table->item(0, LargestError)->text(), QString("0.00123"));
+        QCOMPARE(table->item(1, LargestError)->text(), QString("14.2"));
+        QCOMPARE(table->item(0, LargestErrorAt)->text(), QString("0.25"));
+        QVERIFY(table->item(0, Outcome)->text().startsWith(QString("✓ agrees")));
+        QVERIFY(table->item(1, Outcome)->toolTip().contains("½ step"));
+        for (int column = 0; column < table->columnCount(); ++column) {
+            QVERIFY(!table->horizontalHeaderItem(column)->toolTip().isEmpty());
+        }
+        panel.setResult(resultWith({compared(kSlider, Verdict::Differs, 3.0, 0.75)}));
+        QCOMPARE(table->rowCount(), 1);
+        QCOMPARE(table->item(0, Outcome)->text(), QString("✗ differs"));
+        panel.setResult(std::make_shared<Result>());
+        QVERIFY(!table->isVisible());
+    }
+
+    void goesToTheLargestError()
+    {
+        ErrorPanel panel;
+        panel.resize(900, 220);
+        panel.setResult(resultWith(
+            {compared(kTheta3, Verdict::Differs, 1.0, 0.25), compared(kSlider, Verdict::Differs, 2.0, 0.5)}));
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QSignalSpy spy(&panel, &ErrorPanel::timeRequested);
+        auto *table = child<QTableWidget>(panel, "errorTable");
+        const auto click = [table](int row, int column) {
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                              table->visualItemRect(table->item(row, column)).center());
+        };
+        click(1, Name);
+        QCOMPARE(spy.takeFirst()[0].toDouble(), 0.5);
+        click(0, LargestError);
+        QCOMPARE(spy.takeFirst()[0].toDouble(), 0.25);
+        click(0, LargestPercentAt); // a column that names an instant of its own
+        QCOMPARE(spy.takeFirst()[0].toDouble(), 0.35);
+        table->setCurrentCell(1, Name);
+        QTest::keyClick(table, Qt::Key_Return);
+        QCOMPARE(spy.takeFirst()[0].toDouble(), 0.5);
+        QVERIFY(spy.isEmpty());
+    }
+
+    void saysWhetherTheFileBelongs_data()
+    {
+        QTest::addColumn<QList<int>>("verdicts");
+        QTest::addColumn<QString>("sentence");
+        const int agrees = static_cast<int>(Verdict::Agrees);
+        const int close = static_cast<int>(Verdict::Close);
+        const int differs = static_cast<int>(Verdict::Differs);
+        QTest::newRow("all agree") << QList<int>{agrees, agrees} << "✓ inventor.csv: Agrees";
+        QTest::newRow("some close") << QList<int>{agrees, close} << "≈ inventor.csv: Agrees";
+        QTest::newRow("one differs") << QList<int>{agrees, differs} << "✗ inventor.csv: Differs";
+        QTest::newRow("none") << QList<int>{} << "✗ inventor.csv: The file has no column";
+    }
+    void saysWhetherTheFileBelongs()
+    {
+        QFETCH(QList<int>, verdicts);
+        QFETCH(QString, sentence);
+        std::vector<ChannelComparison> comparison;
+        for (const int verdict : verdicts) {
+            comparison.push_back(
+                compared(comparison.empty() ? kTheta3 : kSlider, static_cast<Verdict>(verdict), 2.0, 0.5));
+        }
+        ErrorPanel panel;
+        panel.show();
+        panel.setResult(resultWith(comparison));
+        const QString text = child<QLabel>(panel, "verdictLabel")->text();
+        QVERIFY2(text.startsWith(sentence), qPrintable(text));
+    }
+
+    void saysAsMuchOfTheVerdictAsThereIsRoomFor()
+    {
+        ErrorPanel panel;
+        panel.resize(1000, 220);
+        panel.show();
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25)}));
+        auto *table = child<QTableWidget>(panel, "errorTable");
+        QTRY_COMPARE(table->item(0, Outcome)->text(), QString("✓ agrees to the last printed digit"));
+        panel.resize(560, 220);
+        QTRY_COMPARE(table->item(0, Outcome)->text(), QString("✓ agrees"));
+        QVERIFY(table->item(0, Outcome)->toolTip().startsWith("agrees to the last printed digit"));
+        panel.resize(1000, 220);
+        QTRY_COMPARE(table->item(0, Outcome)->text(), QString("✓ agrees to the last printed digit"));
+    }
+
+    void explainsTheDifferenceAndOffersTheRemedy()
+    {
+        const auto result = resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});
+        const auto diagnosis = diagnosisOf(*result);
+        ErrorPanel panel;
+        panel.resize(900, 220);
+        panel.show();
+        panel.setResult(result);
+        QVERIFY(panel.findChildren<QPushButton *>("remedyButton").isEmpty()); // not known yet
+        panel.setDiagnosis(diagnosis);
+        QVERIFY2(
+            child<QLabel>(panel, "findingLabel")->text().startsWith("This error looks like b: 60.000 instead of 65 mm"),
+            qPrintable(child<QLabel>(panel, "findingLabel")->text()));
+        auto *button = child<QPushButton>(panel, "remedyButton");
+        QVERIFY(button->isVisible());
+        QVERIFY(button->toolTip().contains("65 mm") && button->toolTip().contains("60.00001 ± 0.00003"));
+        QSignalSpy remedies(&panel, &ErrorPanel::remedyRequested);
+        button->click();
+        QCOMPARE(remedies.count(), 1);
+        QCOMPARE(remedies[0][0].value<Finding>().remedy, Finding::Remedy::TakeOver);
+
+        // On the move: what was found stays where it is, dimmed.
+        auto moved = std::make_shared<Result>(*result);
+        Parameters parameters;
+        parameters.b = 66.0;
+        moved->mechanism = Mechanism(parameters);
+        panel.setResult(moved);
+        QVERIFY(child<QLabel>(panel, "findingLabel")->isVisible());
+        QTRY_VERIFY(!child<QLabel>(panel, "findingLabel")->isEnabled());
+
+        // Everything agrees: nothing to say.
+        auto agreeing = std::make_shared<Result>(*moved);
+        agreeing->comparison[0].verdict = Verdict::Agrees;
+        panel.setResult(agreeing);
+        QTRY_VERIFY(!child<QWidget>(panel, "findings")->isVisible());
+    }
+
+    void offersEachConventionAndTheWayBack()
+    {
+        const auto result = resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});
+        auto diagnosis = std::make_shared<Diagnosis>(*diagnosisOf(*result));
+        const Convention radians{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRadian};
+        const Convention late{Convention::Kind::TimeShift, {}, 0.1};
+        diagnosis->found.conventions = {{radians, 98.0, 1e-3}, {late, 30.0, 1e-3}};
+        diagnosis->found.identification.status = Identification::Status::NotFound;
+        ErrorPanel panel;
+        panel.resize(900, 220);
+        panel.show();
+        panel.setResult(result);
+        panel.setDiagnosis(diagnosis);
+        const auto buttons = panel.findChildren<QPushButton *>("remedyButton");
+        QCOMPARE(buttons.size(), 2); // nothing is said of a mechanism that was not found
+        QVERIFY(child<QLabel>(panel, "findingLabel")->text().contains("radians"));
+        QVERIFY(buttons[1]->accessibleName() != buttons[0]->accessibleName());
+        QSignalSpy remedies(&panel, &ErrorPanel::remedyRequested);
+        buttons[1]->click();
+        QCOMPARE(remedies[0][0].value<Finding>().convention, late);
+
+        // Applied: said for as long as it is so, whether or not anything differs.
+        auto applied = resultWith({compared(kTheta3, Verdict::Agrees, 0.001, 0.5)});
+        auto reference = std::make_shared<Reference>(*applied->reference);
+        reference->conventions = {late};
+        applied->reference = reference;
+        panel.setResult(applied);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        auto *back = child<QPushButton>(panel, "remedyButton");
+        QVERIFY(child<QLabel>(panel, "findingLabel")->text().contains("time shift"));
+        back->click();
+        QCOMPARE(remedies[1][0].value<Finding>().remedy, Finding::Remedy::ReadAsPrinted);
+    }
+
+    void whatDoesNotExistIsADash()
+    {
+        ChannelComparison nothing;
+        nothing.channel = kTheta3;
+        nothing.missingModel = 201;
+        ChannelComparison zeros = compared(kSlider, Verdict::Differs, 1.0, 0.5);
+        zeros.maxPercent.reset();
+        zeros.zeroReference = 7;
+        ErrorPanel panel;
+        panel.show();
+        panel.setResult(resultWith({nothing, zeros}));
+        auto *table = child<QTableWidget>(panel, "errorTable");
+        for (const int column : {LargestError, LargestErrorAt, Rms, LargestPercent, LargestPercentAt}) {
+            QCOMPARE(table->item(0, column)->text(), QString("–"));
+        }
+        QCOMPARE(table->item(1, LargestPercent)->text(), QString("– (7×∞)"));
+        QVERIFY(table->item(0, Name)->toolTip().contains("201"));
+        QSignalSpy spy(&panel, &ErrorPanel::timeRequested);
+        table->setCurrentCell(0, Name);
+        QTest::keyClick(table, Qt::Key_Return);
+        QCOMPARE(spy.count(), 0); // nowhere to go
+    }
+
+    void tellsWhatOfTheFileWasNotUsed()
+    {
+        auto result = resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)});
+        auto reference = std::make_shared<Reference>(*result->reference);
+        reference->data.skipped = {{12, 3, "a<b", "is not a number"}, {15, 1, "", "is empty"}};
+        reference->data.ignoredColumns = {"force"};
+        result->reference = reference;
+        ErrorPanel panel;
+        panel.show();
+        panel.setResult(result);
+        auto *label = child<QLabel>(panel, "leftOutLabel");
+        QVERIFY(label->isVisible());
+        QCOMPARE(label->text(), QString("2 rows of the file were skipped; 1 column was ignored."));
+        QVERIFY(label->toolTip().contains("Line 12, column 3"));
+        QVERIFY(label->toolTip().contains("a&lt;b"));
+        QVERIFY(label->toolTip().contains("force"));
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)}));
+        QVERIFY(!label->isVisible());
+    }
+
+    void waitsUntilItIsOnShow()
+    {
+        ErrorPanel panel;
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)}));
+        auto *table = child<QTableWidget>(panel, "errorTable");
+        QCOMPARE(table->rowCount(), 0);
+        panel.show();
+        QCOMPARE(table->rowCount(), 1);
+        panel.hide();
+        panel.setResult(
+            resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5), compared(kSlider, Verdict::Agrees, 1.0, 0.5)}));
+        QCOMPARE(table->rowCount(), 1);
+        panel.show();
+        QCOMPARE(table->rowCount(), 2);
+
+        // Laid out as it comes on show, when the table still has the rows of before.
+        panel.hide();
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)}));
+        panel.resize(panel.width() + 100, panel.height());
+        panel.show();
+        QCOMPARE(table->rowCount(), 1);
+    }
+};
+
+QTEST_MAIN(TestErrorPanel)
+#include "tst_error_panel.moc"

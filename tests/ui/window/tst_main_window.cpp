@@ -1,0 +1,852 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The window as its user has it: hands on the controls, eyes on what is painted.
+
+#include "ui/controls/folding_tabs.h"
+#include "ui/controls/message_bar.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/newton/newton_panel.h"
+#include "ui/parameters/timeline.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/study/study_panel.h"
+#include "ui/window/help_page.h"
+#include "ui/window/main_window.h"
+#include "ui/window/scene_file.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemModel>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSplitter>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QStyleOptionSlider>
+#include <QTabBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+
+const QStringList kPlots = {"plot_theta3",       "plot_R4_x",       "plot_error_position",
+                            "plot_theta3_diff",  "plot_R4_x_diff",  "plot_error_velocity",
+                            "plot_theta3_diff2", "plot_R4_x_diff2", "plot_error_acceleration"};
+
+QImage pictureOf(QWidget &window, const QString &name)
+{
+    QWidget *widget = window.findChild<QWidget *>(name);
+    if (!widget) {
+        qFatal("no widget named %s", qPrintable(name));
+    }
+    QCoreApplication::processEvents();
+    return widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+bool isBlank(const QImage &image)
+{
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            if (image.pixel(x, y) != image.pixel(0, 0)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+void drop(QWidget &window, const QString &path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    const QPointF middle = window.rect().center();
+    QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    QVERIFY(event.isAccepted());
+}
+
+Parameters withCoupler(double b)
+{
+    Parameters parameters;
+    parameters.b = b;
+    return parameters;
+}
+
+} // namespace
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+        QApplication::setStyle(QStringLiteral("Fusion"));
+    }
+
+    void init()
+    {
+        QSettings().clear();
+        QSettings().setValue(QStringLiteral("greeted"), true);
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void startsCalmWithEverythingDrawn()
+    {
+        QCOMPARE(m_window->session().time(), 0.0);
+        QVERIFY(!m_window->findChild<Timeline *>()->isPlaying());
+        QVERIFY(!m_window->findChild<MessageBar *>()->isVisible());
+        for (const QString &name : kPlots) {
+            QVERIFY2(!isBlank(pictureOf(*m_window, name)), qPrintable(name));
+        }
+        QVERIFY(!isBlank(pictureOf(*m_window, QStringLiteral("mechanismView"))));
+    }
+
+    void everyControlHasAName()
+    {
+        for (QWidget *widget : m_window->findChildren<QWidget *>()) {
+            const bool control = qobject_cast<QAbstractButton *>(widget) || qobject_cast<QAbstractSlider *>(widget) ||
+                                 qobject_cast<QComboBox *>(widget) || qobject_cast<QLineEdit *>(widget);
+            const bool ours = !widget->objectName().startsWith(QLatin1String("qt_"));
+            if (control && ours && widget->isVisibleTo(m_window.get())) {
+                const auto *button = qobject_cast<QAbstractButton *>(widget);
+                const QString name =
+                    widget->accessibleName().isEmpty() && button ? button->text() : widget->accessibleName();
+                const QWidget *owner = widget->parentWidget(); // a box's own line edit speaks with the box's name
+                QVERIFY2(!name.isEmpty() || !owner->accessibleName().isEmpty() || owner->inherits("QScrollBar") ||
+                             widget->inherits("QScrollBar"),
+                         qPrintable(widget->objectName() + QLatin1String(widget->metaObject()->className())));
+            }
+        }
+    }
+
+    void saysWhatToDoTheFirstTimeOnly()
+    {
+        QSettings().remove(QStringLiteral("greeted"));
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        const auto *bar = m_window->findChild<MessageBar *>();
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("sample")));
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->findChild<QAbstractButton *>(QStringLiteral("messageRemedy"))->click();
+        QVERIFY(loaded.wait());
+        QVERIFY(m_window->session().reference());
+
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(!m_window->findChild<MessageBar *>()->isVisible());
+    }
+
+    void listsEveryKeyOfItsMenusInTheHelp()
+    {
+        const QString page = shortcutsText(*m_window->menuBar());
+        int keys = 0;
+        for (const QAction *action : m_window->findChildren<QAction *>()) {
+            for (const QKeySequence &key : action->shortcuts()) {
+                const QString row =
+                    QStringLiteral("<tr><td>[^<]*%1</td><td[^>]*>[^<]*%2")
+                        .arg(QRegularExpression::escape(action->text().remove(u'&').toHtmlEscaped()),
+                             QRegularExpression::escape(key.toString(QKeySequence::NativeText).toHtmlEscaped()));
+                QVERIFY2(page.contains(QRegularExpression(row)), qPrintable(action->text()));
+                ++keys;
+            }
+        }
+        QVERIFY(keys > 15);
+
+        m_window->session().setParameter(Parameter::B, 70.0);
+        QVERIFY(m_window->session().undoStack().canUndo());
+        QCOMPARE(shortcutsText(*m_window->menuBar()), page);
+    }
+
+    void helpStandsBesideTheWindow()
+    {
+        for (const QString &name : {QStringLiteral("What is this program"), QStringLiteral("Keyboard and mouse")}) {
+            for (QAction *action : m_window->findChildren<QAction *>()) {
+                if (action->text().remove(u'&') == name) {
+                    action->trigger();
+                }
+            }
+            auto *page = m_window->findChild<HelpPage *>();
+            QVERIFY(page && page->isVisible() && !page->isModal());
+            QCOMPARE(page->windowTitle(), name);
+            QTest::keyClick(page, Qt::Key_Escape);
+            QTRY_VERIFY(!m_window->findChild<HelpPage *>());
+        }
+    }
+
+    void movingASliderChangesWhatIsPainted_data()
+    {
+        QTest::addColumn<QString>("slider");
+        QTest::addColumn<QString>("plot");
+        for (const char *name : {"a", "b", "c", "omega2", "theta20"}) {
+            QTest::newRow(name) << QStringLiteral("slider_%1").arg(QLatin1String(name))
+                                << QStringLiteral("plot_theta3_diff");
+        }
+    }
+
+    void movingASliderChangesWhatIsPainted()
+    {
+        QFETCH(const QString, slider);
+        QFETCH(const QString, plot);
+        auto *control = m_window->findChild<QSlider *>(slider);
+        QVERIFY(control);
+        const QImage before = pictureOf(*m_window, plot);
+        const Parameters parameters = m_window->session().parameters();
+        control->setValue(control->value() + (control->maximum() - control->minimum()) / 20);
+        QVERIFY(!(m_window->session().parameters() == parameters));
+        QVERIFY(pictureOf(*m_window, plot) != before);
+    }
+
+    void aDragOfASliderIsUndoneByItsKey()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *slider = m_window->findChild<QSlider *>(QStringLiteral("slider_b"));
+        QStyleOptionSlider option;
+        option.initFrom(slider);
+        option.orientation = Qt::Horizontal;
+        option.minimum = slider->minimum();
+        option.maximum = slider->maximum();
+        option.sliderPosition = option.sliderValue = slider->sliderPosition();
+        const QPoint handle =
+            slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider).center();
+        QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, handle);
+        for (const int pixels : {5, 10, 15}) {
+            QTest::mouseMove(slider, handle + QPoint(pixels, 0));
+        }
+        QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, handle + QPoint(15, 0));
+        const double dragged = m_window->session().parameters().b;
+        QVERIFY(dragged > 65.0);
+        QCOMPARE(m_window->session().undoStack().count(), 1);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters().b, 65.0);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(m_window->session().parameters().b, dragged);
+    }
+
+    void aTypedNumberIsUndoneWithTheFocusStillInItsBox()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *box = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("box_b"));
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QStringLiteral("70"));
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters().b, 65.0);
+    }
+
+    void scrubbingMovesThePose()
+    {
+        auto *slider = m_window->findChild<QSlider *>(QStringLiteral("timeSlider"));
+        const QImage before = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        slider->setValue((slider->minimum() + slider->maximum()) / 4);
+        QVERIFY(m_window->session().time() > 0.2);
+        QVERIFY(m_window->session().time() < 0.3);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != before);
+    }
+
+    void clickingAPlotScrubs()
+    {
+        auto *plot = m_window->findChild<QWidget *>(QStringLiteral("plot_R4_x"));
+        QTest::mouseClick(plot, Qt::LeftButton, Qt::NoModifier, plot->rect().center());
+        QTRY_VERIFY(m_window->session().time() > 0.3 && m_window->session().time() < 0.7);
+    }
+
+    void playingFollowsTheClock()
+    {
+        auto *timeline = m_window->findChild<Timeline *>();
+        QTest::mouseClick(m_window->findChild<QAbstractButton *>(QStringLiteral("playButton")), Qt::LeftButton);
+        QVERIFY(timeline->isPlaying());
+        QElapsedTimer clock;
+        clock.start();
+        const double from = m_window->session().time();
+        QTest::qWait(400);
+        const double shown = m_window->session().time() - from;
+        const double elapsed = static_cast<double>(clock.elapsed()) * 1e-3;
+        QVERIFY2(shown > 0.5 * elapsed && shown < elapsed + 0.1,
+                 qPrintable(QStringLiteral("%1 s shown in %2 s").arg(shown).arg(elapsed)));
+        timeline->pause();
+        const double paused = m_window->session().time();
+        QTest::qWait(100);
+        QCOMPARE(m_window->session().time(), paused);
+    }
+
+    void playbackKeysWorkFromAnywhereButWhereTheyAreNeeded()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *view = m_window->findChild<QWidget *>(QStringLiteral("mechanismView"));
+        view->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_End);
+        QCOMPARE(m_window->session().time(), 1.0);
+        QTest::keyClick(m_window.get(), Qt::Key_Left);
+        QVERIFY(std::abs(m_window->session().time() - 0.995) < 1e-9);
+        QTest::keyClick(m_window.get(), Qt::Key_Home);
+        QCOMPARE(m_window->session().time(), 0.0);
+
+        auto *slider = m_window->findChild<QSlider *>(QStringLiteral("slider_b"));
+        slider->setFocus();
+        const double b = m_window->session().parameters().b;
+        QTest::keyClick(slider, Qt::Key_Right);
+        QVERIFY(m_window->session().parameters().b > b);
+        QCOMPARE(m_window->session().time(), 0.0);
+
+        auto *box = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("box_b")); // a number has no spaces
+        box->setFocus();
+        const QString text = box->text();
+        const auto *timeline = m_window->findChild<Timeline *>();
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(timeline->isPlaying());
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(!timeline->isPlaying());
+        QCOMPARE(box->text(), text);
+    }
+
+    void droppingACsvFillsOverlayAndTable()
+    {
+        const QImage curve = pictureOf(*m_window, QStringLiteral("plot_theta3"));
+        const QImage error = pictureOf(*m_window, QStringLiteral("plot_error_position"));
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        drop(*m_window, kSample);
+        QVERIFY(loaded.wait());
+        QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
+        QVERIFY(pictureOf(*m_window, QStringLiteral("plot_theta3")) != curve);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("plot_error_position")) != error);
+        const auto *table = m_window->findChild<QTableView *>();
+        QVERIFY(table && table->isVisible());
+        QCOMPARE(table->model()->rowCount(), 6);
+    }
+
+    void saysWhoseMotionAFileIsAndTakesItOver_data()
+    {
+        QTest::addColumn<QString>("button");
+        QTest::newRow("from the bar") << QStringLiteral("messageRemedy");
+        QTest::newRow("from the tab") << QStringLiteral("remedyButton");
+    }
+
+    void saysWhoseMotionAFileIsAndTakesItOver()
+    {
+        QFETCH(const QString, button);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_window->openReference(kSample); // b = 60, on show is 65
+        auto *bar = m_window->findChild<MessageBar *>();
+        QTRY_VERIFY(bar->isVisible());
+        const QString sentence = QStringLiteral("This error looks like b: 60.000 instead of 65 mm explains 99.9999 %");
+        QVERIFY2(bar->text().contains(sentence), qPrintable(bar->text()));
+        QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel"))->text().startsWith(sentence));
+
+        QTest::mouseClick(m_window->findChild<QAbstractButton *>(button), Qt::LeftButton);
+        QVERIFY(std::abs(m_window->session().parameters().b - 60.0) < 1e-5);
+        QVERIFY(!bar->isVisible());
+        for (const ChannelComparison &channel : m_window->session().result()->comparison) {
+            QCOMPARE(channel.verdict, Verdict::Agrees);
+        }
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters(), Parameters());
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(std::abs(m_window->session().parameters().b - 60.0) < 1e-5);
+    }
+
+    void noSentenceIsCutOffInASmallWindow()
+    {
+        m_window->resize(1024, 700);
+        m_window->findChild<FoldingTabs *>()->setFolded(false);
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel")));
+        QTest::qWait(50); // until everything has its place
+        for (const QString &name : {QStringLiteral("findingLabel"), QStringLiteral("verdictLabel")}) {
+            const auto *label = m_window->findChild<QLabel *>(name);
+            QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(name));
+        }
+        QCOMPARE(m_window->size(), QSize(1024, 700));
+    }
+
+    void whatIsFoundInAFileDoesNotHideANewerProblem()
+    {
+        Session &session = m_window->session();
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        m_window->openReference(kSample);
+        QVERIFY(loaded.wait());
+        session.setParameters(withCoupler(-1.0)); // before the diagnosis is there
+        QTRY_VERIFY(session.diagnosis());
+        QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("greater than 0")));
+    }
+
+    void saysNothingOfAFileThatAgrees()
+    {
+        m_window->session().setParameters(withCoupler(60.0));
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->session().diagnosis());
+        QVERIFY(!m_window->findChild<MessageBar *>()->isVisible());
+        QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("findingLabel")));
+    }
+
+    void theFilesMotionIsShownOrNot()
+    {
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->session().diagnosis());
+        QAction *ghost = nullptr;
+        for (QAction *action : m_window->findChildren<QAction *>()) {
+            if (action->text().remove(u'&') == QLatin1String("Show the file's motion")) {
+                ghost = action;
+            }
+        }
+        QVERIFY(ghost && ghost->isEnabled());
+        const QImage with = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        ghost->trigger();
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != with);
+        ghost->trigger();
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), with);
+        m_window->session().setReference(nullptr);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != with);
+        QVERIFY(!ghost->isEnabled());
+    }
+
+    void aBadFileIsToldAndNothingIsLost()
+    {
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->openReference(kSample);
+        QVERIFY(loaded.wait());
+        QTemporaryDir folder;
+        const QString bad = folder.filePath(QStringLiteral("bad.csv"));
+        QFile file(bad);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("hello\n");
+        file.close();
+        auto *bar = m_window->findChild<MessageBar *>();
+        drop(*m_window, bad);
+        QTRY_VERIFY(bar->isVisible() && bar->text().contains(QLatin1String("bad.csv")));
+        QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
+        QTest::mouseClick(bar->findChild<QAbstractButton *>(QStringLiteral("messageDismiss")), Qt::LeftButton);
+        QVERIFY(!bar->isVisible());
+    }
+
+    void showsTheImpossibleAndRecovers()
+    {
+        // Once there and back first: the view may have become a larger one on the way.
+        m_window->session().setParameters(withCoupler(4.0));
+        m_window->session().setParameters(withCoupler(65.0));
+        const QImage possible = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        m_window->session().setParameters(withCoupler(4.0)); // under |c| - a = 5
+        const QImage impossible = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QVERIFY(impossible != possible);
+        m_window->session().setParameters(withCoupler(65.0));
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), possible);
+    }
+
+    void makesItsPanelsWhenTheyAreShown()
+    {
+        QVERIFY(!m_window->findChild<NewtonPanel *>());
+        auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
+        Parameters parameters;
+        parameters.b = 70.0;
+        m_window->session().setParameters(parameters);
+        for (int tab = 0; tab < bar->count(); ++tab) {
+            QTest::mouseClick(bar, Qt::LeftButton, Qt::NoModifier, bar->tabRect(tab).center());
+        }
+        QVERIFY(m_window->findChild<StudyPanel *>());
+        auto *method = m_window->findChild<QComboBox *>(QStringLiteral("methodBox"));
+        QVERIFY(method);
+        method->setCurrentIndex(1 - method->currentIndex());
+        emit method->activated(method->currentIndex());
+        QCOMPARE(m_window->session().solver().method, Method::Newton);
+        QVERIFY(m_window->session().result()->trajectory.iterations > 0);
+    }
+
+    void theJointOfTheEquationPointedAtLightsUp()
+    {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
+        const QImage before = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QTest::mouseClick(bar, Qt::LeftButton, Qt::NoModifier, bar->tabRect(2).center());
+        m_window->findChild<QAbstractButton *>(QStringLiteral("segment1"))->click(); // the equations
+        auto *table = m_window->findChild<QTableView *>(QStringLiteral("equationTable"));
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), before);
+        table->setFocus();
+        table->setCurrentIndex(table->model()->index(CrankPinX, 0));
+        const QImage lit = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QVERIFY(lit != before);
+        table->setCurrentIndex(table->model()->index(SliderPinX, 0));
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != lit);
+        bar->setCurrentIndex(0);
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), before);
+    }
+
+    void exportsImagesOfTheRightSize_data()
+    {
+        QTest::addColumn<QString>("suffix");
+        QTest::addColumn<QByteArray>("start");
+        QTest::newRow("PNG") << QStringLiteral("png") << QByteArray("\x89PNG");
+        QTest::newRow("SVG") << QStringLiteral("svg") << QByteArray("<?xml");
+        QTest::newRow("PDF") << QStringLiteral("pdf") << QByteArray("%PDF");
+    }
+
+    void exportsImagesOfTheRightSize()
+    {
+        QFETCH(const QString, suffix);
+        QFETCH(const QByteArray, start);
+        QTemporaryDir folder;
+        const QString figure = folder.filePath(QStringLiteral("figure.") + suffix);
+        const QString plot = folder.filePath(QStringLiteral("plot.") + suffix);
+        const QString mechanism = folder.filePath(QStringLiteral("mechanism.") + suffix);
+        m_window->exportFigureTo(figure);
+        m_window->exportPlotTo(QStringLiteral("plot_R4_x"), plot);
+        m_window->exportMechanismTo(mechanism);
+        for (const QString &path : {figure, plot, mechanism}) {
+            QFile file(path);
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
+            QVERIFY2(file.read(start.size()) == start, qPrintable(path));
+            if (suffix == QLatin1String("png")) {
+                const QImage image(path);
+                QVERIFY2(!isBlank(image), qPrintable(path));
+                QVERIFY2(path != plot || image.size() == QSize(1800, 1200), qPrintable(path)); // 900×600, scale 2
+            }
+        }
+    }
+
+    void exportsTheAnimation()
+    {
+        const QTemporaryDir folder;
+        const QString shown = QDir::toNativeSeparators(folder.filePath(QStringLiteral("motion.png")));
+        m_window->exportAnimationTo(folder.filePath(QStringLiteral("motion.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MessageBar *>()->text().contains(shown), 30000);
+        const QStringList frames = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
+        QCOMPARE(frames.size(), 31); // a second, both ends
+        const QImage first(folder.filePath(frames.first()));
+        QVERIFY(first != QImage(folder.filePath(frames[15])));
+        QCOMPARE(first, QImage(folder.filePath(frames.last()))); // one turn
+    }
+
+    void aFailedExportIsTold()
+    {
+        m_window->exportFigureTo(QStringLiteral("/no/such/folder/figure.png"));
+        QVERIFY(m_window->findChild<MessageBar *>()->isVisible());
+    }
+
+    void foldsThePanelsAwayWhenSmallUntilToldOtherwise()
+    {
+        auto *tabs = m_window->findChild<FoldingTabs *>();
+        QVERIFY(!tabs->isFolded());
+        m_window->resize(1024, 700);
+        QTRY_VERIFY(tabs->isFolded());
+        const auto *grid = m_window->findChild<PlotGrid *>();
+        QTRY_VERIFY(grid->height() > 550); // the room is the plots' now
+        QVERIFY(m_window->width() <= 1024 && m_window->height() <= 700);
+        m_window->resize(1400, 900);
+        QTRY_VERIFY(!tabs->isFolded());
+        tabs->setFolded(true);
+        m_window->resize(1400, 910);
+        QTest::qWait(20);
+        QVERIFY(tabs->isFolded());
+    }
+
+    void themesSwitchLive()
+    {
+        m_window->setTheme(Theme::Light);
+        const QImage light = pictureOf(*m_window, QStringLiteral("plot_theta3"));
+        m_window->setTheme(Theme::Dark);
+        const QImage dark = pictureOf(*m_window, QStringLiteral("plot_theta3"));
+        QVERIFY(qGray(light.pixel(2, 2)) > 200);
+        QVERIFY(qGray(dark.pixel(2, 2)) < 80);
+        m_window->setTheme(Theme::Light);
+    }
+
+    void aThemeChosenLiveLooksLikeOneChosenBefore_data()
+    {
+        QTest::addColumn<Theme>("from");
+        QTest::addColumn<Theme>("to");
+        QTest::newRow("light to dark") << Theme::Light << Theme::Dark;
+        QTest::newRow("dark to light") << Theme::Dark << Theme::Light;
+        QTest::newRow("dark to the system's") << Theme::Dark << Theme::System;
+    }
+
+    void aThemeChosenLiveLooksLikeOneChosenBefore()
+    {
+        QFETCH(const Theme, from);
+        QFETCH(const Theme, to);
+        const auto look = [this](const std::function<void()> &between) {
+            m_window->session().setParameters(withCoupler(64.0));
+            m_window->openReference(kSample);
+            auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
+            for (int tab = 0; tab < bar->count(); ++tab) {
+                bar->setCurrentIndex(tab);
+                QTest::qWait(20);
+            }
+            const auto segment = [this](int page) {
+                m_window->findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(page))->click();
+            };
+            segment(3);
+            between();
+            QList<QImage> pictures;
+            for (int tab = 0; tab < bar->count(); ++tab) {
+                bar->setCurrentIndex(tab);
+                for (const int page : tab == 2 ? QList<int>{0, 2, 3} : QList<int>{0}) {
+                    segment(page);
+                    QTest::qWait(60);                      // until the numbers are there
+                    m_window->statusBar()->clearMessage(); // it tells a time, which is never the same
+                    pictures << m_window->grab().toImage();
+                }
+            }
+            return pictures;
+        };
+        m_window->setTheme(from);
+        const QList<QImage> live = look([&] { m_window->setTheme(to); });
+        init();
+        m_window->setTheme(to);
+        const QList<QImage> before = look([] {});
+        for (qsizetype i = 0; i < live.size(); ++i) {
+            QVERIFY2(live[i] == before[i], qPrintable(QString::number(i)));
+        }
+        m_window->setTheme(Theme::System);
+    }
+
+    void savesASceneAndOpensItAgain()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->openReference(kSample);
+        QVERIFY(loaded.wait());
+        m_window->session().setParameters(withCoupler(61.25));
+        m_window->session().setTime(0.3);
+        auto *grid = m_window->findChild<PlotGrid *>();
+        PlotSettings settings;
+        settings.error = ErrorMeasure::OfPeak;
+        settings.abscissa = Abscissa::CrankAngle;
+        PlotZoom zoom;
+        zoom.time = Interval{0.25, 0.5};
+        zoom.values[4] = Interval{-10.0, 20.0};
+        grid->setSettings(settings);
+        grid->setZoom(zoom);
+        auto *mechanism = m_window->findChild<MechanismView *>();
+        const MechanismSettings drawing{true, false, true, false, true};
+        const QRectF part(-15.0, -10.0, 60.0, 40.0); // mm
+        mechanism->setSettings(drawing);
+        mechanism->setZoom(part);
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY(m_window->scene().saveTo(path));
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(m_window->windowTitle().startsWith(QLatin1String("rig.json[*]")));
+        const Trajectory before = m_window->session().result()->trajectory;
+        const QImage picture = pictureOf(*m_window, QStringLiteral("plot_R4_x_diff"));
+
+        init(); // another window
+        QSignalSpy opened(&m_window->session(), &Session::opened);
+        drop(*m_window, path);
+        QVERIFY(opened.wait());
+        grid = m_window->findChild<PlotGrid *>();
+        QCOMPARE(m_window->session().parameters(), withCoupler(61.25));
+        QCOMPARE(m_window->session().time(), 0.3);
+        QVERIFY(grid->settings() == settings);
+        QVERIFY(grid->zoom() == zoom);
+        mechanism = m_window->findChild<MechanismView *>();
+        QVERIFY(mechanism->settings() == drawing);
+        QVERIFY(mechanism->zoom() == part);
+        QCOMPARE(m_window->session().reference()->name, QStringLiteral("inventor_sample.csv"));
+        for (const Channel channel : kPlottedChannels) {
+            QVERIFY(m_window->session().result()->trajectory[channel] == before[channel]);
+        }
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(!m_window->session().undoStack().canUndo());
+        QCOMPARE(SceneFile::recent(), QStringList{path});
+        QTRY_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
+    }
+
+    void saysWhatIsModified()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(m_window->scene().saveTo(folder.filePath(QStringLiteral("rig.json"))));
+        m_window->session().setParameters(withCoupler(70.0));
+        QVERIFY(m_window->isWindowModified());
+        m_window->session().undoStack().undo();
+        QVERIFY(!m_window->isWindowModified());
+        m_window->session().undoStack().redo();
+        QVERIFY(m_window->isWindowModified());
+        m_window->session().setTime(0.5); // looking is no edit
+        m_window->scene().save();
+        QVERIFY(!m_window->isWindowModified());
+        m_window->session().undoStack().undo();
+        QVERIFY(m_window->isWindowModified());
+    }
+
+    void asksBeforeItCloses_data()
+    {
+        QTest::addColumn<int>("answer");
+        QTest::addColumn<bool>("closes");
+        QTest::addColumn<double>("saved");
+        QTest::newRow("cancel") << int(QMessageBox::Cancel) << false << 65.0;
+        QTest::newRow("discard") << int(QMessageBox::Discard) << true << 65.0;
+        QTest::newRow("save") << int(QMessageBox::Save) << true << 70.0;
+    }
+
+    void asksBeforeItCloses()
+    {
+        QFETCH(const int, answer);
+        QFETCH(const bool, closes);
+        QFETCH(const double, saved);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QVERIFY(m_window->scene().saveTo(path));
+        m_window->session().setParameters(withCoupler(70.0));
+        m_window->close();
+        QVERIFY(m_window->isVisible());
+        auto *question = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"));
+        QVERIFY(question && question->isVisible() && question->text().contains(QLatin1String("rig.json")));
+        question->button(static_cast<QMessageBox::StandardButton>(answer))->click();
+        QCOMPARE(m_window->isVisible(), !closes);
+        QCOMPARE(std::get<Scene>(readScene(path)).parameters.b, saved);
+    }
+
+    void closesWithoutAWordWhenNothingIsLost()
+    {
+        m_window->close();
+        QVERIFY(!m_window->isVisible());
+        QVERIFY(!m_window->findChild<QMessageBox *>());
+    }
+
+    void asksBeforeItOpensAnother()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QVERIFY(m_window->scene().saveTo(path));
+        m_window->session().setParameters(withCoupler(70.0));
+        drop(*m_window, path);
+        QCOMPARE(m_window->session().parameters(), withCoupler(70.0));
+        auto *question = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"));
+        QVERIFY(question);
+        question->button(QMessageBox::Discard)->click();
+        QCOMPARE(m_window->session().parameters(), withCoupler(65.0));
+        QVERIFY(!m_window->isWindowModified());
+    }
+
+    void asksForANameTheFirstTime()
+    {
+        const QTemporaryDir folder;
+        m_window->session().setParameters(withCoupler(70.0));
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier);
+        auto *dialog = m_window->findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        dialog->setDirectory(folder.path());
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(QStringLiteral("rig"));
+        QMetaObject::invokeMethod(dialog, "accept");
+        QTRY_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.json")));
+        QVERIFY(!m_window->isWindowModified());
+    }
+
+    void aBadSceneIsToldAndChangesNothing()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{\"version\": 99}");
+        file.close();
+        m_window->session().setParameters(withCoupler(70.0));
+        QSignalSpy results(&m_window->session(), &Session::resultChanged);
+        drop(*m_window, path);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("rig.json")));
+        QVERIFY(!m_window->findChild<QMessageBox *>());
+        QCOMPARE(results.count(), 0);
+        QVERIFY(m_window->session().undoStack().canUndo());
+        QCOMPARE(m_window->scene().path(), QString());
+    }
+
+    void aSceneThatCannotBeSavedIsToldAndStaysModified()
+    {
+        m_window->session().setParameters(withCoupler(70.0));
+        QVERIFY(!m_window->scene().saveTo(QStringLiteral("/no/such/folder/rig.json")));
+        QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("rig.json")));
+        QVERIFY(m_window->isWindowModified());
+        QCOMPARE(m_window->scene().path(), QString());
+    }
+
+    void opensWithoutAReferenceThatIsGoneAndKeepsItsName()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        Scene scene;
+        scene.parameters.b = 70.0;
+        scene.reference = ReferenceSource{folder.filePath(QStringLiteral("gone.csv")), {}, {}};
+        QCOMPARE(writeScene(scene, path), std::nullopt);
+        m_window->openFile(path);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        QTRY_VERIFY(bar->isVisible() && bar->text().contains(QLatin1String("gone.csv")));
+        QCOMPARE(m_window->session().parameters(), withCoupler(70.0));
+        m_window->scene().save();
+        const Scene again = std::get<Scene>(readScene(path));
+        QVERIFY(again.reference && again.reference->path == scene.reference->path);
+    }
+
+    void opensASceneWithAnotherReference()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        Scene scene;
+        scene.reference = ReferenceSource{folder.filePath(QStringLiteral("gone.csv")), {}, {}};
+        QCOMPARE(writeScene(scene, path), std::nullopt);
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        m_window->scene().open(path, kSample);
+        QVERIFY(loaded.wait());
+        QCOMPARE(m_window->session().reference()->path, kSample);
+        QCOMPARE(m_window->scene().path(), path);
+    }
+
+    void remembersItsLayout()
+    {
+        m_window->resize(1250, 850);
+        auto *columns = m_window->findChild<QSplitter *>(QStringLiteral("columns"));
+        columns->setSizes({500, 750});
+        m_window->findChild<FoldingTabs *>()->setFolded(true);
+        QCoreApplication::processEvents();
+        const QList<int> sizes = columns->sizes();
+        m_window->close();
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QCOMPARE(m_window->size(), QSize(1250, 850));
+        QCOMPARE(m_window->findChild<QSplitter *>(QStringLiteral("columns"))->sizes(), sizes);
+        QVERIFY(m_window->findChild<FoldingTabs *>()->isFolded());
+        m_window->findChild<FoldingTabs *>()->setFolded(false);
+        QTRY_VERIFY(m_window->findChild<FoldingTabs *>()->height() > 150);
+    }
+
+private:
+    const QTemporaryDir m_settings;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"

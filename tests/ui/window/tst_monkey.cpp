@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Somebody who does anything: random, seeded events of mouse, keys, drops, menus, dialogs, sizes, themes and languages.
+// Nothing may crash, hang or end in a state that is none; best run under the sanitizers. SLIDERCRANK_MONKEY_EVENTS and
+// SLIDERCRANK_MONKEY_SEED choose how many and which.
+
+#include "ui/document/session.h"
+#include "ui/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QDir>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QPointer>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QUrl>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <utility>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr int kEvents = 1500;
+constexpr int kSeed = 1;
+constexpr qint64 kHang = 60'000; // ms, under the sanitizers on a busy machine
+
+const char *const kTexts[] = {
+    "60",     "0",   "-25", "1e-9", "1e300", "1e999",        "nan", "12,5", "12.5 mm",
+    "90°",    "",    "  ",  "abc",  "--3",   "0x10",         "1/3", "½",    "999999999999",
+    "20 rpm", "45.", ".5",  "+7",   "65 in", "\u0663\u0662", "∞",   "1e",   "3.14159265358979"};
+
+constexpr int kKeys[] = {Qt::Key_Tab,  Qt::Key_Backtab, Qt::Key_Space, Qt::Key_Return, Qt::Key_Escape,
+                         Qt::Key_Left, Qt::Key_Right,   Qt::Key_Up,    Qt::Key_Down,   Qt::Key_Home,
+                         Qt::Key_End,  Qt::Key_PageUp,  Qt::Key_Plus,  Qt::Key_Minus,  Qt::Key_PageDown,
+                         Qt::Key_A,    Qt::Key_B,       Qt::Key_0,     Qt::Key_7,      Qt::Key_Z,
+                         Qt::Key_Y,    Qt::Key_F9,      Qt::Key_Menu,  Qt::Key_Delete};
+
+constexpr Qt::KeyboardModifiers kModifiers[] = {Qt::NoModifier,    Qt::NoModifier,      Qt::NoModifier, Qt::NoModifier,
+                                                Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
+
+class Monkey
+{
+public:
+    Monkey(unsigned seed, const QString &folder)
+        : m_random(seed)
+        , m_folder(folder)
+    {
+        writeFiles();
+        m_window = std::make_unique<MainWindow>();
+        m_window->resize(1024, 700);
+        m_window->show();
+        // What waits for an answer gets one, also from within a dialog's own loop: an answer that opens another dialog
+        // must not keep the timer from the next.
+        QObject::connect(&m_answers, &QTimer::timeout, &m_answers, [this] {
+            QMetaObject::invokeMethod(
+                &m_answers, [this] { answer(); }, Qt::QueuedConnection);
+        });
+        m_answers.start(5);
+    }
+
+    MainWindow &window() { return *m_window; }
+    const QString &lastDeed() const { return m_lastDeed; }
+
+    void act()
+    {
+        struct Deed {
+            const char *name;
+            int weight;
+            void (Monkey::*act)();
+        };
+        static constexpr Deed kDeeds[] = {{"a slider", 20, &Monkey::moveSlider},
+                                          {"text", 12, &Monkey::type},
+                                          {"a drag", 20, &Monkey::drag},
+                                          {"a click", 12, &Monkey::click},
+                                          {"the wheel", 8, &Monkey::turnWheel},
+                                          {"a key", 16, &Monkey::press},
+                                          {"a tab", 4, &Monkey::switchTab},
+                                          {"a menu", 8, &Monkey::trigger},
+                                          {"a context menu", 2, &Monkey::askContextMenu},
+                                          {"a drop", 2, &Monkey::drop},
+                                          {"the size", 3, &Monkey::resize},
+                                          {"a double click", 2, &Monkey::doubleClick},
+                                          {"a moment", 3, &Monkey::wait}};
+        int sum = 0;
+        for (const Deed &deed : kDeeds) {
+            sum += deed.weight;
+        }
+        int choice = below(sum);
+        const Deed *deed = std::begin(kDeeds);
+        while (choice >= deed->weight) {
+            choice -= deed->weight;
+            ++deed;
+        }
+        m_lastDeed = QLatin1String(deed->name);
+        (this->*deed->act)();
+        QCoreApplication::processEvents();
+    }
+
+private:
+    int below(int end) { return static_cast<int>(m_random() % static_cast<unsigned>(std::max(1, end))); }
+    template <class Container>
+    auto oneOf(const Container &all)
+    {
+        return all[static_cast<std::size_t>(below(static_cast<int>(std::size(all))))];
+    }
+
+    QString path(const QString &name) const { return QDir(m_folder).filePath(name); }
+
+    void writeFiles()
+    {
+        const auto write = [this](const QString &name, const QByteArray &bytes) {
+            QFile file(path(name));
+            if (file.open(QIODevice::WriteOnly)) {
+                file.write(bytes);
+                m_files << file.fileName();
+            }
+        };
+        QByteArray noise;
+        for (int i = 0; i < 4000; ++i) {
+            noise += static_cast<char>(below(256));
+        }
+        write(QStringLiteral("noise.csv"), noise);
+        write(QStringLiteral("empty.csv"), {});
+        write(QStringLiteral("short.csv"), "time,theta3,R4_x\n0,22.6,80\n0.5,10,40\n1,22.6,80\n");
+        write(QStringLiteral("unclear.csv"),
+              "Time (s),Linear Displacement1 (mm),velocidad\n0,1,2\n1,2,3\n2,1,0\n3,5,1\n");
+        write(QStringLiteral("none.json"), "{\"version\": 1, \"parameters\": {\"a\": -1}}");
+        write(QStringLiteral("broken.json"), "{\"ver");
+        // Of its own, because what is exported is proposed beside the reference.
+        QFile::copy(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"),
+                    path(QStringLiteral("sample.csv")));
+        m_files << path(QStringLiteral("sample.csv")) << path(QStringLiteral("not there.csv"))
+                << path(QStringLiteral("saved.json"));
+    }
+
+    /// On show and enabled, in the window or what is open over it.
+    template <class Kind>
+    Kind *oneShown()
+    {
+        QWidget *top = QApplication::activeModalWidget() ? QApplication::activeModalWidget() : m_window.get();
+        QList<Kind *> all = top->findChildren<Kind *>();
+        erase_if(all, [](const Kind *one) { return !one->isVisible() || !one->isEnabled(); });
+        return all.isEmpty() ? nullptr : all[below(static_cast<int>(all.size()))];
+    }
+
+    QPoint within(const QWidget &widget) { return {below(widget.width()), below(widget.height())}; }
+
+    void mouse(QEvent::Type type, QWidget &widget, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons,
+               Qt::KeyboardModifiers modifiers)
+    {
+        QMouseEvent event(type, at, widget.mapToGlobal(at), button, buttons, modifiers);
+        QCoreApplication::sendEvent(&widget, &event);
+    }
+
+    void moveSlider()
+    {
+        if (auto *slider = oneShown<QAbstractSlider>()) {
+            slider->setValue(slider->minimum() + below(slider->maximum() - slider->minimum() + 1));
+        }
+    }
+
+    void type()
+    {
+        const QPointer<QLineEdit> line = oneShown<QLineEdit>();
+        if (!line) {
+            return;
+        }
+        line->setFocus();
+        line->selectAll();
+        for (const QChar letter : QString::fromUtf8(oneOf(kTexts))) {
+            QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, letter);
+            if (line) {
+                QCoreApplication::sendEvent(line, &event);
+            }
+        }
+        if (line) {
+            QTest::sendKeyEvent(QTest::Click, line, below(4) == 0 ? Qt::Key_Escape : Qt::Key_Return, QString(), {});
+        }
+    }
+
+    void drag()
+    {
+        const QPointer<QWidget> widget = oneShown<QWidget>();
+        const Qt::KeyboardModifiers modifiers = oneOf(kModifiers);
+        const Qt::MouseButton button = below(5) == 0 ? Qt::MiddleButton : Qt::LeftButton;
+        if (!widget) {
+            return;
+        }
+        mouse(QEvent::MouseButtonPress, *widget, within(*widget), button, button, modifiers);
+        for (int i = below(6); i >= 0 && widget; --i) {
+            mouse(QEvent::MouseMove, *widget, within(*widget) * 2 - QPoint(20, 20), Qt::NoButton, button, modifiers);
+            if (below(3) == 0) {
+                QCoreApplication::processEvents();
+            }
+        }
+        if (widget) {
+            mouse(QEvent::MouseButtonRelease, *widget, within(*widget), button, Qt::NoButton, modifiers);
+        }
+    }
+
+    void click()
+    {
+        const QPointer<QWidget> widget = oneShown<QWidget>();
+        if (!widget) {
+            return;
+        }
+        const QPoint at = within(*widget);
+        const Qt::KeyboardModifiers modifiers = oneOf(kModifiers);
+        mouse(QEvent::MouseMove, *widget, at, Qt::NoButton, Qt::NoButton, modifiers);
+        if (widget) {
+            mouse(QEvent::MouseButtonPress, *widget, at, Qt::LeftButton, Qt::LeftButton, modifiers);
+        }
+        if (widget) {
+            mouse(QEvent::MouseButtonRelease, *widget, at, Qt::LeftButton, Qt::NoButton, modifiers);
+        }
+    }
+
+    void doubleClick()
+    {
+        if (auto *widget = oneShown<QWidget>()) {
+            mouse(QEvent::MouseButtonDblClick, *widget, within(*widget), Qt::LeftButton, Qt::LeftButton,
+                  Qt::NoModifier);
+        }
+    }
+
+    void turnWheel()
+    {
+        if (auto *widget = oneShown<QWidget>()) {
+            const QPoint at = within(*widget);
+            QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120 * (below(9) - 4)}, Qt::NoButton,
+                              oneOf(kModifiers), Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(widget, &event);
+        }
+    }
+
+    void press()
+    {
+        QWidget *target =
+            QApplication::activePopupWidget() ? QApplication::activePopupWidget() : QApplication::focusWidget();
+        if (!target) {
+            target = m_window.get();
+        }
+        QTest::sendKeyEvent(QTest::Click, target, static_cast<Qt::Key>(oneOf(kKeys)), QString(), oneOf(kModifiers));
+    }
+
+    void switchTab()
+    {
+        if (auto *bar = oneShown<QTabBar>(); bar && bar->count() > 0) {
+            bar->setCurrentIndex(below(bar->count()));
+        }
+    }
+
+    void trigger()
+    {
+        QList<QAction *> all;
+        for (const QAction *title : m_window->menuBar()->actions()) {
+            collect(title->menu(), all);
+        }
+        if (!all.isEmpty()) {
+            QAction *action = all[below(static_cast<int>(all.size()))];
+            m_lastDeed += QStringLiteral(" \"%1\"").arg(action->text());
+            action->trigger();
+        }
+    }
+
+    static void collect(const QMenu *menu, QList<QAction *> &all)
+    {
+        for (QAction *action : menu ? menu->actions() : QList<QAction *>()) {
+            if (action->menu()) {
+                collect(action->menu(), all);
+            } else if (action->isEnabled() && !action->isSeparator() && action->menuRole() != QAction::QuitRole) {
+                all << action;
+            }
+        }
+    }
+
+    void askContextMenu()
+    {
+        if (auto *widget = oneShown<QWidget>()) {
+            const QPoint at = within(*widget);
+            QContextMenuEvent event(QContextMenuEvent::Mouse, at, widget->mapToGlobal(at));
+            QCoreApplication::sendEvent(widget, &event);
+        }
+    }
+
+    void drop()
+    {
+        QMimeData data;
+        const QString file = m_files[below(static_cast<int>(m_files.size()))];
+        m_lastDeed += QLatin1Char(' ') + file;
+        data.setUrls({QUrl::fromLocalFile(file)});
+        const QPointF middle = m_window->rect().center();
+        QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        if (enter.isAccepted()) {
+            QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(m_window.get(), &event);
+        }
+    }
+
+    void resize() { m_window->resize(500 + below(1200), 400 + below(800)); }
+
+    void wait() { QTest::qWait(below(40)); }
+
+    void answer()
+    {
+        if (QWidget *popup = QApplication::activePopupWidget()) {
+            if (below(3) == 0) {
+                popup->close();
+            } else {
+                QTest::sendKeyEvent(QTest::Click, popup, below(2) == 0 ? Qt::Key_Down : Qt::Key_Return, QString(), {});
+            }
+            return;
+        }
+        QWidget *modal = QApplication::activeModalWidget();
+        if (auto *files = qobject_cast<QFileDialog *>(modal)) {
+            if (below(2) == 0) {
+                files->reject();
+            } else if (files->acceptMode() == QFileDialog::AcceptSave) {
+                static constexpr const char *kNames[] = {"saved.json",   "x.png",     "x.svg",
+                                                         "x.pdf",        "x.csv",     "x.gif",
+                                                         "frames/x.png", "x.unknown", "no/such/folder.png"};
+                files->selectFile(path(QLatin1String(oneOf(kNames))));
+                static_cast<QDialog *>(files)->accept();
+            } else {
+                files->selectFile(m_files[below(static_cast<int>(m_files.size()))]);
+                static_cast<QDialog *>(files)->accept();
+            }
+        } else if (auto *box = qobject_cast<QMessageBox *>(modal)) {
+            const QList<QAbstractButton *> buttons = box->buttons();
+            buttons[below(static_cast<int>(buttons.size()))]->click();
+        } else if (modal && below(4) == 0) {
+            modal->close();
+        }
+    }
+
+    std::mt19937 m_random;
+    QString m_folder;
+    QStringList m_files;
+    QTimer m_answers;
+    QString m_lastDeed;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+int numberFrom(const char *variable, int otherwise)
+{
+    bool isNumber = false;
+    const int value = qEnvironmentVariableIntValue(variable, &isNumber);
+    return isNumber ? value : otherwise;
+}
+
+} // namespace
+
+class TestMonkey : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("HOME", m_folder.path().toLocal8Bit()); // whatever is saved under a proposed name
+        QVERIFY(QDir::setCurrent(m_folder.path()));
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                           m_folder.filePath(QStringLiteral("settings")));
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        QApplication::setQuitOnLastWindowClosed(false);
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    }
+
+    void doesAnythingAndNothingBreaks()
+    {
+        const int events = numberFrom("SLIDERCRANK_MONKEY_EVENTS", kEvents);
+        const int seed = numberFrom("SLIDERCRANK_MONKEY_SEED", kSeed);
+        Monkey monkey(static_cast<unsigned>(seed), m_folder.path());
+        qint64 longest = 0;
+        QString longestDeed;
+        for (int i = 0; i < events; ++i) {
+            QElapsedTimer clock;
+            clock.start();
+            monkey.act();
+            const QString where = QStringLiteral("event %1 of seed %2: %3").arg(i).arg(seed).arg(monkey.lastDeed());
+            if (clock.elapsed() > longest) {
+                longest = clock.elapsed();
+                longestDeed = where;
+            }
+            const Session &session = monkey.window().session();
+            QVERIFY2(!findFault(session.parameters()), qPrintable(where));
+            QVERIFY2(session.result(), qPrintable(where));
+            QVERIFY2(std::isfinite(session.time()), qPrintable(where));
+            QVERIFY2(longest < kHang, qPrintable(where));
+            if (!monkey.window().isVisible()) {
+                monkey.window().show(); // it was closed
+            }
+        }
+        qInfo() << "longest:" << longest << "ms," << longestDeed;
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestMonkey)
+#include "tst_monkey.moc"

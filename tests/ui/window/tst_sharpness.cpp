@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// At every device pixel ratio (QT_SCALE_FACTOR; ctest runs it at 1, 1.5 and 2) what is painted is painted with all the
+// pixels there are, not made larger from fewer: neighbouring pixels may differ as much as anywhere, wherever they are.
+
+#include "ui/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+
+/// The sharpest step in grey from a pixel to its right neighbour, by where in the pattern of a scaled picture the pair
+/// is: of two columns at a ratio of 2, of three at 1.5. A picture scaled up has pairs that hardly differ.
+std::array<int, 6> sharpestSteps(const QImage &picture)
+{
+    std::array<int, 6> sharpest{};
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x + 1 < picture.width(); ++x) {
+            const int step = std::abs(qGray(picture.pixel(x + 1, y)) - qGray(picture.pixel(x, y)));
+            int &most = sharpest[static_cast<std::size_t>(x % 6)];
+            most = std::max(most, step);
+        }
+    }
+    return sharpest;
+}
+
+} // namespace
+
+class TestSharpness : public QObject
+{
+    Q_OBJECT
+
+private:
+    const QTemporaryDir m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openReference(kSample);
+        QTRY_VERIFY(m_window->session().diagnosis());
+        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(2);
+        m_window->findChild<QAbstractButton *>(QStringLiteral("segment3"))->click();
+        QTest::qWait(100);
+    }
+
+    void cleanupTestCase() { m_window.reset(); }
+
+    void theRatioIsTheOneAskedFor()
+    {
+        bool told = false;
+        const double asked = qEnvironmentVariable("QT_SCALE_FACTOR").toDouble(&told);
+        QCOMPARE(m_window->devicePixelRatio(), told ? asked : 1.0);
+    }
+
+    void paintsWithAllThePixelsThereAre_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<Qt::Edge>("edge");
+        // At the edges there are numbers only: what moves, and is painted over the rest, is not what is judged.
+        QTest::newRow("the mechanism's grid") << QStringLiteral("mechanismView") << Qt::BottomEdge;
+        QTest::newRow("a plot's values") << QStringLiteral("plot_theta3") << Qt::LeftEdge;
+        QTest::newRow("a plot's times") << QStringLiteral("plot_error_acceleration") << Qt::BottomEdge;
+        QTest::newRow("the iterations' plot") << QStringLiteral("iterationPlot") << Qt::LeftEdge;
+        QTest::newRow("a table") << QStringLiteral("iterationTable") << Qt::LeftEdge;
+    }
+
+    void paintsWithAllThePixelsThereAre()
+    {
+        QFETCH(const QString, name);
+        QFETCH(const Qt::Edge, edge);
+        constexpr int kEdge = 22; // px, as high as numbers are and half as wide
+        auto *widget = m_window->findChild<QWidget *>(name);
+        QVERIFY(widget && widget->isVisible());
+        const QRect area = edge == Qt::BottomEdge ? QRect(0, widget->height() - kEdge, widget->width(), kEdge)
+                                                  : QRect(0, 0, 2 * kEdge, widget->height());
+        const QImage picture = widget->grab(area).toImage();
+        QCOMPARE(picture.size(), area.size() * m_window->devicePixelRatio());
+        const std::array<int, 6> sharpest = sharpestSteps(picture);
+        const int most = *std::max_element(sharpest.begin(), sharpest.end());
+        QVERIFY(most > 60); // there is something
+        for (const int step : sharpest) {
+            QVERIFY2(step > 0.6 * most, qPrintable(QStringLiteral("%1 of %2").arg(step).arg(most)));
+        }
+    }
+
+    void aPictureMadeLargerIsFoundOut()
+    {
+        const double ratio = m_window->devicePixelRatio();
+        if (ratio == 1.0) {
+            QSKIP("At a ratio of 1 nothing is made larger.");
+        }
+        const QImage full = m_window->findChild<QWidget *>(QStringLiteral("mechanismView"))->grab().toImage();
+        const QImage few = full.scaled(full.size() / ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        for (const Qt::TransformationMode mode : {Qt::FastTransformation, Qt::SmoothTransformation}) {
+            const std::array<int, 6> blurred = sharpestSteps(few.scaled(full.size(), Qt::IgnoreAspectRatio, mode));
+            const std::array<int, 6> sharp = sharpestSteps(full);
+            QVERIFY(*std::min_element(blurred.begin(), blurred.end()) <
+                    0.6 * *std::max_element(sharp.begin(), sharp.end()));
+        }
+    }
+};
+
+QTEST_MAIN(TestSharpness)
+#include "tst_sharpness.moc"

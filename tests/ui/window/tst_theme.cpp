@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The colours as different eyes see them, judged by formulas from elsewhere: G. M. Machado, M. M. Oliveira and L. A. F.
+// Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15 (2009), the
+// matrices of severity 1; CIE 1976 L*a*b* differences; the contrast of the W3C's WCAG 2.1.
+
+#include "ui/words/theme.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace slidercrank;
+
+namespace
+{
+
+using Triple = std::array<double, 3>;
+using Sight = std::array<Triple, 3>;
+
+constexpr Sight kUsual{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+constexpr Sight kProtanopia{
+    {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
+constexpr Sight kDeuteranopia{
+    {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
+
+Triple times(const Sight &matrix, const Triple &vector)
+{
+    Triple product{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            product[i] += matrix[i][j] * vector[j];
+        }
+    }
+    return product;
+}
+
+/// sRGB without its gamma.
+Triple linear(const QColor &colour)
+{
+    const auto channel = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    return {channel(colour.redF()), channel(colour.greenF()), channel(colour.blueF())};
+}
+
+constexpr Sight kToXyz{
+    {{0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}}};
+
+Triple labAsSeen(const QColor &colour, const Sight &sight)
+{
+    Triple seen = times(sight, linear(colour));
+    for (double &channel : seen) {
+        channel = std::clamp(channel, 0.0, 1.0);
+    }
+    const Triple xyz = times(kToXyz, seen);
+    const auto f = [](double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; };
+    const double x = f(xyz[0] / 0.95047);
+    const double y = f(xyz[1]);
+    const double z = f(xyz[2] / 1.08883);
+    return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
+}
+
+double distance(const QColor &one, const QColor &other, const Sight &sight)
+{
+    const Triple a = labAsSeen(one, sight);
+    const Triple b = labAsSeen(other, sight);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+double contrast(const QColor &one, const QColor &other)
+{
+    const double a = times(kToXyz, linear(one))[1] + 0.05;
+    const double b = times(kToXyz, linear(other))[1] + 0.05;
+    return std::max(a, b) / std::min(a, b);
+}
+
+void addThemes()
+{
+    QTest::addColumn<Theme>("theme");
+    QTest::newRow("light") << Theme::Light;
+    QTest::newRow("dark") << Theme::Dark;
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(slidercrank::Theme)
+
+class TestTheme : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyEyeTellsTheCurvesApart_data() { addThemes(); }
+
+    void everyEyeTellsTheCurvesApart()
+    {
+        constexpr double kInTheSameAxes = 25.0; // ten times what is just noticed
+        constexpr double kInOneFigure = 20.0;
+        QFETCH(const Theme, theme);
+        const SeriesColours colours = seriesColours(paletteFor(theme));
+        const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
+        for (const Sight &sight : {kUsual, kProtanopia, kDeuteranopia}) {
+            QVERIFY(distance(colours.model, colours.reference, sight) > kInTheSameAxes);
+            QVERIFY(distance(colours.error, colours.errorOther, sight) > kInTheSameAxes);
+            for (std::size_t i = 0; i < curves.size(); ++i) {
+                for (std::size_t j = 0; j < i; ++j) {
+                    const double apart = distance(curves[i], curves[j], sight);
+                    QVERIFY2(apart > kInOneFigure, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
+                }
+            }
+        }
+    }
+
+    void redAndGreenAreTheSameToADeuteranope()
+    {
+        // The simulation itself: what is known to be confused comes nearer, what is not stays.
+        const QColor red(0xb0, 0x50, 0x00);
+        const QColor green(0x60, 0x80, 0x00);
+        QVERIFY(distance(red, green, kUsual) > 45.0);
+        QVERIFY(distance(red, green, kDeuteranopia) < 15.0);
+        QVERIFY(distance(Qt::blue, Qt::yellow, kDeuteranopia) > 100.0);
+        QVERIFY(std::abs(contrast(Qt::black, Qt::white) - 21.0) < 1e-3);
+    }
+
+    void curvesStandOutAndTextsCanBeRead_data() { addThemes(); }
+
+    void curvesStandOutAndTextsCanBeRead()
+    {
+        constexpr double kGraphics = 3.0; // WCAG 1.4.11
+        constexpr double kText = 4.5;     // WCAG 1.4.3
+        QFETCH(const Theme, theme);
+        const QPalette palette = paletteFor(theme);
+        const SeriesColours colours = seriesColours(palette);
+        for (const QColor &curve :
+             {colours.model, colours.reference, colours.error, colours.errorOther, colours.cursor, colours.warning}) {
+            QVERIFY2(contrast(curve, colours.background) > kGraphics, qPrintable(curve.name()));
+        }
+        // Sentences are written in it, values in these two.
+        QVERIFY(contrast(colours.warning, palette.color(QPalette::Window)) > kText);
+        QVERIFY(contrast(colours.error, colours.background) > kText);
+        QVERIFY(contrast(colours.errorOther, colours.background) > kText);
+        using Roles = std::pair<QPalette::ColorRole, QPalette::ColorRole>;
+        for (const auto &[text, under] :
+             {Roles{QPalette::WindowText, QPalette::Window}, Roles{QPalette::Text, QPalette::Base},
+              Roles{QPalette::Text, QPalette::AlternateBase}, Roles{QPalette::ButtonText, QPalette::Button},
+              Roles{QPalette::HighlightedText, QPalette::Highlight}, Roles{QPalette::Link, QPalette::Window},
+              Roles{QPalette::Link, QPalette::Base}, Roles{QPalette::PlaceholderText, QPalette::Base},
+              Roles{QPalette::ToolTipText, QPalette::ToolTipBase}}) {
+            QVERIFY2(contrast(palette.color(text), palette.color(under)) > kText,
+                     qPrintable(QString("role %1 on %2").arg(text).arg(under)));
+        }
+    }
+};
+
+QTEST_MAIN(TestTheme)
+#include "tst_theme.moc"

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controls/message_bar.h"
+
+#include "ui/controls/paragraph.h"
+#include "ui/words/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace slidercrank
+{
+
+MessageBar::MessageBar(QWidget *parent)
+    : QFrame(parent)
+    , m_symbol(new QLabel(this))
+    , m_text(new Paragraph({}, this))
+    , m_remedyButton(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("messageBar"));
+    setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    m_text->setObjectName(QStringLiteral("messageText"));
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_remedyButton->setObjectName(QStringLiteral("messageRemedy"));
+    auto *dismiss = new QPushButton(tr("Dismiss"), this);
+    dismiss->setObjectName(QStringLiteral("messageDismiss"));
+
+    for (QPushButton *button : {m_remedyButton, dismiss}) {
+        button->setFocusPolicy(Qt::TabFocus); // they vanish when pressed: a click must not leave the focus to chance
+    }
+
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 4, 6, 4);
+    row->addWidget(m_symbol);
+    row->addWidget(m_text, 1);
+    row->addWidget(m_remedyButton);
+    row->addWidget(dismiss);
+
+    connect(dismiss, &QPushButton::clicked, this, &QWidget::hide);
+    connect(m_remedyButton, &QPushButton::clicked, this, [this] {
+        hide();
+        const std::function<void()> remedy = m_remedy; // the remedy may show another message
+        remedy();
+    });
+    recolour();
+    hide();
+}
+
+void MessageBar::showMessage(Kind kind, const QString &sentence, const QString &remedyText,
+                             const std::function<void()> &remedy)
+{
+    m_kind = kind;
+    m_remedy = remedy;
+    m_text->setText(sentence);
+    setAccessibleName(sentence);
+    m_remedyButton->setText(remedyText);
+    m_remedyButton->setVisible(static_cast<bool>(remedy));
+    recolour();
+    show();
+}
+
+QString MessageBar::text() const
+{
+    return m_text->text();
+}
+
+void MessageBar::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        recolour();
+    }
+    QFrame::changeEvent(event);
+}
+
+void MessageBar::recolour()
+{
+    const SeriesColours colours = seriesColours(palette());
+    const QColor accent = m_kind == Kind::Problem ? colours.warning : colours.model;
+    m_symbol->setText(m_kind == Kind::Problem ? QStringLiteral("⚠") : QStringLiteral("ℹ"));
+    QPalette symbolPalette = m_symbol->palette();
+    if (symbolPalette.color(QPalette::WindowText) != accent) {
+        symbolPalette.setColor(QPalette::WindowText, accent);
+        m_symbol->setPalette(symbolPalette);
+    }
+}
+
+} // namespace slidercrank

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controls/paragraph.h"
+
+namespace slidercrank
+{
+
+Paragraph::Paragraph(const QString &text, QWidget *parent)
+    : QLabel(text, parent)
+{
+    setWordWrap(true);
+}
+
+int Paragraph::heightForWidth(int width) const
+{
+    constexpr qsizetype kMostWidths = 64; // somebody pulls at the window
+    if (text() != m_text || font() != m_font || m_heights.size() > kMostWidths) {
+        m_heights.clear();
+        m_text = text();
+        m_font = font();
+    }
+    auto height = m_heights.constFind(width);
+    if (height == m_heights.constEnd()) {
+        height = m_heights.insert(width, QLabel::heightForWidth(width));
+    }
+    return *height;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a person once said of the columns of a file, kept in the settings for every file with the same headings; where a
+// file has no headings, for that file alone.
+
+#include "core/reading/file_layout.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace slidercrank
+{
+
+/// Empty: nobody said anything.
+std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QString &path);
+
+/// No choices: forgets.
+void rememberChoices(const FileLayout &layout, const QString &path, const std::vector<ColumnChoice> &choices);
+
+} // namespace slidercrank

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/reference_file.h"
+
+#include "ui/words/core_text.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <span>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+std::string_view viewOf(const QByteArray &bytes)
+{
+    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+}
+
+/// The file, for several threads. It outlives what is returned.
+ByteSource piecesOf(QFile &file)
+{
+    const auto mutex = std::make_shared<std::mutex>();
+    const auto read = [&file, mutex](std::size_t offset, std::span<char> room) {
+        const std::lock_guard lock(*mutex);
+        const auto wanted = static_cast<qint64>(room.size());
+        return file.seek(static_cast<qint64>(offset)) && file.read(room.data(), wanted) == wanted;
+    };
+    return {static_cast<std::size_t>(std::max<qint64>(file.size(), 0)), read};
+}
+
+/// Gaps, which are NaN, are the same.
+bool isSame(std::span<const double> x, std::span<const double> y)
+{
+    return std::ranges::equal(x, y, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+}
+
+/// Whether all that the convention changes reads the same in both.
+bool isOfTheSame(const Convention &convention, const ReferenceData &x, const ReferenceData &y)
+{
+    const bool concernsTime =
+        convention.kind == Convention::Kind::TimeUnit || convention.kind == Convention::Kind::TimeShift;
+    return (!concernsTime || isSame(x.time, y.time)) && std::ranges::all_of(convention.channels, [&](Channel channel) {
+               const ReferenceSeries *of = x.find(channel);
+               const ReferenceSeries *other = y.find(channel);
+               return of && other && isSame(of->values, other->values);
+           });
+}
+
+struct ReferenceFileText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferenceFileText)
+};
+
+} // namespace
+
+QString sentenceOf(const ReadError &error, const QString &file)
+{
+    const QString reason = coreText(error.reason);
+    if (error.line == 0) {
+        return QStringLiteral("%1: %2").arg(file, reason);
+    }
+    const QString line = QString::number(error.line);
+    if (error.column == 0) {
+        return ReferenceFileText::tr("%1, line %2: %3").arg(file, line, reason);
+    }
+    return ReferenceFileText::tr("%1, line %2, column %3 (\"%4\"): %5")
+        .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
+}
+
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop,
+                                                                      const ReadOptions &options)
+{
+    const QString shown = QDir::toNativeSeparators(path);
+    QFile file(path);
+    if (QFileInfo(path).isDir()) {
+        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
+    }
+    if (!file.open(QIODevice::ReadOnly)) {
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
+    }
+    const auto referenceOf = [&](ReferenceData data) {
+        auto reference = std::make_shared<Reference>();
+        reference->path = path;
+        reference->name = QFileInfo(path).fileName();
+        reference->data = std::move(data);
+        reference->columns = options.columns;
+        return reference;
+    };
+    if (std::optional<ReferenceData> data = readPlainReferenceData(piecesOf(file), stop, options)) {
+        return referenceOf(*std::move(data));
+    }
+    file.seek(0); // a pipe has no such place, and nothing was read from it yet
+    file.unsetError();
+    const QByteArray bytes = file.readAll();
+    if (file.error() != QFileDevice::NoError) {
+        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(shown, file.errorString());
+    }
+    std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes), stop, options);
+    if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
+        return sentenceOf(*error, shown);
+    }
+    return referenceOf(std::move(std::get<ReferenceData>(outcome)));
+}
+
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const ReferenceSource &source,
+                                                                      std::stop_token stop, ReadOptions options)
+{
+    options.columns = source.columns;
+    std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(source.path, stop, options);
+    if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
+        for (const Convention &convention : source.conventions) {
+            *reference = applied(convention, *reference);
+        }
+    }
+    return outcome;
+}
+
+ReferenceSource sourceOf(const Reference &reference)
+{
+    return {QFileInfo(reference.path).absoluteFilePath(), reference.columns, reference.conventions};
+}
+
+std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to)
+{
+    auto reference = std::make_shared<Reference>(*to);
+    reference->data = applied(convention, std::move(reference->data));
+    reference->conventions.push_back(convention);
+    if (!reference->asPrinted) {
+        reference->asPrinted = to;
+    }
+    return reference;
+}
+
+std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
+                                                   const std::shared_ptr<const Reference> &printed)
+{
+    const ReferenceData &printedBefore = before.asPrinted ? before.asPrinted->data : before.data;
+    std::shared_ptr<const Reference> reference = printed;
+    for (const Convention &convention : before.conventions) {
+        if (isOfTheSame(convention, printedBefore, printed->data)) {
+            reference = applied(convention, reference);
+        }
+    }
+    return reference;
+}
+
+QByteArray beginningOf(const QString &path)
+{
+    constexpr qint64 kMost = 1 << 20; // some 15 000 rows of seven columns, read again in milliseconds
+    QFile file(path);
+    QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
+    const qsizetype lines = bytes.lastIndexOf('\n') + 1;
+    if (!file.atEnd() && lines > 0) {
+        // In little-endian UTF-16 half of the line's end is still to come.
+        const bool half = lines % 2 == 1 && lines < bytes.size() && bytes[lines] == '\0';
+        bytes.truncate(half ? lines + 1 : lines);
+    }
+    return bytes;
+}
+
+FileLayout layoutOf(const QByteArray &bytes)
+{
+    const std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes));
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? data->layout : std::get<ReadError>(outcome).layout;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A reference file on disk: opened under its Unicode name, read by the core, and its failure put into one sentence.
+
+#include "core/diagnosis/conventions.h"
+#include "core/reading/reference_data.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <memory>
+#include <stop_token>
+#include <variant>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// A loaded file and where it came from.
+struct Reference {
+    QString path;       ///< as opened
+    QString name;       ///< file name, for legends and titles
+    ReferenceData data; ///< as it reads with the conventions below
+
+    std::vector<ColumnChoice> columns;          ///< a person's, over what the names say
+    std::vector<Convention> conventions;        ///< applied, in this order
+    std::shared_ptr<const Reference> asPrinted; ///< without any; null: this is it
+};
+
+/// Where data come from and how they were read: enough to read them again.
+struct ReferenceSource {
+    QString path; ///< absolute, or in the program's resources
+    std::vector<ColumnChoice> columns;
+    std::vector<Convention> conventions;
+};
+
+ReferenceSource sourceOf(const Reference &reference);
+
+/// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread.
+std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {},
+                                                                      const ReadOptions &options = {});
+
+/// The same, read as that says.
+std::variant<std::shared_ptr<const Reference>, QString>
+readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
+
+/// The same as they read with that convention; Branch changes nothing here.
+std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
+
+/// The file as it was printed, read with those conventions of `before` whose columns it still reads as that did: what a
+/// person said of the others was said of other data.
+std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
+                                                   const std::shared_ptr<const Reference> &printed);
+
+/// "results.csv, line 3, column 2 ("abc"): …". `file`: how it is to be called.
+QString sentenceOf(const ReadError &error, const QString &file);
+
+/// The first lines of the file: enough to see how it is written, and for a preview. Empty where it cannot be read.
+QByteArray beginningOf(const QString &path);
+
+/// How these bytes are written, whether or not the data are any good; no columns where they cannot be told apart.
+FileLayout layoutOf(const QByteArray &bytes);
+
+} // namespace slidercrank

@@ -1,0 +1,509 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.h"
+
+#include "core/closed_form/closed_form.h"
+#include "core/diagnosis/explanation.h"
+#include "ui/document/column_choices.h"
+#include "ui/words/finding_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPointer>
+#include <QThreadPool>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <variant>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner than this are on the move
+constexpr int kMostSteps = 200;                 // to be undone
+constexpr qint64 kSameStepWithin = 1000;        // ms: longer than the wait before a key held down repeats itself
+
+constexpr int kMostStepsKept = 100'000; // of the closed form
+
+/// What a Result is computed from: a value that can travel to another thread.
+struct Request {
+    Mechanism mechanism;
+    Sampling sampling;
+    SolverSettings solver;
+    std::shared_ptr<const Reference> reference;
+};
+
+/// Whether the crank turns round with room to spare, at angles that vectors are for (batch.h): then every instant is
+/// Solved, and many are computed at once.
+bool isOrdinary(const Request &request)
+{
+    constexpr double kRoomToSpare = 1.0 + 1e-9;
+    constexpr double kLargestAngle = 1e6; // rad
+    const Parameters &p = request.mechanism.parameters();
+    const Sampling &run = request.sampling;
+    const double latest = std::max(std::abs(run.start), std::abs(run.start + run.duration));
+    return p.b > kRoomToSpare * (p.a + std::abs(p.c)) &&
+           std::abs(p.theta20) + std::abs(p.omega2) * latest <= kLargestAngle;
+}
+
+/// Of a run in closed form.
+RunSummary summaryOf(const Request &request, std::stop_token stop)
+{
+    RunSummary summary;
+    if (isOrdinary(request)) {
+        summary.instants = static_cast<std::size_t>(request.sampling.steps) + 1;
+        summary.endedWith[static_cast<std::size_t>(Status::Solved)] = summary.instants;
+        return summary;
+    }
+    const auto add = [&summary](const Trajectory &piece) {
+        summary.add(piece);
+        return true;
+    };
+    sampleInPieces(request.mechanism, request.sampling, {}, request.solver, add, std::move(stop));
+    return summary;
+}
+
+/// Null when stopped.
+std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop)
+{
+    QElapsedTimer clock;
+    clock.start();
+    auto result = std::make_shared<Result>();
+    result->mechanism = request.mechanism;
+    result->sampling = request.sampling;
+    result->solver = request.solver;
+    result->reference = request.reference;
+    result->limits = motionLimits(request.mechanism);
+    if (request.solver.method == Method::ClosedForm && request.sampling.steps >= kMostStepsKept) {
+        result->summary = summaryOf(request, stop);
+        result->trajectory.complete = !stop.stop_requested();
+    } else {
+        result->trajectory =
+            sample(request.mechanism, request.sampling.instants(), plottedChannels(), request.solver, stop);
+        result->summary.add(result->trajectory);
+    }
+    if (request.reference && result->trajectory.complete) {
+        const ReferenceData &data = request.reference->data;
+        result->atReference = sample(request.mechanism, data.time, channelsOf(data), request.solver, stop);
+        if (result->atReference.complete) {
+            result->comparison = compare(request.mechanism, result->atReference, data);
+        }
+    }
+    if (!result->trajectory.complete || !result->atReference.complete) {
+        return nullptr;
+    }
+    result->computeSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+    return result;
+}
+
+/// A request that would keep the window waiting for more than a moment goes to another thread. Costs per instant are
+/// those of a slow machine.
+bool takesLong(const Request &request)
+{
+    constexpr double kMoment = 0.05; // s: below what a person takes for a stop
+    constexpr double kDenseSeconds = 20e-6;
+    constexpr double kStructuredSeconds = 1e-6;
+    constexpr double kClosedFormSeconds = 0.2e-6;
+    constexpr double kManyAtOnceSeconds = 40e-9;
+    const double newton = request.solver.newton.elimination == Elimination::Dense ? kDenseSeconds : kStructuredSeconds;
+    const double closedForm = isOrdinary(request) ? kManyAtOnceSeconds : kClosedFormSeconds;
+    const double each = request.solver.method == Method::Newton ? newton : closedForm;
+    const double compared = std::max(each, kClosedFormSeconds); // as long as computing it
+    const double atReference = request.reference ? static_cast<double>(request.reference->data.time.size()) : 0.0;
+    return each * (request.sampling.steps + 1.0) + compared * atReference > kMoment;
+}
+
+/// What the result was computed from.
+Choices choicesOf(const Result &result)
+{
+    return {result.mechanism.parameters(), result.sampling, result.solver, result.reference};
+}
+
+} // namespace
+
+Pose poseAt(const Parameters &parameters, double seconds)
+{
+    const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(seconds);
+    Pose pose;
+    pose.time = seconds;
+    pose.theta2 = motion.theta2;
+    pose.theta3 = motion.theta3;
+    pose.pinX = parameters.a * motion.crank.cos;
+    pose.pinY = parameters.a * motion.crank.sin;
+    pose.sliderX = motion.R4x;
+    pose.status = motion.status;
+    return pose;
+}
+
+Session::Session(QObject *parent)
+    : QObject(parent)
+{
+    qRegisterMetaType<Parameters>();
+    qRegisterMetaType<Pose>();
+    SolverSettings &solver = m_choices.solver;
+    solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
+    solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
+    m_result = compute({Mechanism(m_choices.parameters), m_choices.sampling, solver, nullptr}, {});
+    m_undoStack.setUndoLimit(kMostSteps);
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
+}
+
+Session::~Session()
+{
+    m_computation.request_stop();
+    m_reading.request_stop();
+    m_diagnosing.request_stop();
+    m_undoStack.disconnect(); // it says that it empties itself, to whom is there no more
+}
+
+Pose Session::pose() const
+{
+    return poseAt(m_choices.parameters, m_time);
+}
+
+void Session::setParameters(const Parameters &parameters)
+{
+    if (parameters == m_choices.parameters) {
+        return;
+    }
+    if (const std::optional<ParameterFault> fault = findFault(parameters)) {
+        const QString symbol = symbolOf(fault->parameter);
+        switch (fault->reason) {
+        case ParameterFault::Reason::NotFinite: emit problemFound(tr("%1 must be a number.").arg(symbol)); break;
+        case ParameterFault::Reason::TooLarge:
+            emit problemFound(tr("%1 must not exceed %2.").arg(symbol, QLocale().toString(kLargestParameter)));
+            break;
+        case ParameterFault::Reason::NotPositive:
+            emit problemFound(tr("%1 must be greater than 0.").arg(symbol));
+            break;
+        }
+        emit parametersChanged(m_choices.parameters);
+        return;
+    }
+    Choices choices = m_choices;
+    choices.parameters = parameters;
+    edit(choices, changeName(m_choices, choices));
+}
+
+void Session::setParameter(Parameter parameter, double value)
+{
+    Parameters parameters = m_choices.parameters;
+    valueOf(parameters, parameter) = value;
+    setParameters(parameters);
+}
+
+void Session::setSampling(const Sampling &sampling)
+{
+    Choices choices = m_choices;
+    choices.sampling = sampling;
+    edit(choices, changeName(m_choices, choices));
+}
+
+void Session::setSolver(const SolverSettings &solver)
+{
+    Choices choices = m_choices;
+    choices.solver = solver;
+    edit(choices, changeName(m_choices, choices));
+}
+
+void Session::edit(const Choices &choices, const QString &text)
+{
+    if (choices == m_choices) {
+        return;
+    }
+    const bool continues = text == m_lastEdit && (m_dragging || m_idle.elapsed() < kSameStepWithin);
+    if (!continues) {
+        ++m_step;
+    }
+    m_lastEdit = text;
+    m_idle.start();
+    m_undoStack.push(
+        new EditCommand(m_choices, choices, text, m_step, [this](const Choices &inForce) { putInForce(inForce); }));
+}
+
+void Session::retranslateEdits()
+{
+    for (int i = 0; i < m_undoStack.count(); ++i) { // the stack gives its commands for reading; these are ours
+        const_cast<EditCommand *>(static_cast<const EditCommand *>(m_undoStack.command(i)))->retranslate();
+    }
+    m_lastEdit.clear();
+}
+
+void Session::putInForce(const Choices &choices)
+{
+    const Choices before = std::exchange(m_choices, choices);
+    if (m_choices.reference != before.reference) {
+        m_diagnosing.request_stop();
+        publishDiagnosis(nullptr);
+        emit referenceLoaded(m_choices.reference);
+    }
+    if (m_choices.parameters != before.parameters) {
+        m_diagnosing.request_stop();
+        emit parametersChanged(m_choices.parameters);
+    }
+    if (m_choices.sampling != before.sampling || m_choices.solver != before.solver) {
+        emit settingsChanged(m_choices.sampling, m_choices.solver);
+    }
+    recompute();
+    if (m_choices.sampling != before.sampling) {
+        setTime(m_time);
+    }
+}
+
+void Session::beginDrag()
+{
+    m_lastEdit.clear();
+    m_dragging = true;
+}
+
+void Session::endDrag()
+{
+    m_lastEdit.clear();
+    m_dragging = false;
+}
+
+void Session::setTime(double seconds)
+{
+    const double end = m_choices.sampling.start + m_choices.sampling.duration;
+    m_time = std::clamp(seconds, std::min(m_choices.sampling.start, end), std::max(m_choices.sampling.start, end));
+    emit timeChanged(pose());
+}
+
+template <typename Work, typename Done>
+void Session::runAside(Work work, Done done)
+{
+    if (m_pending++ == 0) {
+        emit busyChanged(true);
+    }
+    QThreadPool::globalInstance()->start([session = QPointer<Session>(this), work = std::move(work), done]() {
+        auto outcome = work();
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [session, done, outcome = std::move(outcome)] {
+                if (!session) {
+                    return;
+                }
+                done(outcome);
+                if (--session->m_pending == 0) {
+                    emit session->busyChanged(false);
+                }
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void Session::recompute()
+{
+    m_computation.request_stop(); // whatever is still under way is out of date
+    if (m_choices == choicesOf(*m_result)) {
+        publish(m_result);
+        return;
+    }
+    Request request{Mechanism(m_choices.parameters), m_choices.sampling, m_choices.solver, m_choices.reference};
+    if (!takesLong(request)) {
+        publish(compute(request, {}));
+        return;
+    }
+    m_computation = std::stop_source();
+    runAside([request = std::move(request), stop = m_computation.get_token()] { return compute(request, stop); },
+             [this](const std::shared_ptr<const Result> &result) {
+                 if (result) {
+                     publish(result);
+                 }
+             });
+}
+
+void Session::publish(std::shared_ptr<const Result> result)
+{
+    const bool newReference = result->reference != m_result->reference;
+    m_result = std::move(result);
+    emit resultChanged(m_result);
+    emit timeChanged(pose());
+    if (m_result->reference) {
+        m_rest.start(newReference ? std::chrono::milliseconds(0) : kRest);
+    }
+}
+
+void Session::diagnoseAside()
+{
+    const std::shared_ptr<const Reference> &reference = m_choices.reference;
+    const bool upToDate = m_result->reference == reference && m_result->mechanism.parameters() == m_choices.parameters;
+    const bool known = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
+    if (!reference || !upToDate || known) {
+        return; // nothing to say, or not yet: the next result asks again
+    }
+    m_diagnosing.request_stop();
+    m_diagnosing = std::stop_source();
+    const std::stop_token stop = m_diagnosing.get_token();
+    runAside([reference, mechanism = m_result->mechanism, stop] { return diagnose(reference, mechanism, stop); },
+             [this, stop](const std::shared_ptr<const Diagnosis> &diagnosis) {
+                 if (diagnosis && !stop.stop_requested()) {
+                     publishDiagnosis(diagnosis);
+                 }
+             });
+}
+
+void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
+{
+    if (m_diagnosis != diagnosis) {
+        m_diagnosis = std::move(diagnosis);
+        emit diagnosisChanged(m_diagnosis);
+    }
+}
+
+void Session::readAside(const Read &read, const std::function<void(const Reading &)> &done)
+{
+    m_reading.request_stop();
+    m_reading = std::stop_source();
+    const std::stop_token stop = m_reading.get_token();
+    const auto work = [read, session = QPointer<Session>(this), stop]() -> Reading {
+        ReadOptions options;
+        options.progress = [session, stop, told = std::size_t{0}](std::size_t bytes, std::size_t all) mutable {
+            constexpr std::size_t kSteps = 200; // more than the bar can show
+            const std::size_t step = all > 0 ? bytes * kSteps / all : 0;
+            if (step == std::exchange(told, step)) {
+                return;
+            }
+            const double part = static_cast<double>(step) / static_cast<double>(kSteps);
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [session, stop, part] {
+                    if (session && !stop.stop_requested()) {
+                        emit session->readingProgressed(part);
+                    }
+                },
+                Qt::QueuedConnection);
+        };
+        return read(stop, options);
+    };
+    runAside(work, [stop, done](const Reading &outcome) {
+        if (!stop.stop_requested()) {
+            done(outcome);
+        }
+    });
+}
+
+void Session::loadReference(const QString &path)
+{
+    loadReference(path, nullptr);
+}
+
+void Session::readColumnsAnew(const QString &path)
+{
+    const bool isOnShow = m_choices.reference && m_choices.reference->path == path;
+    loadReference(path, isOnShow ? m_choices.reference : nullptr);
+}
+
+void Session::loadReference(const QString &path, const std::shared_ptr<const Reference> &before)
+{
+    const auto read = [path, before](std::stop_token stop, const ReadOptions &options) {
+        const ReferenceSource source{path, rememberedChoices(layoutOf(beginningOf(path)), path), {}};
+        Reading outcome = readReference(source, stop, options);
+        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome); reference && before) {
+            *reference = withConventionsOf(*before, *reference);
+        }
+        return outcome;
+    };
+    readAside(read, [this, path](const Reading &outcome) {
+        if (const QString *sentence = std::get_if<QString>(&outcome)) {
+            emit referenceRefused(path, *sentence);
+        } else {
+            setReference(std::get<std::shared_ptr<const Reference>>(outcome));
+        }
+    });
+}
+
+void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
+{
+    if (!source) {
+        m_reading.request_stop();
+        startWith(choices, seconds);
+        emit opened(QString());
+        return;
+    }
+    readAside([source = *source](std::stop_token stop,
+                                 const ReadOptions &options) { return readReference(source, stop, options); },
+              [this, choices, seconds](const Reading &outcome) {
+                  const QString *problem = std::get_if<QString>(&outcome);
+                  Choices complete = choices;
+                  complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
+                  startWith(complete, seconds);
+                  emit opened(problem ? *problem : QString());
+              });
+}
+
+void Session::startWith(const Choices &choices, double seconds)
+{
+    m_undoStack.clear();
+    m_lastEdit.clear();
+    putInForce(choices);
+    setTime(seconds);
+}
+
+void Session::setReference(const std::shared_ptr<const Reference> &reference)
+{
+    m_reading.request_stop();
+    Choices choices = m_choices;
+    choices.reference = reference;
+    m_lastEdit.clear(); // one file opened after the other: two steps
+    edit(choices, changeName(m_choices, choices));
+}
+
+void Session::takeOver()
+{
+    if (!m_diagnosis || m_diagnosis->found.identification.status != Identification::Status::Found) {
+        return;
+    }
+    Choices choices = m_choices;
+    choices.parameters = m_diagnosis->found.rounded;
+    edit(choices, tr("taking over the file's mechanism"));
+}
+
+void Session::apply(const Convention &convention)
+{
+    if (convention.kind == Convention::Kind::Branch) {
+        Parameters parameters = m_choices.parameters;
+        parameters.branch = parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+        setParameters(parameters);
+    } else if (m_choices.reference) {
+        setReference(applied(convention, m_choices.reference));
+    }
+}
+
+void Session::readAsPrinted()
+{
+    if (m_choices.reference && m_choices.reference->asPrinted) {
+        setReference(m_choices.reference->asPrinted);
+    }
+}
+
+void Session::cancel()
+{
+    m_computation.request_stop();
+    m_reading.request_stop();
+    m_diagnosing.request_stop();
+    const Choices shown = choicesOf(*m_result);
+    if (m_choices != shown) {
+        if (m_undoStack.canUndo()) { // else they came with a scene, and no edit is to turn it into another
+            m_undoStack.push(new EditCommand(m_choices, shown, changeName(m_choices, shown), m_step,
+                                             [this](const Choices &inForce) { putInForce(inForce); }));
+            m_lastEdit.clear();
+        }
+        return;
+    }
+    const bool isKnown = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
+    if (m_choices.reference && !isKnown) {
+        m_rest.stop();
+        auto stopped = std::make_shared<Diagnosis>();
+        stopped->reference = m_choices.reference;
+        stopped->parameters = m_choices.parameters;
+        stopped->found.identification.status = Identification::Status::Stopped;
+        publishDiagnosis(std::move(stopped));
+    }
+}
+
+} // namespace slidercrank

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The one mutable state: what the person chose, the reference data, the current time. Every change recomputes what is
+// on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else. What
+// a file has to say about itself follows as a Diagnosis, when the parameters rest. Every edit can be undone.
+
+#include "core/comparison/comparison.h"
+#include "core/limits/mobility.h"
+#include "core/run/trajectory.h"
+#include "ui/document/diagnosis.h"
+#include "ui/document/edit_command.h"
+#include "ui/document/reference_file.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <variant>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// The mechanism at one instant, by one closed-form evaluation. Lengths mm, angles rad.
+struct Pose {
+    double time = 0.0;
+    double theta2 = 0.0; ///< not wrapped
+    double theta3 = 0.0;
+    double pinX = 0.0, pinY = 0.0;  ///< A
+    double sliderX = 0.0;           ///< B, at y = c
+    Status status = Status::Solved; ///< Solved or Singular: the pose exists
+    bool exists() const { return status == Status::Solved || status == Status::Singular; }
+};
+
+Pose poseAt(const Parameters &parameters, double seconds);
+
+/// Everything the views draw, of one moment; immutable once published.
+struct Result {
+    Mechanism mechanism;
+    Sampling sampling;
+    SolverSettings solver;
+    RunSummary summary;
+    Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
+    MotionLimits limits;
+    std::shared_ptr<const Reference> reference; ///< may be null
+
+    // Filled when there is a reference: the model at the file's own instants, one comparison per series of the file.
+    Trajectory atReference;
+    std::vector<ChannelComparison> comparison;
+
+    double computeSeconds = 0.0;
+
+    /// A long run in closed form is not: it takes less time to compute than to store.
+    bool isKept() const { return trajectory.time.size() == summary.instants; }
+};
+
+class Session : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Session(QObject *parent = nullptr);
+    ~Session() override;
+
+    const Parameters &parameters() const { return m_choices.parameters; }
+    const Sampling &sampling() const { return m_choices.sampling; }
+    const SolverSettings &solver() const { return m_choices.solver; }
+    double time() const { return m_time; }
+    Pose pose() const;
+    const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
+    const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
+
+    /// Null without a reference, and until it is known. Of a reference's diagnoses the last stays until the parameters
+    /// have rested and the next is there: it may be of other parameters than the ones on show (Diagnosis::parameters).
+    const std::shared_ptr<const Diagnosis> &diagnosis() const { return m_diagnosis; }
+
+    QUndoStack &undoStack() { return m_undoStack; }
+
+    /// Names the edits that can be undone in the language now in use.
+    void retranslateEdits();
+
+    /// Other choices and another time in place of all there was, which cannot be undone; the reference is read from
+    /// `source` first, off the GUI thread, and what is on show stays until then. opened() follows.
+    void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
+
+public slots:
+    void setParameters(const slidercrank::Parameters &parameters);
+    void setParameter(slidercrank::Parameter parameter, double value); ///< one of them, the others as they are
+    void setSampling(const slidercrank::Sampling &sampling);
+    void setSolver(const slidercrank::SolverSettings &solver);
+
+    /// Brought into the sampled range.
+    void setTime(double seconds);
+
+    /// Reads the file off the GUI thread, its columns as a person once chose them; referenceLoaded or referenceRefused
+    /// follows. What is on show stays until then.
+    void loadReference(const QString &path);
+
+    /// The same for the file on show, whose columns a person chose anew; conventions applied stay as far as their
+    /// columns do.
+    void readColumnsAnew(const QString &path);
+
+    /// Takes one that is already read, at once; null: none.
+    void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
+
+    /// The mechanism that was found for the file becomes the model, in round numbers; nothing where none was found.
+    void takeOver();
+
+    /// The reference as it reads with that convention; for Branch the model's other assembly.
+    void apply(const slidercrank::Convention &convention);
+
+    /// The reference without the conventions applied.
+    void readAsPrinted();
+
+    /// What is edited from one to the other is undone in one step. Elsewhere the same kind of edit, repeated at once
+    /// (a key held down), is one step too.
+    void beginDrag();
+    void endDrag();
+
+    /// Stops what is computed or read aside. What is on show stays, and edits that have not come to be shown are taken
+    /// back.
+    void cancel();
+
+signals:
+    void parametersChanged(const slidercrank::Parameters &parameters); ///< the return edge, to the panels
+    void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
+    void resultChanged(const std::shared_ptr<const slidercrank::Result> &result);
+    void timeChanged(const slidercrank::Pose &pose);
+    void diagnosisChanged(const std::shared_ptr<const slidercrank::Diagnosis> &diagnosis); ///< may be null
+
+    /// Another file, another reading of it, or none.
+    void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);
+    void referenceRefused(const QString &path, const QString &sentence); ///< what is on show stays
+    void opened(const QString &problem);        ///< by open(); not empty: why it is without its reference
+    void readingProgressed(double part);        ///< 0 … 1 of the file being read
+    void problemFound(const QString &sentence); ///< one sentence, for the message bar; nothing else changed
+    void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
+
+private:
+    /// Puts the choices into force, as a step that can be undone. `text`: what was done.
+    void edit(const Choices &choices, const QString &text);
+    void putInForce(const Choices &choices);
+
+    /// Runs read(), which reads a file, off the GUI thread, then done(outcome) in this one, unless another file was
+    /// asked for by then, or none.
+    using Reading = std::variant<std::shared_ptr<const Reference>, QString>;
+    using Read = std::function<Reading(std::stop_token stop, const ReadOptions &options)>;
+    void readAside(const Read &read, const std::function<void(const Reading &)> &done);
+
+    /// `before`: another reading of the file, whose conventions are to be kept; may be null.
+    void loadReference(const QString &path, const std::shared_ptr<const Reference> &before);
+    void startWith(const Choices &choices, double seconds);
+
+    void recompute();
+    void publish(std::shared_ptr<const Result> result);
+    void diagnoseAside();
+    void publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis);
+
+    /// Runs work() in another thread, then done(its outcome) in this one.
+    template <typename Work, typename Done>
+    void runAside(Work work, Done done);
+
+    Choices m_choices;
+    double m_time = 0.0;
+    std::shared_ptr<const Result> m_result;
+    std::shared_ptr<const Diagnosis> m_diagnosis;
+    std::stop_source m_computation;
+    std::stop_source m_reading;
+    std::stop_source m_diagnosing;
+    QTimer m_rest;     ///< runs while the parameters may still be on the move
+    int m_pending = 0; ///< jobs aside
+
+    QUndoStack m_undoStack;
+    int m_step = 0;       ///< edits of the same number are undone together
+    QString m_lastEdit;   ///< empty: the next one begins a new step
+    QElapsedTimer m_idle; ///< since the last edit
+    bool m_dragging = false;
+};
+
+} // namespace slidercrank
+
+Q_DECLARE_METATYPE(slidercrank::Parameters)
+Q_DECLARE_METATYPE(slidercrank::Pose)

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/animation_export.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFileInfo>
+#include <QImage>
+#include <QPainter>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr qint64 kMostWaiting = 16 * 1024 * 1024; // bytes that ffmpeg has not taken yet
+
+QString ffmpeg()
+{
+    return QStandardPaths::findExecutable(QStringLiteral("ffmpeg"));
+}
+
+bool isVideo(const QString &path)
+{
+    return QFileInfo(path).suffix().toLower() != QLatin1String("png");
+}
+
+/// motion.png → motion_007.png, with as many digits as the last frame needs.
+QString frameName(const QString &path, int frame, int count)
+{
+    constexpr int kFewestDigits = 3;
+    const int digits = std::max(kFewestDigits, static_cast<int>(QString::number(count).size()));
+    const QFileInfo info(path);
+    return QStringLiteral("%1_%2.%3")
+        .arg(info.completeBaseName(), QString::number(frame + 1).rightJustified(digits, u'0'), info.suffix());
+}
+
+QImage frameImage(const FigureSize &size, const FrameDrawing &draw, double instant)
+{
+    QImage image(size.size * size.scale, QImage::Format_RGB32);
+    if (!image.isNull()) {
+        image.setDevicePixelRatio(size.scale);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        draw(painter, size.size, instant);
+    }
+    return image;
+}
+
+} // namespace
+
+int Animation::frameCount() const
+{
+    const double frames = std::abs(duration) / speed * framesPerSecond;
+    return 1 + static_cast<int>(std::lround(std::clamp(frames, 0.0, static_cast<double>(kMostFrames))));
+}
+
+double Animation::instant(int frame) const
+{
+    const int last = frameCount() - 1;
+    return last == 0 ? start : start + duration * static_cast<double>(frame) / static_cast<double>(last);
+}
+
+AnimationExport::AnimationExport(const Animation &animation, const FrameDrawing &draw, QObject *parent)
+    : QObject(parent)
+    , m_animation(animation)
+    , m_draw(draw)
+{
+}
+
+AnimationExport::~AnimationExport()
+{
+    if (m_film) {
+        m_film->disconnect(this);
+        m_film->kill();
+        m_film->waitForFinished();
+    }
+}
+
+QStringList AnimationExport::suffixes()
+{
+    QStringList suffixes{QStringLiteral("png")};
+    if (!ffmpeg().isEmpty()) {
+        suffixes << QStringLiteral("mp4") << QStringLiteral("webm") << QStringLiteral("gif");
+    }
+    return suffixes;
+}
+
+void AnimationExport::start(const QString &path)
+{
+    m_path = path;
+    m_frame = 0;
+    m_running = true;
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    const QString shown = QDir::toNativeSeparators(path);
+    if (!suffixes().contains(suffix)) {
+        const bool wantsVideo = suffix == QLatin1String("mp4") || suffix == QLatin1String("webm");
+        end(wantsVideo
+                ? tr("%1: a video needs the program ffmpeg, which is not installed; choose .png for frames.").arg(shown)
+                : tr("%1: an animation's name must end in .%2.")
+                      .arg(shown, suffixes().join(tr(" or .", "between the endings of file names"))));
+        return;
+    }
+    if (m_animation.frameCount() > Animation::kMostFrames) {
+        end(tr("More than %1 frames: choose a shorter run or fewer frames a second.").arg(Animation::kMostFrames));
+        return;
+    }
+    m_folder = std::make_unique<QTemporaryDir>(QFileInfo(path).absoluteDir().filePath(QStringLiteral("frames-XXXXXX")));
+    if (!m_folder->isValid()) {
+        end(tr("%1 cannot be written: %2.").arg(shown, m_folder->errorString()));
+        return;
+    }
+    if (isVideo(path)) {
+        startFilming();
+    }
+    QTimer::singleShot(0, this, &AnimationExport::drawNext);
+}
+
+void AnimationExport::startFilming()
+{
+    m_film = new QProcess(this);
+    m_film->setProcessChannelMode(QProcess::MergedChannels);
+    const QStringList input{QStringLiteral("-loglevel"),  QStringLiteral("error"),
+                            QStringLiteral("-f"),         QStringLiteral("image2pipe"),
+                            QStringLiteral("-framerate"), QString::number(m_animation.framesPerSecond),
+                            QStringLiteral("-c:v"),       QStringLiteral("bmp"),
+                            QStringLiteral("-i"),         QStringLiteral("-")};
+    // Most players know colours at half the resolution only, and that needs even sides.
+    const QStringList output{QStringLiteral("-vf"), QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white")};
+    const QStringList colours = QFileInfo(m_path).suffix().toLower() == QLatin1String("gif")
+                                    ? QStringList()
+                                    : QStringList{QStringLiteral("-pix_fmt"), QStringLiteral("yuv420p")};
+    connect(m_film, &QProcess::bytesWritten, this, &AnimationExport::drawNext);
+    connect(m_film, &QProcess::finished, this, &AnimationExport::finishFilm);
+    connect(m_film, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart) { // then it does not finish either
+            end(tr("ffmpeg could not be started: %1.").arg(m_film->errorString()));
+        }
+    });
+    m_film->start(ffmpeg(), input + output + colours + QStringList{m_folder->filePath(QFileInfo(m_path).fileName())});
+}
+
+void AnimationExport::drawNext()
+{
+    const int count = m_animation.frameCount();
+    const bool waits = m_film && m_film->bytesToWrite() > kMostWaiting;
+    if (!m_running || m_frame >= count || waits) {
+        return;
+    }
+    const QImage image = frameImage(m_animation.size, m_draw, m_animation.instant(m_frame));
+    if (image.isNull()) {
+        end(tr("There is not enough memory for a frame of that size."));
+        return;
+    }
+    if (m_film) {
+        QBuffer bytes;
+        image.save(&bytes, "BMP");
+        m_film->write(bytes.data());
+    } else if (const QString path = m_folder->filePath(frameName(m_path, m_frame, count)); !image.save(path, "PNG")) {
+        end(tr("%1 cannot be written: is the disk full?").arg(QDir::toNativeSeparators(path)));
+        return;
+    }
+    ++m_frame;
+    emit progressed(m_frame, count);
+    if (m_frame < count) {
+        QTimer::singleShot(0, this, &AnimationExport::drawNext);
+    } else if (m_film) {
+        m_film->closeWriteChannel();
+    } else {
+        end(moveFrames());
+    }
+}
+
+/// From the folder beside to where they belong, over older ones of the same names.
+QString AnimationExport::moveFrames()
+{
+    const QDir target = QFileInfo(m_path).absoluteDir();
+    const QDir source(m_folder->path());
+    for (const QString &name : source.entryList(QDir::Files, QDir::Name)) {
+        const QString path = target.filePath(name);
+        QFile::remove(path);
+        if (!QFile::rename(source.filePath(name), path)) {
+            return tr("%1 cannot be written.").arg(QDir::toNativeSeparators(path));
+        }
+    }
+    return {};
+}
+
+void AnimationExport::finishFilm(int exitCode)
+{
+    const QString words = QString::fromLocal8Bit(m_film->readAll()).simplified();
+    const bool complete = m_frame == m_animation.frameCount();
+    if (exitCode != 0 || m_film->exitStatus() != QProcess::NormalExit || !complete) {
+        end(tr("ffmpeg could not make the video: %1").arg(words.isEmpty() ? tr("it ended early.") : words));
+        return;
+    }
+    end(moveFrames());
+}
+
+void AnimationExport::cancel()
+{
+    if (m_running) {
+        end({});
+    }
+}
+
+void AnimationExport::end(const QString &problem)
+{
+    m_running = false;
+    if (m_film) {
+        m_film->disconnect(this);
+        m_film->kill();
+        m_film->waitForFinished();
+        m_film->deleteLater();
+        m_film = nullptr;
+    }
+    m_folder.reset();
+    emit finished(problem);
+}
+
+} // namespace slidercrank

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/figure_export.h"
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kDotsPerInch = 96;           // of a logical pixel, as in SVG and CSS
+constexpr double kPointsPerPixel = 0.75;   // 72 / 96
+constexpr double kLargestPixelCount = 2e8; // 800 MB as an image
+constexpr int kLargestSide = 30000;        // QPainter's raster engine stops at 32767
+
+struct FigureExportText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::FigureExportText)
+};
+
+QSize devicePixels(const FigureSize &size)
+{
+    return {static_cast<int>(std::lround(size.size.width() * size.scale)),
+            static_cast<int>(std::lround(size.size.height() * size.scale))};
+}
+
+std::optional<QString> findFault(const FigureSize &size)
+{
+    if (size.size.width() < 1 || size.size.height() < 1) {
+        return FigureExportText::tr("A figure must be at least 1 pixel wide and high.");
+    }
+    if (!std::isfinite(size.scale) || size.scale <= 0.0) {
+        return FigureExportText::tr("The scale of a figure must be greater than 0.");
+    }
+    const double width = size.size.width() * size.scale;
+    const double height = size.size.height() * size.scale;
+    if (width < 1.0 || height < 1.0) {
+        return FigureExportText::tr("A figure must be at least 1 pixel wide and high.");
+    }
+    const double longest = std::max({width, height, double(size.size.width()), double(size.size.height())});
+    if (longest > kLargestSide || width * height > kLargestPixelCount) {
+        return FigureExportText::tr("A figure of %1 × %2 pixels is too large: choose a smaller size or scale.")
+            .arg(std::max(width, double(size.size.width())), 0, 'f', 0)
+            .arg(std::max(height, double(size.size.height())), 0, 'f', 0);
+    }
+    return std::nullopt;
+}
+
+/// Null when there is not enough memory.
+QImage imageOf(const FigureSize &size, const FigureDrawing &draw)
+{
+    QImage image(devicePixels(size), QImage::Format_RGB32);
+    if (image.isNull()) {
+        return image;
+    }
+    image.setDevicePixelRatio(size.scale);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    draw(painter, size.size);
+    return image;
+}
+
+/// What Qt's generator leaves to be desired: millimetres with three decimals, which viewers round to one pixel too
+/// many, and fonts without a fallback for machines that have none of that name.
+QByteArray polished(const QByteArray &svg, const QSize &size)
+{
+    static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
+    static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
+    QString text = QString::fromUtf8(svg);
+    text.replace(kMillimetres,
+                 QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(size.width()).arg(size.height()));
+    text.replace(kFamily, QStringLiteral(R"re(font-family="'\1', sans-serif")re"));
+    return text.toUtf8();
+}
+
+/// These are false when the painter or the device fails.
+bool writeSvg(QIODevice &device, const QSize &size, const QString &title, const FigureDrawing &draw)
+{
+    QBuffer buffer;
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setResolution(kDotsPerInch);
+    generator.setSize(size);
+    generator.setViewBox(QRect(QPoint(), size));
+    generator.setTitle(title.toHtmlEscaped()); // it is written as it is
+    QPainter painter;
+    if (!painter.begin(&generator)) {
+        return false;
+    }
+    draw(painter, size);
+    if (!painter.end()) {
+        return false;
+    }
+    const QByteArray svg = polished(buffer.data(), size);
+    return device.write(svg) == svg.size();
+}
+
+bool writePdf(QIODevice &device, const QSize &size, const QString &title, const FigureDrawing &draw)
+{
+    QPdfWriter writer(&device);
+    writer.setResolution(kDotsPerInch);
+    writer.setPageSize(QPageSize(QSizeF(size) * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch));
+    writer.setPageMargins(QMarginsF());
+    writer.setTitle(title);
+    writer.setCreator(QCoreApplication::applicationName());
+    QPainter painter;
+    if (!painter.begin(&writer)) {
+        return false;
+    }
+    draw(painter, size);
+    return painter.end();
+}
+
+} // namespace
+
+std::optional<FigureFormat> figureFormatOf(const QString &path)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == QLatin1String("png")) {
+        return FigureFormat::Png;
+    }
+    if (suffix == QLatin1String("svg")) {
+        return FigureFormat::Svg;
+    }
+    if (suffix == QLatin1String("pdf")) {
+        return FigureFormat::Pdf;
+    }
+    return std::nullopt;
+}
+
+std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
+                                    const FigureDrawing &draw)
+{
+    const QString shown = QDir::toNativeSeparators(path);
+    const std::optional<FigureFormat> format = figureFormatOf(path);
+    if (!format) {
+        return FigureExportText::tr("%1: a figure's name must end in .png, .svg or .pdf.").arg(shown);
+    }
+    const FigureSize wanted = *format == FigureFormat::Png ? size : FigureSize{size.size, 1.0};
+    if (std::optional<QString> fault = findFault(wanted)) {
+        return fault;
+    }
+    QSaveFile file(path);
+    const auto failure = [&] {
+        return FigureExportText::tr("%1 cannot be written: %2.").arg(shown, file.errorString());
+    };
+    if (!file.open(QIODevice::WriteOnly)) {
+        return failure();
+    }
+    bool isDrawn = false;
+    switch (*format) {
+    case FigureFormat::Png: {
+        QImage image = imageOf(wanted, draw);
+        if (image.isNull()) {
+            return FigureExportText::tr("There is not enough memory for a figure of that size.");
+        }
+        image.setText(QStringLiteral("Title"), title);
+        isDrawn = image.save(&file, "PNG");
+        break;
+    }
+    case FigureFormat::Svg: isDrawn = writeSvg(file, wanted.size, title, draw); break;
+    case FigureFormat::Pdf: isDrawn = writePdf(file, wanted.size, title, draw); break;
+    }
+    if (!isDrawn || !file.commit()) {
+        return failure();
+    }
+    return std::nullopt;
+}
+
+std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw)
+{
+    if (std::optional<QString> fault = findFault(size)) {
+        return fault;
+    }
+    const QImage image = imageOf(size, draw);
+    if (image.isNull()) {
+        return FigureExportText::tr("There is not enough memory for a figure of that size.");
+    }
+    QGuiApplication::clipboard()->setImage(image);
+    return std::nullopt;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/motion_csv.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QSaveFile>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Handed on when full, so that a long run's text is never in memory as a whole.
+constexpr qsizetype kFullBuffer = 1 << 20; // bytes
+
+struct MotionCsvText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionCsvText)
+};
+
+QByteArray nameWithUnit(Channel channel, AngleUnit unit)
+{
+    const std::string_view bare = nameOf(channel);
+    const QByteArray name(bare.data(), static_cast<qsizetype>(bare.size()));
+    if (unit == AngleUnit::Degree || !isAngle(channel.coordinate)) {
+        return name;
+    }
+    switch (channel.order) {
+    case Order::Position: return name + " [rad]";
+    case Order::Velocity: return name + " [rad/s]";
+    case Order::Acceleration: return name + " [rad/s^2]";
+    }
+    return name;
+}
+
+} // namespace
+
+double factorTo(AngleUnit unit, Channel channel)
+{
+    return isAngle(channel.coordinate) && unit == AngleUnit::Radian ? 1.0 / kDegreesPerRadian : 1.0;
+}
+
+void appendNumber(QByteArray &text, double value)
+{
+    if (std::isnan(value)) {
+        text.append("nan"); // never "-nan"
+        return;
+    }
+    constexpr int kDigits = 17;
+    char digits[32];
+    const double unsignedZero = value == 0.0 ? 0.0 : value;
+    const std::to_chars_result end =
+        std::to_chars(digits, digits + sizeof digits, unsignedZero, std::chars_format::general, kDigits);
+    text.append(digits, end.ptr - digits);
+}
+
+std::vector<Channel> listed(const ChannelSet &channels)
+{
+    std::vector<Channel> list;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        if (channels.test(index)) {
+            list.push_back(channelAt(index));
+        }
+    }
+    return list;
+}
+
+QByteArray csvHeader(const std::vector<Channel> &channels, AngleUnit unit)
+{
+    QByteArray header("time");
+    for (const Channel channel : channels) {
+        header += ',' + nameWithUnit(channel, unit);
+    }
+    return header + '\n';
+}
+
+bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels, AngleUnit unit,
+                  const TextSink &sink)
+{
+    struct Column {
+        const double *values;
+        double factor;
+    };
+    std::vector<Column> columns;
+    for (const Channel channel : channels) {
+        columns.push_back({trajectory[channel].data(), factorTo(unit, channel)});
+    }
+    QByteArray text;
+    text.reserve(kFullBuffer + kFullBuffer / 8);
+    for (std::size_t row = 0; row < trajectory.time.size(); ++row) {
+        appendNumber(text, trajectory.time[row]);
+        for (const Column &column : columns) {
+            text += ',';
+            appendNumber(text, column.values[row] * column.factor);
+        }
+        text += '\n';
+        if (text.size() >= kFullBuffer) {
+            if (!sink(text, row + 1)) {
+                return false;
+            }
+            text.resize(0); // clear() would give the memory back
+        }
+    }
+    return sink(text, trajectory.time.size());
+}
+
+std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
+                                    std::stop_token stop, const std::function<void(double)> &progress)
+{
+    QSaveFile file(path);
+    const auto failure = [&] {
+        return MotionCsvText::tr("%1 cannot be written: %2. Choose another name or folder.")
+            .arg(QDir::toNativeSeparators(path), file.errorString());
+    };
+    const std::vector<Channel> list = listed(channels);
+    const QByteArray header = csvHeader(list, AngleUnit::Degree);
+    if (!file.open(QIODevice::WriteOnly) || file.write(header) != header.size()) {
+        return failure();
+    }
+    const std::size_t count = result.summary.instants;
+    std::size_t before = 0; // instants in the pieces that are done
+    const TextSink sink = [&](const QByteArray &text, std::size_t instants) {
+        if (progress) {
+            progress(static_cast<double>(before + instants) / static_cast<double>(count));
+        }
+        return file.write(text) == text.size() && !stop.stop_requested();
+    };
+    const auto take = [&](const Trajectory &piece) {
+        const bool goesOn = writeCsvRows(piece, list, AngleUnit::Degree, sink);
+        before += piece.time.size();
+        return goesOn;
+    };
+    if (result.isKept() && (channels & ~plottedChannels()).none()) {
+        take(result.trajectory);
+    } else {
+        sampleInPieces(result.mechanism, result.sampling, channels, result.solver, take, stop);
+    }
+    if (stop.stop_requested()) {
+        return std::nullopt; // what was there is still there
+    }
+    return file.commit() ? std::nullopt : std::optional(failure());
+}
+
+} // namespace slidercrank

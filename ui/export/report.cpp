@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/report.h"
+
+#include "ui/controls/number_box.h"
+#include "ui/words/axis_scale.h"
+#include "ui/words/core_text.h"
+#include "ui/words/finding_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct Report {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
+};
+
+using Kind = ReportBlock::Kind;
+
+constexpr int kErrorDigits = 3; // as in the Errors tab
+
+QString dash()
+{
+    return QStringLiteral("–");
+}
+
+QString errorText(const std::optional<double> &value)
+{
+    return value ? shortNumber(*value, kErrorDigits, QLocale()) : dash();
+}
+
+QString count(std::size_t number)
+{
+    return QLocale().toString(static_cast<qulonglong>(number));
+}
+
+ReportBlock heading(const QString &text)
+{
+    return {Kind::Heading, text, {}};
+}
+
+ReportBlock paragraph(const QString &text, Kind kind = Kind::Text)
+{
+    return {kind, text, {}};
+}
+
+bool isFound(const ReportContent &content)
+{
+    return content.result->reference && content.interpretation.identification.status == Identification::Status::Found;
+}
+
+bool differs(const std::vector<ChannelComparison> &channels)
+{
+    return channels.empty() || std::any_of(channels.begin(), channels.end(), [](const ChannelComparison &channel) {
+               return channel.verdict == Verdict::Differs;
+           });
+}
+
+QString assemblyText(Branch branch)
+{
+    return branch == Branch::Open ? Report::tr("open") : Report::tr("crossed");
+}
+
+QString nounOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return Report::tr("crank");
+    case Parameter::B: return Report::tr("coupler");
+    case Parameter::C: return Report::tr("offset");
+    case Parameter::Omega2: return Report::tr("speed");
+    case Parameter::Theta20: return Report::tr("start");
+    }
+    return {};
+}
+
+/// The drawing beside the numbers: the model's and, where one was found, those of the file's own mechanism.
+ReportBlock mechanismBlock(const ReportContent &content)
+{
+    const Parameters &model = content.result->mechanism.parameters();
+    const Identification &found = content.interpretation.identification;
+    ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
+    if (content.hasGhost) {
+        block.text = Report::tr("Thin: the linkage as the file has it.");
+    }
+    if (isFound(content)) {
+        block.table.header << Report::tr("the file's own");
+        block.table.numeric += u'n';
+    }
+    for (const Parameter parameter :
+         {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
+        QStringList row{QStringLiteral("%1, %2").arg(symbolOf(parameter), nounOf(parameter)),
+                        parameterText(parameter, valueOf(parameter, model))};
+        if (isFound(content)) {
+            row << measuredText(parameter, found);
+        }
+        block.table.rows.push_back(row);
+    }
+    QStringList assembly{Report::tr("assembly"), assemblyText(model.branch)};
+    if (isFound(content)) {
+        assembly << assemblyText(found.parameters.branch);
+    }
+    block.table.rows.push_back(assembly);
+    return block;
+}
+
+QString fileText(const Reference &reference)
+{
+    const std::vector<double> &time = reference.data.time;
+    return Report::tr("Reference: %1, t = %2 s to %3 s, %4 instants.")
+        .arg(reference.name, numberText(time.front()), numberText(time.back()), count(time.size()));
+}
+
+/// What was not used of the file; empty where all was.
+QString leftOutText(const ReferenceData &data)
+{
+    QStringList parts;
+    if (!data.skipped.empty()) {
+        parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
+                     .arg(count(data.skippedRowCount()), count(data.skipped.front().line),
+                          QString::fromStdString(data.skipped.front().text), coreText(data.skipped.front().reason));
+    }
+    if (!data.ignoredColumns.empty()) {
+        QStringList names;
+        for (const std::string &name : data.ignoredColumns) {
+            names << QString::fromStdString(name);
+        }
+        parts << Report::tr("the columns %1").arg(names.join(Report::tr(", ")));
+    }
+    return parts.isEmpty() ? QString() : Report::tr("Left out of the file: %1.").arg(parts.join(Report::tr("; ")));
+}
+
+ReportTable errorTable(const std::vector<ChannelComparison> &channels)
+{
+    ReportTable table{{Report::tr("channel"), Report::tr("largest error"), Report::tr("at [s]"), Report::tr("rms"),
+                       Report::tr("largest %"), Report::tr("at [s]"), Report::tr("% of peak"),
+                       Report::tr("file's step"), Report::tr("verdict")},
+                      {},
+                      QStringLiteral("tnnnnnnnt")};
+    for (const ChannelComparison &channel : channels) {
+        table.rows.push_back(
+            {QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
+             errorText(channel.maxAbs), channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
+             errorText(channel.rms), errorText(channel.maxPercent),
+             channel.maxPercent ? numberText(channel.timeOfMaxPercent) : dash(), errorText(channel.percentOfPeak),
+             channel.roundingStep ? numberText(*channel.roundingStep, kErrorDigits) : dash(), verdictText(channel)});
+    }
+    return table;
+}
+
+QString methodText(const Result &result)
+{
+    const NewtonOptions &newton = result.solver.newton;
+    const Sampling &run = result.sampling;
+    const QString instants =
+        Report::tr("%1 instants from t = %2 s to %3 s.")
+            .arg(count(result.summary.instants), numberText(run.start), numberText(run.start + run.duration));
+    if (result.solver.method == Method::ClosedForm) {
+        return Report::tr("Closed form, exact to rounding. ") + instants;
+    }
+    const QString until =
+        newton.tolerance == 0.0 ? Report::tr("until the residual ‖C‖ no longer falls")
+        : newton.toleranceKind == ToleranceKind::Absolute
+            ? Report::tr("until ‖C‖ ≤ %1 (absolute, mm and rad as they are)").arg(numberText(newton.tolerance))
+            : Report::tr("until ‖C‖ ≤ %1 (relative, lengths divided by a + b + |c|)").arg(numberText(newton.tolerance));
+    QString text =
+        Report::tr("Newton-Raphson in the 12 absolute coordinates, %1, at most %2 iterations an instant. ")
+            .arg(until, QString::number(newton.maxIterations)) +
+        instants + u' ' +
+        Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
+            .arg(QLocale().toString(result.summary.iterations), QString::number(result.summary.mostIterations),
+                 numberText(result.summary.largestResidual, 2));
+    const std::size_t solved = result.summary.count(Status::Solved);
+    if (solved < result.summary.instants) {
+        text += Report::tr(" %1 of %2 instants are solved.").arg(count(solved), count(result.summary.instants));
+    }
+    return text;
+}
+
+void addComparison(std::vector<ReportBlock> &blocks, const ReportContent &content)
+{
+    const Result &result = *content.result;
+    const Interpretation &found = content.interpretation;
+    blocks.push_back(
+        paragraph(summaryOf(result.comparison), differs(result.comparison) ? Kind::Difference : Kind::Agreement));
+    for (const ConventionFinding &finding : found.conventions) {
+        blocks.push_back(paragraph(explanationOf(finding.convention) + u' ' + effectOf(finding)));
+    }
+    if (const QString sentence = attributionText(found.attribution, result.mechanism); !sentence.isEmpty()) {
+        blocks.push_back(paragraph(sentence));
+    }
+}
+
+void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &content)
+{
+    const Interpretation &found = content.interpretation;
+    if (!isFound(content)) {
+        blocks.push_back(paragraph(summaryOf(found.identification)));
+        return;
+    }
+    const auto agreeing =
+        std::count_if(found.identified.begin(), found.identified.end(),
+                      [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+    QString text = Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
+                       .arg(agreeing)
+                       .arg(found.identified.size());
+    if (const QString caveats = caveatsOf(found.identification); !caveats.isEmpty()) {
+        text += u' ' + caveats;
+    }
+    if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
+        text += u' ' + rounded;
+    }
+    blocks.push_back(paragraph(text));
+    QString note = Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
+                              "%2); ± is one standard deviation.")
+                       .arg(found.identification.iterations)
+                       .arg(shortNumber(found.identification.conditionNumber, 3, QLocale()));
+    if (!found.conventions.empty()) {
+        note += u' ' + Report::tr("The file was read with the conventions named above.");
+    }
+    blocks.push_back(paragraph(note, Kind::Note));
+}
+
+void addErrors(std::vector<ReportBlock> &blocks, const Result &result)
+{
+    blocks.push_back(heading(Report::tr("Errors: model against reference")));
+    blocks.push_back({Kind::Table, {}, errorTable(result.comparison)});
+    blocks.push_back(paragraph(
+        Report::tr(
+            "Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where "
+            "the reference is not zero. File's step: distance of the numbers that the file can print, where it "
+            "is largest. To the last printed digit: at least %1 % of the values within half a step, none beyond "
+            "%2 halves. Within n × the file's rounding: none beyond n half steps, n ≤ %3.")
+            .arg(kPercentWithinHalfStep)
+            .arg(kHalfStepsOfAgreement)
+            .arg(kHalfStepsOfCloseness),
+        Kind::Note));
+    if (const QString leftOut = leftOutText(result.reference->data); !leftOut.isEmpty()) {
+        blocks.push_back(paragraph(leftOut, Kind::Note));
+    }
+}
+
+} // namespace
+
+std::vector<ReportBlock> reportOf(const ReportContent &content)
+{
+    const Result &result = *content.result;
+    std::vector<ReportBlock> blocks{paragraph(Report::tr("Motion of an offset slider-crank"), Kind::Title)};
+    if (result.reference) {
+        blocks.push_back(paragraph(fileText(*result.reference)));
+        addComparison(blocks, content);
+    }
+    blocks.push_back(heading(Report::tr("Mechanism")));
+    blocks.push_back(mechanismBlock(content));
+    if (result.reference) {
+        addIdentification(blocks, content);
+        addErrors(blocks, result);
+    }
+    blocks.push_back(heading(Report::tr("Method")));
+    blocks.push_back(paragraph(methodText(result)));
+    blocks.push_back(heading(result.reference ? Report::tr("Motion and errors") : Report::tr("Motion")));
+    blocks.push_back({Kind::Figure, {}, {}});
+    return blocks;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the mechanism can do and how far it goes: whether the crank turns round and why, where the slider turns back,
+// how fast slider and coupler ever get. A row with an instant leads there.
+
+#include "ui/document/session.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QBoxLayout;
+class QLabel;
+class QScrollArea;
+class QTableView;
+
+namespace slidercrank
+{
+
+class FactModel;
+
+class LimitsPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit LimitsPanel(QWidget *parent = nullptr);
+
+public slots:
+    /// Kept; computed and filled in when the panel is on show.
+    void setResult(const std::shared_ptr<const slidercrank::Result> &result);
+
+signals:
+    void timeRequested(double seconds); ///< somebody wants to see the mechanism there
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QTableView *createTable(FactModel *model, const QString &name, const QString &title);
+    void showLater(); ///< m_result, at once where the panel is on show
+    void fill();
+    void arrange(); ///< the tables side by side where there is room, else one above the other
+
+    std::shared_ptr<const Result> m_result;
+    bool m_stale = false; ///< m_result is not on show yet
+    QLabel *m_sentence = nullptr;
+    QScrollArea *m_scroll = nullptr;
+    QBoxLayout *m_tables = nullptr;
+    FactModel *m_positions = nullptr;
+    FactModel *m_peaks = nullptr;
+    QTableView *m_positionTable = nullptr;
+    QTableView *m_peakTable = nullptr;
+};
+
+} // namespace slidercrank

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What is under the pointer in the drawing of a mechanism.
+
+#include "ui/mechanism/mechanism_drawing.h"
+
+namespace slidercrank
+{
+
+/// Joints before links, links before what stands still; with a few pixels to spare.
+DrawnPart partAt(const MechanismDrawing &drawing, const MechanismProjection &on, QPointF pixel);
+
+} // namespace slidercrank

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/newton/solver_form.h"
+
+#include "ui/controls/number_box.h"
+#include "ui/words/axis_scale.h"
+#include "ui/words/theme.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// With few steps a warm start is far away and with many iterations nothing more comes: beyond these nobody gains.
+constexpr int kMostSteps = 1'000'000;
+constexpr int kMostIterations = 1000;
+constexpr int kWideInLetters = 115; // from here on what came out has room beside the settings
+
+} // namespace
+
+SolverForm::SolverForm(QWidget *parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("solverForm"));
+    setAccessibleName(tr("Settings and outcome"));
+
+    m_method = new QComboBox;
+    m_method->setObjectName(QStringLiteral("methodBox"));
+    m_method->addItem(tr("Newton-Raphson"), static_cast<int>(Method::Newton));
+    m_method->addItem(tr("closed form, exact"), static_cast<int>(Method::ClosedForm));
+    m_method->setToolTip(tr("How the curves are computed"));
+    connect(m_method, &QComboBox::activated, this, [this](int index) {
+        SolverSettings solver = m_solver;
+        solver.method = static_cast<Method>(m_method->itemData(index).toInt());
+        edit(m_sampling, solver);
+    });
+
+    m_steps = new QSpinBox;
+    m_steps->setObjectName(QStringLiteral("stepsBox"));
+    m_steps->setRange(1, kMostSteps);
+    m_steps->setKeyboardTracking(false);
+    m_steps->setAlignment(Qt::AlignRight);
+    m_steps->setToolTip(tr("Intervals; one instant more is computed"));
+    connect(m_steps, &QSpinBox::valueChanged, this, [this](int steps) {
+        Sampling sampling = m_sampling;
+        sampling.steps = steps;
+        edit(sampling, m_solver);
+    });
+
+    m_duration = new NumberBox;
+    m_duration->setObjectName(QStringLiteral("durationBox"));
+    m_duration->setSuffix(tr(" s"));
+    m_duration->setToolTip(tr("From the first instant to the last"));
+    connect(m_duration, &NumberBox::edited, this, [this](double seconds) {
+        Sampling sampling = m_sampling;
+        sampling.duration = seconds;
+        edit(sampling, m_solver);
+    });
+
+    m_start = new NumberBox;
+    m_start->setObjectName(QStringLiteral("startBox"));
+    m_start->setSuffix(tr(" s"));
+    m_start->setToolTip(tr("The first instant"));
+    connect(m_start, &NumberBox::edited, this, [this](double seconds) {
+        Sampling sampling = m_sampling;
+        sampling.start = seconds;
+        edit(sampling, m_solver);
+    });
+
+    m_tolerance = new QLineEdit;
+    m_tolerance->setObjectName(QStringLiteral("toleranceBox"));
+    m_tolerance->setAlignment(Qt::AlignRight);
+    m_tolerance->setToolTip(tr("Iterates until ‖C‖ is at most this; 0: until it no longer falls"));
+    connect(m_tolerance, &QLineEdit::editingFinished, this, &SolverForm::editTolerance);
+
+    m_toleranceKind = new QComboBox;
+    m_toleranceKind->setObjectName(QStringLiteral("toleranceKindBox"));
+    m_toleranceKind->addItem(tr("absolute"), static_cast<int>(ToleranceKind::Absolute));
+    m_toleranceKind->addItem(tr("relative"), static_cast<int>(ToleranceKind::Relative));
+    m_toleranceKind->setToolTip(
+        tr("Absolute: mm and rad mixed, as in the report. Relative: lengths divided by a + b + |c|, the same at every "
+           "scale"));
+    connect(m_toleranceKind, &QComboBox::activated, this, [this](int index) {
+        SolverSettings solver = m_solver;
+        solver.newton.toleranceKind = static_cast<ToleranceKind>(m_toleranceKind->itemData(index).toInt());
+        edit(m_sampling, solver);
+    });
+
+    m_iterations = new QSpinBox;
+    m_iterations->setObjectName(QStringLiteral("iterationsBox"));
+    m_iterations->setRange(1, kMostIterations);
+    m_iterations->setKeyboardTracking(false);
+    m_iterations->setAlignment(Qt::AlignRight);
+    m_iterations->setToolTip(tr("At one instant"));
+    connect(m_iterations, &QSpinBox::valueChanged, this, [this](int iterations) {
+        SolverSettings solver = m_solver;
+        solver.newton.maxIterations = iterations;
+        edit(m_sampling, solver);
+    });
+
+    auto *settings = new QGridLayout;
+    settings->setHorizontalSpacing(8);
+    settings->setVerticalSpacing(4);
+    const auto add = [settings](const QString &name, QWidget *field, int row, int column) {
+        auto *label = new QLabel(name);
+        label->setBuddy(field);
+        field->setAccessibleName(name);
+        field->setMaximumWidth(std::max(130, field->sizeHint().width())); // the method's name whole
+        settings->addWidget(label, row, 2 * column);
+        settings->addWidget(field, row, 2 * column + 1);
+    };
+    add(tr("Method"), m_method, 0, 0);
+    add(tr("Tolerance"), m_tolerance, 1, 0);
+    add(tr("Kind of tolerance"), m_toleranceKind, 2, 0);
+    add(tr("Most iterations"), m_iterations, 3, 0);
+    add(tr("Steps"), m_steps, 0, 1);
+    add(tr("Duration"), m_duration, 1, 1);
+    add(tr("Start"), m_start, 2, 1);
+
+    m_iterationsDone = new QLabel;
+    m_iterationsDone->setObjectName(QStringLiteral("iterationsLabel"));
+    m_residual = new QLabel;
+    m_residual->setObjectName(QStringLiteral("residualLabel"));
+    m_instants = new QLabel;
+    m_instants->setObjectName(QStringLiteral("instantsLabel"));
+    m_explanation = new QLabel;
+    m_explanation->setObjectName(QStringLiteral("explanationLabel"));
+    auto *outcome = new QFormLayout;
+    outcome->setHorizontalSpacing(8);
+    outcome->setVerticalSpacing(4);
+    outcome->addRow(tr("Iterations"), m_iterationsDone);
+    outcome->addRow(tr("Largest residual ‖C‖"), m_residual);
+    outcome->addRow(tr("Instants"), m_instants);
+    for (QLabel *label : {m_iterationsDone, m_residual, m_instants, m_explanation}) {
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setWordWrap(true);
+    }
+    m_residual->setToolTip(tr("Of the answers, as the tolerance measures it. It bounds the residual, not the error."));
+
+    m_beside = new QHBoxLayout;
+    m_beside->addLayout(settings);
+    m_beside->addLayout(outcome, 1);
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addLayout(m_beside);
+    rows->addWidget(m_explanation);
+    rows->addStretch(1);
+    showSettings();
+    colourExplanation();
+}
+
+void SolverForm::setSettings(const Sampling &sampling, const SolverSettings &solver)
+{
+    m_sampling = sampling;
+    m_solver = solver;
+    showSettings();
+}
+
+void SolverForm::setResult(const std::shared_ptr<const Result> &result)
+{
+    if (!result) {
+        return;
+    }
+    const QLocale locale;
+    const RunSummary &run = result->summary;
+    const std::size_t instants = run.instants;
+    const bool newton = result->solver.method == Method::Newton;
+    if (newton) {
+        m_iterationsDone->setText(tr("%1 in all, at most %2 an instant")
+                                      .arg(locale.toString(run.iterations), locale.toString(run.mostIterations)));
+        m_residual->setText(shortNumber(run.largestResidual, 3, locale));
+    } else {
+        m_iterationsDone->setText(tr("none: the closed form needs none"));
+        m_residual->setText(tr("–"));
+    }
+
+    const auto countOf = [&run](Status status) { return run.count(status); };
+    const std::size_t solved = countOf(Status::Solved);
+    m_instants->setText(solved == instants ? tr("all %1 solved").arg(locale.toString(static_cast<qulonglong>(instants)))
+                                           : tr("%1 of %2 solved")
+                                                 .arg(locale.toString(static_cast<qulonglong>(solved)),
+                                                      locale.toString(static_cast<qulonglong>(instants))));
+
+    QStringList sentences;
+    const auto tell = [&](Status status, const QString &sentence) {
+        const std::size_t count = countOf(status);
+        if (count > 0) {
+            sentences << sentence.arg(locale.toString(static_cast<qulonglong>(count)),
+                                      locale.toString(static_cast<qulonglong>(instants)));
+        }
+    };
+    tell(Status::IterationLimit,
+         result->solver.newton.tolerance > 0.0
+             ? tr("%1 of %2 instants did not converge within %3 iterations: allow more iterations or a larger "
+                  "tolerance.")
+             : tr("%1 of %2 instants did not converge within %3 iterations: allow more iterations."));
+    for (QString &sentence : sentences) {
+        sentence = sentence.arg(locale.toString(result->solver.newton.maxIterations));
+    }
+    tell(Status::NotAssemblable, tr("%1 of %2 instants cannot be assembled: the coupler is too short there."));
+    tell(Status::Singular,
+         tr("At %1 of %2 instants the coupler stands square to the slider's line: the position exists, "
+            "velocity and acceleration do not."));
+    tell(Status::NotFinite, tr("%1 of %2 instants gave no finite number: the numbers are too large."));
+    m_explanation->setText(sentences.isEmpty() ? QString() : tr("⚠ %1").arg(sentences.join(QLatin1Char(' '))));
+    m_explanation->setVisible(!sentences.isEmpty());
+}
+
+void SolverForm::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool wide = width() >= kWideInLetters * fontMetrics().averageCharWidth();
+    m_beside->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_beside->setSpacing(wide ? 20 : 6);
+}
+
+void SolverForm::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        colourExplanation();
+    }
+    QWidget::changeEvent(event);
+}
+
+void SolverForm::colourExplanation()
+{
+    QPalette warning = palette();
+    warning.setColor(QPalette::WindowText, seriesColours(warning).warning);
+    m_explanation->setPalette(warning);
+}
+
+void SolverForm::showSettings()
+{
+    const QSignalBlocker quietSteps(m_steps);
+    const QSignalBlocker quietIterations(m_iterations);
+    m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_solver.method)));
+    m_steps->setValue(m_sampling.steps);
+    m_duration->setValue(m_sampling.duration);
+    m_start->setValue(m_sampling.start);
+    m_tolerance->setText(numberText(m_solver.newton.tolerance, QLocale::FloatingPointShortest));
+    m_toleranceKind->setCurrentIndex(m_toleranceKind->findData(static_cast<int>(m_solver.newton.toleranceKind)));
+    m_iterations->setValue(m_solver.newton.maxIterations);
+    const bool newton = m_solver.method == Method::Newton;
+    m_tolerance->setEnabled(newton);
+    m_toleranceKind->setEnabled(newton);
+    m_iterations->setEnabled(newton);
+}
+
+void SolverForm::edit(const Sampling &sampling, const SolverSettings &solver)
+{
+    // What the session will make of a run without length, or farther away than any parameter, helps nobody.
+    const bool usable = sampling.duration > 0.0 && sampling.duration <= kLargestParameter &&
+                        std::abs(sampling.start) <= kLargestParameter && solver.newton.tolerance >= 0.0;
+    const bool changed = sampling != m_sampling || solver != m_solver;
+    if (usable) {
+        m_sampling = sampling;
+        m_solver = solver;
+    }
+    showSettings();
+    if (usable && changed) {
+        // Copies: whoever listens may call setSettings() before it has read both.
+        const Sampling wantedSampling = m_sampling;
+        const SolverSettings wantedSolver = m_solver;
+        emit edited(wantedSampling, wantedSolver);
+    }
+}
+
+void SolverForm::editTolerance()
+{
+    if (!m_tolerance->isModified()) {
+        return;
+    }
+    m_tolerance->setModified(false);
+    SolverSettings solver = m_solver;
+    solver.newton.tolerance = readNumber(m_tolerance->text()).value_or(m_solver.newton.tolerance);
+    edit(m_sampling, solver);
+}
+
+} // namespace slidercrank

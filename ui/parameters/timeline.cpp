@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parameters/timeline.h"
+
+#include "core/run/crank_instant.h"
+
+#include "ui/controls/number_box.h"
+#include "ui/controls/number_slider.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSignalBlocker>
+#include <QStyleOptionToolButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
+
+QString speedText(double speed)
+{
+    return Timeline::tr("%1×").arg(numberText(speed, 3));
+}
+
+} // namespace
+
+/// A flat button whose sign is drawn in the palette's colour, so that it can be read in every theme and at every scale.
+class PlaybackButton : public QToolButton
+{
+public:
+    enum class Sign { Start, Back, Play, Pause, Forward, End, Loop };
+
+    PlaybackButton(Sign sign, const QString &name, const QString &shortcut)
+        : m_sign(sign)
+    {
+        setAutoRaise(true);
+        setAccessibleName(name);
+        setToolTip(shortcut.isEmpty() ? name : Timeline::tr("%1 (%2)").arg(name, shortcut));
+        setFocusPolicy(Qt::TabFocus);
+    }
+
+    void setSign(Sign sign, const QString &name)
+    {
+        m_sign = sign;
+        setAccessibleName(name);
+        update();
+    }
+
+    QSize sizeHint() const override { return {28, 26}; }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override
+    {
+        QToolButton::paintEvent(event);
+        const bool chosen = isCheckable() && isChecked();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.translate(QRectF(rect()).center());
+        const QPalette::ColorGroup group = isEnabled() ? QPalette::Normal : QPalette::Disabled;
+        const QColor colour = palette().color(group, chosen ? QPalette::Link : QPalette::ButtonText);
+        painter.setBrush(colour);
+        painter.setPen(Qt::NoPen);
+        paintSign(painter, colour);
+    }
+
+private:
+    static void paintTriangle(QPainter &painter, double left, double right)
+    {
+        painter.drawPolygon(QPolygonF{{left, -6.0}, {right, 0.0}, {left, 6.0}});
+    }
+
+    void paintSign(QPainter &painter, const QColor &colour) const
+    {
+        switch (m_sign) {
+        case Sign::Play: paintTriangle(painter, -4.0, 6.0); break;
+        case Sign::Pause:
+            painter.drawRect(QRectF(-5.0, -6.0, 3.5, 12.0));
+            painter.drawRect(QRectF(1.5, -6.0, 3.5, 12.0));
+            break;
+        case Sign::Forward:
+            painter.drawRect(QRectF(-5.0, -6.0, 2.0, 12.0));
+            paintTriangle(painter, -1.5, 6.0);
+            break;
+        case Sign::Back:
+            painter.drawRect(QRectF(3.0, -6.0, 2.0, 12.0));
+            paintTriangle(painter, 1.5, -6.0);
+            break;
+        case Sign::End:
+            paintTriangle(painter, -7.0, -0.5);
+            paintTriangle(painter, -1.0, 5.5);
+            painter.drawRect(QRectF(5.0, -6.0, 2.0, 12.0));
+            break;
+        case Sign::Start:
+            paintTriangle(painter, 7.0, 0.5);
+            paintTriangle(painter, 1.0, -5.5);
+            painter.drawRect(QRectF(-7.0, -6.0, 2.0, 12.0));
+            break;
+        case Sign::Loop: {
+            painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::FlatCap));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawArc(QRectF(-6.0, -6.0, 12.0, 12.0), 70 * 16, 290 * 16);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colour);
+            painter.drawPolygon(QPolygonF{{1.5, -9.5}, {1.5, -1.5}, {6.5, -5.5}});
+            break;
+        }
+        }
+    }
+
+    Sign m_sign;
+};
+
+Timeline::Timeline(QWidget *parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("timeline"));
+    setAccessibleName(tr("Timeline"));
+    m_frames.setInterval(16);
+    m_frames.setTimerType(Qt::PreciseTimer);
+    connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
+
+    m_timeBox = new NumberBox;
+    m_timeBox->setObjectName(QStringLiteral("timeBox"));
+    m_timeBox->setAccessibleName(tr("Instant in seconds"));
+    m_timeBox->setToolTip(tr("Instant"));
+    m_timeBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    m_timeBox->setSuffix(tr(" s"));
+    connect(m_timeBox, &NumberBox::edited, this, [this](double seconds) {
+        emit timeRequested(std::clamp(seconds, first(), last()));
+        showTime();
+    });
+
+    m_angleBox = new NumberBox;
+    m_angleBox->setObjectName(QStringLiteral("angleBox"));
+    m_angleBox->setAccessibleName(tr("Crank angle in degrees"));
+    m_angleBox->setToolTip(tr("Crank angle: type one to go where the crank first passes it"));
+    m_angleBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    m_angleBox->setSuffix(tr("°"));
+    m_angleBox->setFixedDecimals(2);
+    m_angleBox->setStep(1.0);
+    connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
+
+    m_slider = new NumberSlider;
+    m_slider->setSuffix(tr(" s"));
+    m_slider->setObjectName(QStringLiteral("timeSlider"));
+    m_slider->setAccessibleName(tr("Instant, slider"));
+    m_slider->setMinimumWidth(60);
+    connect(m_slider, &NumberSlider::valueChanged, this,
+            [this](int step) { emit timeRequested(m_sampling.instant(step)); });
+
+    auto *timeLabel = new QLabel(tr("t"));
+    timeLabel->setBuddy(m_timeBox);
+    auto *angleLabel = new QLabel(tr("θ₂"));
+    angleLabel->setBuddy(m_angleBox);
+
+    auto *scrubbing = new QHBoxLayout;
+    scrubbing->setSpacing(5);
+    scrubbing->addWidget(timeLabel);
+    scrubbing->addWidget(m_timeBox);
+    scrubbing->addWidget(m_slider, 1);
+    scrubbing->addWidget(angleLabel);
+    scrubbing->addWidget(m_angleBox);
+
+    using Sign = PlaybackButton::Sign;
+    auto *start = new PlaybackButton(Sign::Start, tr("To the start"), tr("Home"));
+    auto *back = new PlaybackButton(Sign::Back, tr("One step back"), tr("Left"));
+    m_play = new PlaybackButton(Sign::Play, tr("Play"), QString());
+    auto *forward = new PlaybackButton(Sign::Forward, tr("One step forward"), tr("Right"));
+    auto *end = new PlaybackButton(Sign::End, tr("To the end"), tr("End"));
+    m_loop = new PlaybackButton(Sign::Loop, tr("Loop"), QString());
+    start->setObjectName(QStringLiteral("startButton"));
+    back->setObjectName(QStringLiteral("backButton"));
+    m_play->setObjectName(QStringLiteral("playButton"));
+    m_play->setToolTip(tr("Play or pause (Space)"));
+    forward->setObjectName(QStringLiteral("forwardButton"));
+    end->setObjectName(QStringLiteral("endButton"));
+    m_loop->setObjectName(QStringLiteral("loopButton"));
+    m_loop->setToolTip(tr("Start again at the end"));
+    m_loop->setCheckable(true);
+    m_loop->setChecked(true);
+    for (PlaybackButton *button : {back, forward}) {
+        button->setAutoRepeat(true);
+    }
+    connect(start, &QToolButton::clicked, this, &Timeline::toStart);
+    connect(back, &QToolButton::clicked, this, &Timeline::stepBack);
+    connect(m_play, &QToolButton::clicked, this, &Timeline::togglePlaying);
+    connect(forward, &QToolButton::clicked, this, &Timeline::stepForward);
+    connect(end, &QToolButton::clicked, this, &Timeline::toEnd);
+
+    m_speedBox = new QComboBox;
+    m_speedBox->setObjectName(QStringLiteral("speedBox"));
+    m_speedBox->setAccessibleName(tr("Playing speed"));
+    m_speedBox->setToolTip(tr("Playing speed"));
+    for (const double speed : kSpeeds) {
+        m_speedBox->addItem(speedText(speed), speed);
+    }
+    m_speedBox->setCurrentIndex(m_speedBox->findData(m_speed));
+    connect(m_speedBox, &QComboBox::activated, this,
+            [this](int index) { setSpeed(m_speedBox->itemData(index).toDouble()); });
+
+    auto *playing = new QHBoxLayout;
+    playing->setSpacing(2);
+    for (PlaybackButton *button : {start, back, m_play, forward, end}) {
+        playing->addWidget(button);
+    }
+    playing->addSpacing(8);
+    playing->addWidget(m_loop);
+    for (PlaybackButton *button : {start, back, m_play, forward, end, m_loop}) {
+        button->installEventFilter(this);
+    }
+    playing->addStretch(1);
+    playing->addWidget(m_speedBox);
+
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(6, 4, 6, 4);
+    rows->setSpacing(3);
+    rows->addLayout(scrubbing);
+    rows->addLayout(playing);
+
+    setSampling(m_sampling);
+}
+
+double Timeline::first() const
+{
+    return std::min(m_sampling.start, m_sampling.start + m_sampling.duration);
+}
+
+double Timeline::last() const
+{
+    return std::max(m_sampling.start, m_sampling.start + m_sampling.duration);
+}
+
+void Timeline::setSampling(const Sampling &sampling)
+{
+    m_sampling = sampling;
+    const double step = std::abs(sampling.duration) / sampling.steps;
+    const int decimals = step > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9) : 3;
+    m_timeBox->setFixedDecimals(decimals);
+    m_timeBox->setStep(step);
+    const double largest = std::max(std::abs(first()), std::abs(last()));
+    m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
+    {
+        const QSignalBlocker quiet(m_slider);
+        m_slider->setScale(sampling.start, sampling.duration / sampling.steps);
+        m_slider->setRange(0, sampling.steps);
+        m_slider->setPageStep(std::max(1, sampling.steps / 20));
+    }
+    if (isPlaying()) {
+        restartClock(std::clamp(m_requested, first(), last()));
+    }
+    showTime();
+}
+
+void Timeline::setPose(const Pose &pose)
+{
+    m_pose = pose;
+    if (isPlaying() && pose.time != m_requested) {
+        restartClock(pose.time); // somebody scrubs while it plays
+    }
+    showTime();
+}
+
+void Timeline::setParameters(const Parameters &parameters)
+{
+    m_parameters = parameters;
+    m_angleBox->setEnabled(parameters.omega2 != 0.0);
+}
+
+void Timeline::togglePlaying()
+{
+    if (isPlaying()) {
+        pause();
+    } else {
+        play();
+    }
+}
+
+void Timeline::play()
+{
+    if (isPlaying()) {
+        return;
+    }
+    restartClock(m_pose.time < last() ? m_pose.time : first());
+    m_frames.start();
+    m_play->setSign(PlaybackButton::Sign::Pause, tr("Pause"));
+    emit playingChanged(true);
+}
+
+void Timeline::pause()
+{
+    if (!isPlaying()) {
+        return;
+    }
+    m_frames.stop();
+    m_play->setSign(PlaybackButton::Sign::Play, tr("Play"));
+    emit playingChanged(false);
+}
+
+void Timeline::stepForward()
+{
+    stepTo(std::floor(stepsAt(m_pose.time) + 1.0));
+}
+
+void Timeline::stepBack()
+{
+    stepTo(std::ceil(stepsAt(m_pose.time) - 1.0));
+}
+
+void Timeline::toStart()
+{
+    emit timeRequested(m_sampling.start);
+}
+
+void Timeline::toEnd()
+{
+    emit timeRequested(m_sampling.start + m_sampling.duration);
+}
+
+void Timeline::setSpeed(double speed)
+{
+    m_speed = std::clamp(speed, kSpeeds.front(), kSpeeds.back());
+    const int index = m_speedBox->findData(m_speed);
+    m_speedBox->setPlaceholderText(speedText(m_speed));
+    m_speedBox->setCurrentIndex(index);
+    if (isPlaying()) {
+        restartClock(m_requested);
+    }
+}
+
+bool Timeline::eventFilter(QObject *watched, QEvent *event)
+{
+    // Space belongs to whoever plays and pauses, wherever the focus is; a focused button is pressed with Enter.
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+        auto *key = static_cast<QKeyEvent *>(event);
+        if (key->key() == Qt::Key_Space) {
+            key->ignore();
+            return true;
+        }
+        if (event->type() == QEvent::KeyPress && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)) {
+            static_cast<QToolButton *>(watched)->click();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void Timeline::restartClock(double from)
+{
+    m_playedFrom = from;
+    m_requested = from;
+    m_clock.start();
+}
+
+void Timeline::nextFrame()
+{
+    const double run = last() - first();
+    double time = m_playedFrom + m_speed * static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+    bool ended = false;
+    if (time >= last()) {
+        if (m_loop->isChecked() && run > 0.0) {
+            time = first() + std::fmod(time - first(), run);
+        } else {
+            time = last();
+            ended = true;
+        }
+    }
+    m_requested = time;
+    emit timeRequested(time);
+    if (ended) {
+        pause();
+    }
+}
+
+double Timeline::stepsAt(double time) const
+{
+    if (m_sampling.duration == 0.0) {
+        return 0.0;
+    }
+    const double steps = (time - m_sampling.start) / m_sampling.duration * m_sampling.steps;
+    // An instant that is a sample up to rounding is that sample.
+    constexpr double kSame = 1e-6; // of a step
+    const double nearest = std::round(steps);
+    return std::abs(steps - nearest) < kSame ? nearest : steps;
+}
+
+void Timeline::stepTo(double step)
+{
+    pause();
+    emit timeRequested(
+        m_sampling.instant(static_cast<int>(std::clamp(step, 0.0, static_cast<double>(m_sampling.steps)))));
+}
+
+void Timeline::goToAngle(double degrees)
+{
+    const double omega2 = m_parameters.omega2;
+    if (omega2 != 0.0) {
+        double time =
+            (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // the very angle, whole turns included
+        if (!(time >= first() && time <= last())) {
+            const double period = 2.0 * std::numbers::pi / std::abs(omega2);
+            time = instantAtCrankAngle(Mechanism(m_parameters), degrees, first()).value_or(first());
+            if (time > last()) { // not passed: whichever end is nearer
+                time = first() - (time - period) < time - last() ? first() : last();
+            }
+        }
+        emit timeRequested(time);
+    }
+    showTime();
+}
+
+void Timeline::showTime()
+{
+    m_timeBox->setValue(m_pose.time);
+    m_angleBox->setValue(m_pose.theta2 * kDegreesPerRadian);
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setValue(
+        static_cast<int>(std::lround(std::clamp(stepsAt(m_pose.time), 0.0, static_cast<double>(m_sampling.steps)))));
+}
+
+} // namespace slidercrank

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Playing, stepping and scrubbing through the sampled time. It asks for instants (timeRequested) and shows the one that
+// comes back (setPose). Playing follows the clock: a slow machine drops frames, not time.
+
+#include "core/mechanism/mechanism.h"
+#include "core/run/trajectory.h"
+#include "ui/document/session.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+
+namespace slidercrank
+{
+
+class NumberBox;
+class NumberSlider;
+class PlaybackButton;
+
+class Timeline : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit Timeline(QWidget *parent = nullptr);
+
+    bool isPlaying() const { return m_frames.isActive(); }
+    double speed() const { return m_speed; } ///< model seconds a second of the clock
+
+public slots:
+    void setSampling(const slidercrank::Sampling &sampling);
+    void setPose(const slidercrank::Pose &pose);
+
+    /// The drive, ω₂ and θ₂₀: which instant a typed crank angle means.
+    void setParameters(const slidercrank::Parameters &parameters);
+
+    void togglePlaying();
+    void play();
+    void pause();
+    void stepForward(); ///< one sampling step
+    void stepBack();
+    void toStart();
+    void toEnd();
+    void setSpeed(double speed); ///< model seconds a second of the clock, 0.1 … 10
+
+signals:
+    void timeRequested(double seconds);
+    void playingChanged(bool playing);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    double first() const; ///< of the sampled range, s
+    double last() const;
+    void nextFrame();
+    void restartClock(double from);
+    double stepsAt(double time) const; ///< since the start of the run
+    void stepTo(double step);
+    void goToAngle(double degrees);
+    void showTime();
+
+    Sampling m_sampling;
+    Parameters m_parameters;
+    Pose m_pose;
+
+    // While playing: the instant is m_playedFrom + m_speed · m_clock.
+    QTimer m_frames;
+    QElapsedTimer m_clock;
+    double m_playedFrom = 0.0;
+    double m_requested = 0.0;
+    double m_speed = 1.0;
+
+    PlaybackButton *m_play = nullptr;
+    PlaybackButton *m_loop = nullptr;
+    QComboBox *m_speedBox = nullptr;
+    NumberSlider *m_slider = nullptr;
+    NumberBox *m_timeBox = nullptr;
+    NumberBox *m_angleBox = nullptr;
+};
+
+} // namespace slidercrank

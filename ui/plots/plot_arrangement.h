@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Where the nine plots, their margins and their legend are in a figure of any size, on the screen and on paper, and how
+// lines and lettering look.
+
+#include "ui/plots/plot_figure.h"
+#include "ui/words/theme.h"
+
+#include <QFont>
+#include <QMargins>
+#include <QPen>
+#include <QRect>
+
+#include <array>
+#include <vector>
+
+class QPainter;
+
+namespace slidercrank
+{
+
+inline constexpr int kTickLength = 3; // px
+inline constexpr int kLabelGap = 4;   // px between tick and label
+
+/// Everything is sized in pixels, not points, so that it comes out right on every device.
+struct PlotTypography {
+    explicit PlotTypography(const QFont &base);
+
+    int legendHeight() const;
+
+    /// Around the axes of a plot whose longest label of the value axis has that many characters. Labels of the usual
+    /// length all get the same room, so that nothing moves while the numbers change.
+    QMargins margins(int labelLength, bool hasTimeLabels) const;
+
+    /// The same with labels of that length at the right axis, too.
+    QMargins margins(int labelLength, bool hasTimeLabels, int rightLabelLength) const;
+
+    QFont title;
+    QFont tick;
+    int titleHeight = 0;
+    int tickHeight = 0;
+    double digitWidth = 0.0; ///< of the tick font
+};
+
+/// Where legend and plots are in a figure of that size.
+struct PlotArrangement {
+    PlotArrangement(const QSize &size, const PlotTypography &typography);
+
+    /// The same filled by one plot alone; the cells of the others are empty.
+    static PlotArrangement of(std::size_t plot, const QSize &size, const PlotTypography &typography);
+
+    bool hasTimeLabels(std::size_t plot) const;
+
+    QRect legend;
+    std::array<QRect, kPlotCount> cells;
+    bool hasTimeLabelsEverywhere = true; ///< else in the bottom row only
+};
+
+QColor colourOf(Ink ink, const SeriesColours &colours);
+QPen penOf(Ink ink, const SeriesColours &colours);
+
+/// The same, faint, for what lies under curves.
+QColor bandColourOf(Ink ink, const SeriesColours &colours);
+
+/// The sign for a percentage that does not exist: a triangle pointing up to its tip.
+void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour);
+
+/// One line. Where that is too short a name that may be elided gives way, then the length of the samples, then what may
+/// be left out.
+void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEntry> &entries,
+                const PlotTypography &typography, const SeriesColours &colours);
+
+} // namespace slidercrank

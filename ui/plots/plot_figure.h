@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the nine plots of Figure 2 show of a Result, as plain data for a given size in pixels: rows position, velocity,
+// acceleration; columns θ³, R_x⁴, error. Values are in the units of the author's files (mm, °, s), errors in these or
+// in per cent.
+
+#include "ui/document/session.h"
+#include "ui/plots/curve_sampling.h"
+#include "ui/plots/model_curves.h"
+#include "ui/words/axis_scale.h"
+
+#include <QCoreApplication>
+#include <QSize>
+#include <QString>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace slidercrank
+{
+
+inline constexpr std::size_t kPlotRows = 3;
+inline constexpr std::size_t kPlotColumns = 3;
+inline constexpr std::size_t kPlotCount = kPlotRows * kPlotColumns; ///< numbered row by row
+inline constexpr std::size_t kErrorColumn = 2;
+
+constexpr bool isErrorPlot(std::size_t plot)
+{
+    return plot % kPlotColumns == kErrorColumn;
+}
+
+/// "plot_theta3", "plot_error_velocity", …
+QString plotName(std::size_t plot);
+
+inline constexpr double kDash = 7.0;    // px, of the reference
+inline constexpr double kDashGap = 6.0; // px
+
+/// Which of seriesColours() a part of a picture takes: pictures know no palette.
+enum class Ink { Text, Model, Reference, Error, ErrorOther };
+
+struct InkedText {
+    QString text;
+    Ink ink = Ink::Text;
+};
+
+enum class ErrorMeasure {
+    Percent,  ///< |model - reference| / |reference|, as in the report; infinite where the reference is zero
+    Absolute, ///< |model - reference|, angles to the left axis, lengths to the right one
+    OfPeak    ///< |model - reference| / max |reference|
+};
+
+enum class Abscissa { Time, CrankAngle };
+
+/// What the person chose to see.
+struct PlotSettings {
+    ErrorMeasure error = ErrorMeasure::Percent;
+    bool logarithmicError = false;
+    bool roundingBand = true; ///< half a rounding step of the file, under its errors
+    Abscissa abscissa = Abscissa::Time;
+
+    friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
+};
+
+/// What is in view; empty: all there is.
+struct PlotZoom {
+    std::optional<Interval> time;                           ///< s, of all nine
+    std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms where the axis is logarithmic
+
+    friend bool operator==(const PlotZoom &, const PlotZoom &) = default;
+};
+
+/// All that one plot shows, for one size of its axes.
+struct PlotPicture {
+    QString title;
+    std::vector<InkedText> remarks;      ///< right of the title
+    std::vector<InkedText> shortRemarks; ///< where those do not fit
+    QString note;                        ///< in the middle, where there is no curve
+
+    struct Curve {
+        std::vector<CurvePoint> points; ///< within the axes; the reference cut into dashes
+        std::vector<double> marks;      ///< instants where the curve has no value because it is infinite
+        Ink ink = Ink::Model;
+        std::vector<CurvePoint> dots; ///< points to be seen each: no line reaches them, or there are few
+        std::vector<CurvePoint> band; ///< upper edge of what the file's rounding alone may make
+    };
+    std::array<Curve, 2> curves;
+
+    /// The horizontal axis is one of time (s), labelled in seconds or with the crank angle, which is linear in time.
+    struct TimeLabels {
+        double zero = 0.0;    ///< s, where the label is 0
+        double perUnit = 1.0; ///< s
+        AxisScale scale;      ///< of the labels
+        QString title;        ///< "t [s]", "θ₂ [°]"
+        double at(double seconds) const { return (seconds - zero) / perUnit; }
+    };
+
+    Interval time;
+    TimeLabels timeLabels;
+    Interval values;
+    AxisScale valueScale;
+    std::optional<Interval> rightValues; ///< of the second curve, where it has an axis of its own
+    AxisScale rightScale;
+    bool hasValues = false;
+    bool hasTimeLabels = true;
+    std::optional<double> markedTime; ///< a line across the axes
+};
+
+struct LegendEntry {
+    enum class Sample { Solid, Dashed, Mark, Band };
+    Sample sample = Sample::Solid;
+    Ink ink = Ink::Model;
+    QString text;
+    bool mayBeElided = false;
+    bool mayBeLeftOut = false; ///< where there is no room for all; the last such entry first
+};
+
+/// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks.
+class PlotFigure
+{
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::PlotFigure)
+
+public:
+    std::shared_ptr<const Result> result; ///< may be null; set by setResult()
+    std::optional<Interval> timeZoom;     ///< of all nine; set by zoomTime()
+    std::array<std::optional<Interval>, kPlotCount> valueZoom;
+
+    void setResult(const std::shared_ptr<const Result> &newResult);
+    void setSettings(const PlotSettings &settings);
+    const PlotSettings &settings() const { return m_settings; }
+
+    /// Whether lengths have an axis of their own there.
+    bool hasRightAxis(std::size_t plot) const;
+
+    /// As far as there is something to see.
+    void zoomTime(const Interval &range);
+
+    /// One plot whose axes have that size in pixels and whose time axis has characters of that width.
+    PlotPicture picture(std::size_t plot, const QSize &axes, double digitWidth);
+    std::vector<LegendEntry> legend(bool hasModel, bool hasErrors) const;
+
+    /// The sampled instant next to t (s); t itself where there is none.
+    double nearestInstant(double t);
+
+    /// "t = 0.25 s"; the crank angle first where that is the abscissa.
+    QString instantText(double seconds) const;
+
+    /// How much room there is: fewer digits, without what can be read elsewhere.
+    enum class Wording { Full, Brief };
+
+    /// What the plot shows next to time t (s): model and reference, or the two errors; empty where it shows nothing.
+    std::vector<InkedText> valuesAt(std::size_t plot, double t, Wording wording = Wording::Full);
+
+    /// The same for the differences from one instant to another, of model and reference.
+    std::vector<InkedText> changesBetween(std::size_t plot, double from, double to, Wording wording = Wording::Full);
+
+    /// At length, a row each: the instant, the values with their names, the textbook's θ₃.
+    std::vector<InkedText> readout(std::size_t plot, double t, Wording wording = Wording::Full);
+
+    Interval wholeRange() const; ///< the sampled one
+    Interval timeRange() const { return timeZoom.value_or(wholeRange()); }
+    Interval outerRange() const; ///< with the reference's instants: as far as one can zoom out
+
+private:
+    struct ShownChannel {
+        std::span<const double> reference; ///< empty where the file has no such column
+        std::span<const double> modelAtReference;
+        const ReferenceSeries *series = nullptr;
+        const ChannelComparison *comparison = nullptr;
+        double perDifference = 1.0; ///< what a difference is multiplied by to be an error; of a percentage, before it
+                                    ///< is divided by the value
+        std::vector<double> errors; ///< in the chosen measure, at the file's instants; NaN where there is none
+        std::vector<double> zeroReference; ///< instants where the reference is zero
+        std::optional<double> largestError;
+    };
+
+    void convert();
+    void convertErrors(ShownChannel &channel) const;
+    double shownError(const ShownChannel &channel, double difference, double reference) const;
+    std::vector<CurvePoint> bandOf(const ShownChannel &channel, const PixelColumns &pixels) const;
+    PlotPicture::TimeLabels timeLabels(double width, double digitWidth) const;
+    QString errorUnit(std::size_t channel) const;
+    QString errorText(std::size_t channel, std::size_t atReference) const;
+    void fillModelPicture(PlotPicture &picture, std::size_t channel, std::size_t columns);
+    void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns) const;
+    std::optional<Interval> extremesWithin(const Interval &range, std::span<const double> instants,
+                                           std::span<const double> values) const;
+
+    PlotSettings m_settings;
+    bool m_isConverted = false;
+    ModelCurves m_model;
+    std::span<const double> m_referenceTime;
+    std::array<ShownChannel, kPlottedChannels.size()> m_channels;
+};
+
+} // namespace slidercrank

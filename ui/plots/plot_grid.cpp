@@ -1,0 +1,782 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_grid.h"
+
+#include "ui/plots/plot_canvas.h"
+#include "ui/words/axis_scale.h"
+#include "ui/words/theme.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPicture>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Shrunk or widened about one of its points.
+Interval scaled(const Interval &range, double about, double factor)
+{
+    return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
+}
+
+/// The line of the instant on show, over a plot.
+class CursorLine : public QWidget
+{
+public:
+    explicit CursorLine(QWidget *plot)
+        : QWidget(plot)
+    {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        hide();
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), palette().window()); }
+};
+
+} // namespace
+
+PlotGrid::PlotGrid(QWidget *parent)
+    : QWidget(parent)
+    , m_typography(font())
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setAccessibleName(tr("Plots of the motion"));
+    const std::array<QString, kPlotCount> accessibleNames{tr("Coupler angle θ³ over time"),
+                                                          tr("Slider position R_x⁴ over time"),
+                                                          tr("Error of the positions over time"),
+                                                          tr("Coupler angular velocity dθ³/dt over time"),
+                                                          tr("Slider velocity dR_x⁴/dt over time"),
+                                                          tr("Error of the velocities over time"),
+                                                          tr("Coupler angular acceleration d²θ³/dt² over time"),
+                                                          tr("Slider acceleration d²R_x⁴/dt² over time"),
+                                                          tr("Error of the accelerations over time")};
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        m_plots[i] = new PlotCanvas(this);
+        m_plots[i]->setObjectName(plotName(i));
+        m_plots[i]->setAccessibleName(accessibleNames[i]);
+        m_plots[i]->installEventFilter(this);
+        m_cursors[i] = new CursorLine(m_plots[i]);
+        m_overlays[i] = new PlotOverlay(m_plots[i]);
+        m_plots[i]->setFocusPolicy(Qt::TabFocus);
+    }
+    makeChoices();
+    m_hint = new QLabel(this);
+    m_hint->setObjectName(QStringLiteral("no_reference_hint"));
+    m_hint->setTextFormat(Qt::RichText);
+    m_hint->setText(tr("No reference data.<br><a href=\"open\">Open a reference…</a><br>or drop a CSV here."));
+    m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // a label's focus is not seen; by keys there is a menu
+    m_hint->setAlignment(Qt::AlignCenter);
+    m_hint->setWordWrap(true);
+    m_hint->setBackgroundRole(QPalette::Base);
+    m_hint->setAutoFillBackground(true);
+    connect(m_hint, &QLabel::linkActivated, this, [this] { emit openReferenceRequested(); });
+    QEvent paletteChange(QEvent::PaletteChange);
+    changeEvent(&paletteChange);
+}
+
+PlotGrid::~PlotGrid() = default;
+
+QStringList PlotGrid::plotNames()
+{
+    QStringList names;
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        names << plotName(i);
+    }
+    return names;
+}
+
+QSize PlotGrid::sizeHint() const
+{
+    return {900, 600};
+}
+
+QSize PlotGrid::minimumSizeHint() const
+{
+    return {480, 330};
+}
+
+void PlotGrid::setResult(const std::shared_ptr<const Result> &result)
+{
+    m_figure.setResult(result);
+    updateHint();
+    requestRefresh();
+    update(QRect(0, 0, width(), m_typography.legendHeight()));
+}
+
+void PlotGrid::setPose(const Pose &pose)
+{
+    m_cursorTime = pose.time;
+    moveCursors();
+}
+
+void PlotGrid::showAll()
+{
+    setZoom({});
+}
+
+void PlotGrid::setZoom(const PlotZoom &zoom)
+{
+    m_figure.timeZoom = zoom.time;
+    m_figure.valueZoom = zoom.values;
+    requestRefresh();
+}
+
+void PlotGrid::setSettings(const PlotSettings &settings)
+{
+    if (settings == m_figure.settings()) {
+        return;
+    }
+    m_figure.setSettings(settings);
+    emit settingsChanged(settings);
+    requestRefresh();
+    update(QRect(0, 0, width(), m_typography.legendHeight()));
+}
+
+/// Any number of requests in one pass of the event loop make one refresh; a hidden widget waits until it is shown.
+void PlotGrid::requestRefresh()
+{
+    m_isStale = true;
+    if (!isVisible() || m_isRefreshQueued) {
+        return;
+    }
+    m_isRefreshQueued = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_isRefreshQueued = false;
+            if (m_isStale && isVisible()) {
+                refresh();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+PlotArrangement PlotGrid::arrangementOnScreen() const
+{
+    return m_maximized ? PlotArrangement::of(*m_maximized, size(), m_typography)
+                       : PlotArrangement(size(), m_typography);
+}
+
+/// Those whose cells are empty cost nothing.
+std::array<PlotGrid::PlacedPlot, kPlotCount> PlotGrid::placedPlots(const PlotArrangement &arrangement)
+{
+    std::array<PlacedPlot, kPlotCount> plots;
+    std::array<int, kPlotColumns> labelLengths{};
+    int rightLength = 0;
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        if (arrangement.cells[i].isEmpty()) {
+            continue;
+        }
+        const bool hasTimeLabels = arrangement.hasTimeLabels(i);
+        const QMargins usual = m_figure.hasRightAxis(i) ? m_typography.margins(0, hasTimeLabels, 0)
+                                                        : m_typography.margins(0, hasTimeLabels);
+        const QSize axes = arrangement.cells[i].size().shrunkBy(usual);
+        plots[i].cell = arrangement.cells[i];
+        plots[i].picture = m_figure.picture(i, axes, m_typography.digitWidth);
+        plots[i].picture.hasTimeLabels = hasTimeLabels;
+        int &length = labelLengths[i % kPlotColumns];
+        length = std::max(length, plots[i].picture.valueScale.labelLength(plots[i].picture.values));
+        if (plots[i].picture.rightValues) {
+            rightLength = std::max(rightLength, plots[i].picture.rightScale.labelLength(*plots[i].picture.rightValues));
+        }
+    }
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        const int length = labelLengths[i % kPlotColumns];
+        const bool hasTimeLabels = arrangement.hasTimeLabels(i);
+        plots[i].margins = m_figure.hasRightAxis(i) ? m_typography.margins(length, hasTimeLabels, rightLength)
+                                                    : m_typography.margins(length, hasTimeLabels);
+    }
+    return plots;
+}
+
+void PlotGrid::refresh()
+{
+    m_isStale = false;
+    const std::array<PlacedPlot, kPlotCount> plots = placedPlots(arrangementOnScreen());
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        if (plots[i].cell.isEmpty()) {
+            continue;
+        }
+        m_plots[i]->display(plots[i].picture, plots[i].margins);
+        m_plots[i]->replot(QCustomPlot::rpQueuedRefresh);
+    }
+    moveCursors();
+    for (QWidget *cursor : m_cursors) {
+        // Around an opaque line Qt paints the plot in pieces, which takes longer than all of it at once.
+        cursor->setAttribute(Qt::WA_OpaquePaintEvent, false);
+    }
+    updateOverlays();
+}
+
+void PlotGrid::placePlots()
+{
+    const PlotArrangement arrangement = arrangementOnScreen();
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        m_plots[i]->setVisible(!arrangement.cells[i].isEmpty());
+        if (!arrangement.cells[i].isEmpty()) {
+            m_plots[i]->setGeometry(arrangement.cells[i]);
+        }
+    }
+    updateHint();
+}
+
+void PlotGrid::moveCursors()
+{
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        const QRect axes = m_plots[i]->axisRect()->rect();
+        const bool isInRange = m_cursorTime && m_plots[i]->hasValues() &&
+                               m_plots[i]->timeRange().contains(*m_cursorTime) && axes.width() > 1;
+        if (isInRange) {
+            const int x = static_cast<int>(std::lround(m_plots[i]->xAxis->coordToPixel(*m_cursorTime)));
+            const QRect line(x, axes.top(), 1, axes.height());
+            if (m_cursors[i]->geometry() != line) {
+                m_cursors[i]->setAttribute(Qt::WA_OpaquePaintEvent); // under it nothing needs to be painted
+                m_cursors[i]->setGeometry(line);
+            }
+        }
+        m_cursors[i]->setVisible(isInRange);
+    }
+}
+
+void PlotGrid::updateHint()
+{
+    m_hint->setVisible((!m_figure.result || !m_figure.result->reference) && !m_maximized);
+    if (m_hint->isHidden()) {
+        return;
+    }
+    const QRect first = m_plots[kErrorColumn]->geometry();
+    const QRect last = m_plots[kPlotCount - 1]->geometry();
+    const QMargins margins = m_typography.margins(0, true);
+    constexpr int kInset = 6;
+    const int width = std::max(0, first.width() - margins.left() - margins.right() - 2 * kInset);
+    const int height = m_hint->heightForWidth(width);
+    m_hint->setGeometry(first.left() + margins.left() + kInset, (first.top() + last.bottom() - height) / 2, width,
+                        height);
+    m_hint->raise();
+}
+
+void PlotGrid::zoomTime(double about, double factor)
+{
+    const Interval outer = m_figure.outerRange();
+    const Interval range = scaled(m_figure.timeRange(), about, factor);
+    // Closer, neighbouring instants could not be told apart on the axis any more.
+    constexpr double kSmallestPart = 1e-10;
+    const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
+    if (factor < 1.0 && range.length() < kSmallestPart * largest) {
+        return;
+    }
+    m_figure.zoomTime(range);
+    requestRefresh();
+}
+
+void PlotGrid::zoomValues(std::size_t plot, double about, double factor)
+{
+    if (!m_plots[plot]->yAxis->tickLabels()) {
+        return; // there are no values
+    }
+    const Interval range = scaled(m_plots[plot]->valueRange(), about, factor);
+    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
+    constexpr double kSmallestPart = 1e-10;
+    constexpr double kLargestValue = 1e60;
+    if (range.length() < kSmallestPart * largest || largest > kLargestValue) {
+        return;
+    }
+    m_figure.valueZoom[plot] = range;
+    requestRefresh();
+}
+
+void PlotGrid::pan(std::size_t plot, const QPoint &to)
+{
+    const PlotCanvas &shown = *m_plots[plot];
+    const double dt = shown.xAxis->pixelToCoord(m_drag->last.x()) - shown.xAxis->pixelToCoord(to.x());
+    const double dv = shown.yAxis->pixelToCoord(m_drag->last.y()) - shown.yAxis->pixelToCoord(to.y());
+    const Interval time = m_figure.timeRange();
+    m_figure.zoomTime({time.lower + dt, time.upper + dt});
+    if (std::optional<Interval> &values = m_figure.valueZoom[plot]) {
+        values = Interval{values->lower + dv, values->upper + dv};
+    }
+    requestRefresh();
+}
+
+void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
+{
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    connect(menu->addAction(m_maximized ? tr("Show all &nine plots") : tr("&Maximize this plot")), &QAction::triggered,
+            this, [this, plot] { toggleMaximized(plot); });
+    connect(menu->addAction(tr("Show the &whole run")), &QAction::triggered, this, &PlotGrid::showAll);
+    menu->addSeparator();
+    connect(menu->addAction(tr("&Copy this plot")), &QAction::triggered, this,
+            [this, plot] { emit copyPlotRequested(plotName(plot)); });
+    connect(menu->addAction(tr("&Export this plot…")), &QAction::triggered, this,
+            [this, plot] { emit exportPlotRequested(plotName(plot)); });
+    menu->addSeparator();
+    menu->addActions(m_choices);
+    menu->popup(globalPosition);
+}
+
+void PlotGrid::choose(const std::function<void(PlotSettings &)> &change)
+{
+    PlotSettings settings = m_figure.settings();
+    change(settings);
+    setSettings(settings);
+}
+
+void PlotGrid::makeChoices()
+{
+    auto *measures = new QActionGroup(this);
+    const std::array<std::pair<ErrorMeasure, QString>, 3> texts{
+        {{ErrorMeasure::Percent, tr("Error in &% of the reference")},
+         {ErrorMeasure::Absolute, tr("Error &in ° and mm")},
+         {ErrorMeasure::OfPeak, tr("Error in % of the &peak")}}};
+    for (const auto &[measure, text] : texts) {
+        QAction *action = measures->addAction(text);
+        action->setCheckable(true);
+        m_choices << action;
+        connect(action, &QAction::triggered, this,
+                [this, chosen = measure] { choose([chosen](PlotSettings &settings) { settings.error = chosen; }); });
+        connect(this, &PlotGrid::settingsChanged, action,
+                [action, own = measure](const PlotSettings &settings) { action->setChecked(settings.error == own); });
+    }
+    const auto addSwitch = [this](const QString &text, auto PlotSettings::*member, auto off, auto on) {
+        auto *action = new QAction(text, this);
+        action->setCheckable(true);
+        m_choices << action;
+        connect(action, &QAction::triggered, this, [this, member, off, on](bool checked) {
+            choose([&](PlotSettings &settings) { settings.*member = checked ? on : off; });
+        });
+        connect(this, &PlotGrid::settingsChanged, action,
+                [action, member, on](const PlotSettings &settings) { action->setChecked(settings.*member == on); });
+    };
+    addSwitch(tr("&Logarithmic errors"), &PlotSettings::logarithmicError, false, true);
+    addSwitch(tr("File's &rounding as a band"), &PlotSettings::roundingBand, false, true);
+    addSwitch(tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::Time, Abscissa::CrankAngle);
+    auto *measuring = new QAction(tr("Mea&suring cursors"), this);
+    measuring->setObjectName(QStringLiteral("measuringAction"));
+    measuring->setCheckable(true);
+    m_choices << measuring;
+    connect(measuring, &QAction::toggled, this, &PlotGrid::setMeasuring);
+    emit settingsChanged(m_figure.settings());
+}
+
+void PlotGrid::maximize(const QString &name)
+{
+    const qsizetype index = plotNames().indexOf(name);
+    m_maximized.reset();
+    if (index >= 0) {
+        m_maximized = static_cast<std::size_t>(index);
+    }
+    m_hovered.reset();
+    placePlots();
+    requestRefresh();
+}
+
+void PlotGrid::toggleMaximized(std::size_t plot)
+{
+    maximize(m_maximized ? QString() : plotName(plot));
+    m_plots[plot]->setFocus(Qt::OtherFocusReason); // Escape brings the nine back
+}
+
+void PlotGrid::setMeasuring(bool measuring)
+{
+    if (measuring != m_measured.has_value()) {
+        m_measured.reset();
+        if (measuring) {
+            const Interval range = m_figure.timeRange();
+            const double third = range.length() / 3.0;
+            m_measured = {m_figure.nearestInstant(range.lower + third), m_figure.nearestInstant(range.upper - third)};
+        }
+        updateOverlays();
+    }
+    if (QAction *action = findChild<QAction *>(QStringLiteral("measuringAction"))) {
+        action->setChecked(measuring);
+    }
+}
+
+void PlotGrid::setMeasured(const std::optional<std::array<double, 2>> &instants)
+{
+    setMeasuring(instants.has_value());
+    m_measured = instants;
+    updateOverlays();
+}
+
+/// Where the measuring cursors are, in as many words as have room beside a legend of the curves; empty without them.
+QString PlotGrid::measuredText(int room) const
+{
+    if (!m_measured) {
+        return {};
+    }
+    const auto [a, b] = *m_measured;
+    constexpr int kDigits = 6;
+    QString change =
+        tr("B − A = %1 s", "the time between the measuring cursors").arg(shortNumber(b - a, kDigits, QLocale()));
+    if (m_figure.result) {
+        const double turned = m_figure.result->mechanism.omega2() * (b - a) * kDegreesPerRadian;
+        change += QStringLiteral(" = %1°").arg(shortNumber(turned, kDigits, QLocale()));
+    }
+    const QString text = tr("A %1 s · B %2 s · %3", "instants of the measuring cursors, the time between them")
+                             .arg(shortNumber(a, kDigits, QLocale()), shortNumber(b, kDigits, QLocale()), change);
+    return QFontMetrics(m_typography.title).horizontalAdvance(text) <= room ? text : change;
+}
+
+void PlotGrid::hoverOver(std::optional<std::size_t> plot, double time)
+{
+    m_hovered = plot;
+    m_hoverTime = time;
+    updateOverlays();
+}
+
+OverlayContent PlotGrid::overlayOf(std::size_t plot)
+{
+    const PlotCanvas &shown = *m_plots[plot];
+    OverlayContent content;
+    content.axes = shown.axisRect()->rect();
+    content.hasFocus = shown.hasFocus();
+    if (!shown.hasValues()) {
+        return content;
+    }
+    const auto lineAt = [&](double time, const QString &name, bool isSolid) {
+        if (shown.timeRange().contains(time)) {
+            content.lines.push_back({static_cast<int>(std::lround(shown.xAxis->coordToPixel(time))), name, isSolid});
+        }
+    };
+    if (m_measured) {
+        const auto [a, b] = *m_measured;
+        lineAt(a, QStringLiteral("A"), true);
+        lineAt(b, QStringLiteral("B"), true);
+    }
+    if (m_hovered) {
+        lineAt(m_hoverTime, {}, false);
+    }
+    content.box = readingsOf(plot, PlotFigure::Wording::Full);
+    if (!m_overlays[plot]->fits(content.box)) {
+        content.box = readingsOf(plot, PlotFigure::Wording::Brief);
+    }
+    return content;
+}
+
+/// What the plot shows under the mouse, or else at the measuring cursors.
+std::vector<InkedRow> PlotGrid::readingsOf(std::size_t plot, PlotFigure::Wording wording)
+{
+    std::vector<InkedRow> rows;
+    const auto addRow = [&rows](const QString &name, const std::vector<InkedText> &values) {
+        InkedRow row{{name}};
+        for (const InkedText &value : values) {
+            row.push_back({row.size() > 1 ? QStringLiteral("   ") + value.text : value.text, value.ink});
+        }
+        if (!values.empty()) {
+            rows.push_back(row);
+        }
+    };
+    if (m_hovered == plot) {
+        for (const InkedText &row : m_figure.readout(plot, m_hoverTime, wording)) {
+            rows.push_back({row});
+        }
+    } else if (m_hovered) {
+        addRow({}, m_figure.valuesAt(plot, m_hoverTime, wording));
+    } else if (m_measured) {
+        const auto [a, b] = *m_measured;
+        addRow(QStringLiteral("A  "), m_figure.valuesAt(plot, a, wording));
+        addRow(QStringLiteral("B  "), m_figure.valuesAt(plot, b, wording));
+        addRow(QStringLiteral("B − A  "), m_figure.changesBetween(plot, a, b, wording));
+    }
+    return rows;
+}
+
+void PlotGrid::updateOverlays()
+{
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        const bool isBare = !m_hovered && !m_measured && !m_plots[i]->hasFocus();
+        m_overlays[i]->setContent(isBare || m_plots[i]->isHidden() ? OverlayContent() : overlayOf(i));
+    }
+    update(QRect(0, 0, width(), m_typography.legendHeight()));
+}
+
+/// 0 for A, 1 for B.
+std::optional<std::size_t> PlotGrid::measuringCursorAt(std::size_t plot, const QPoint &position) const
+{
+    if (!m_measured || !m_plots[plot]->axisRect()->rect().contains(position)) {
+        return std::nullopt;
+    }
+    constexpr double kReach = 5.0; // px
+    std::optional<std::size_t> nearest;
+    double distance = kReach;
+    for (std::size_t cursor = 0; cursor < m_measured->size(); ++cursor) {
+        const double x = m_plots[plot]->xAxis->coordToPixel((*m_measured)[cursor]);
+        if (std::abs(x - position.x()) <= distance) {
+            distance = std::abs(x - position.x());
+            nearest = cursor;
+        }
+    }
+    return nearest;
+}
+
+/// Of the plot that has the focus. + and − zoom about the current instant; A and B bring the measuring cursors to the
+/// current instant.
+bool PlotGrid::pressKey(std::size_t plot, int key)
+{
+    switch (key) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter: toggleMaximized(plot); return true;
+    case Qt::Key_Escape:
+        if (!m_maximized) {
+            return false;
+        }
+        maximize({});
+        return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus: {
+        constexpr double kFactor = 0.7;
+        const Interval shown = m_figure.timeRange();
+        const bool sees = m_cursorTime && shown.contains(*m_cursorTime);
+        zoomTime(sees ? *m_cursorTime : 0.5 * (shown.lower + shown.upper),
+                 key == Qt::Key_Minus ? 1.0 / kFactor : kFactor);
+        return true;
+    }
+    case Qt::Key_A:
+    case Qt::Key_B:
+        if (!m_measured || !m_cursorTime) {
+            return false;
+        }
+        (*m_measured)[key == Qt::Key_A ? 0 : 1] = m_figure.nearestInstant(*m_cursorTime);
+        updateOverlays();
+        return true;
+    default: return false;
+    }
+}
+
+bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
+{
+    const auto found = std::find(m_plots.begin(), m_plots.end(), watched);
+    if (found == m_plots.end()) {
+        return QWidget::eventFilter(watched, event);
+    }
+    const auto index = static_cast<std::size_t>(found - m_plots.begin());
+    PlotCanvas &plot = **found;
+    switch (event->type()) {
+    case QEvent::Resize: // QCustomPlot would replot at once, with curves decimated for the old size
+        plot.setViewport(plot.rect());
+        requestRefresh();
+        return true;
+    case QEvent::Wheel: {
+        const auto *wheel = static_cast<QWheelEvent *>(event);
+        constexpr double kNotch = 120.0;
+        constexpr double kFactor = 0.85;
+        const double factor = std::pow(kFactor, wheel->angleDelta().y() / kNotch);
+        const QRect axes = plot.axisRect()->rect();
+        if (wheel->position().x() < axes.left()) {
+            zoomValues(index, plot.yAxis->pixelToCoord(wheel->position().y()), factor);
+        } else {
+            zoomTime(plot.xAxis->pixelToCoord(wheel->position().x()), factor);
+        }
+        event->accept();
+        return true;
+    }
+    case QEvent::MouseButtonPress: {
+        const auto *mouse = static_cast<QMouseEvent *>(event);
+        if (mouse->button() == Qt::LeftButton) {
+            m_drag = Drag{index, mouse->pos(), mouse->pos(), false, measuringCursorAt(index, mouse->pos())};
+        }
+        return true;
+    }
+    case QEvent::MouseMove: {
+        const auto *mouse = static_cast<QMouseEvent *>(event);
+        const QPoint to = mouse->pos();
+        const double time = plot.xAxis->pixelToCoord(to.x());
+        if (m_drag) {
+            m_drag->hasMoved =
+                m_drag->hasMoved || (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance();
+            if (m_drag->measuringCursor && m_measured) {
+                (*m_measured)[*m_drag->measuringCursor] = m_figure.nearestInstant(time);
+                hoverOver(std::nullopt, time);
+            } else if (m_drag->hasMoved) {
+                pan(m_drag->plot, to);
+                m_drag->last = to;
+            }
+        } else {
+            const bool isOverCursor = measuringCursorAt(index, to).has_value();
+            plot.setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
+            const bool reads = !isOverCursor && plot.axisRect()->rect().contains(to);
+            hoverOver(reads ? std::optional(index) : std::nullopt, time);
+        }
+        return true;
+    }
+    case QEvent::MouseButtonRelease: {
+        const auto *mouse = static_cast<QMouseEvent *>(event);
+        if (mouse->button() == Qt::LeftButton && m_drag) {
+            const bool isClick =
+                !m_drag->hasMoved && !m_drag->measuringCursor && plot.axisRect()->rect().contains(mouse->pos());
+            m_drag.reset();
+            if (isClick) {
+                emit timeRequested(plot.xAxis->pixelToCoord(mouse->pos().x()));
+            }
+        }
+        return true;
+    }
+    case QEvent::MouseButtonDblClick: {
+        const bool isTitle = static_cast<QMouseEvent *>(event)->pos().y() < plot.axisRect()->rect().top();
+        if (isTitle) {
+            toggleMaximized(index);
+        } else {
+            showAll();
+        }
+        return true;
+    }
+    case QEvent::Leave: hoverOver(std::nullopt, 0.0); return false;
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+        QMetaObject::invokeMethod(this, &PlotGrid::updateOverlays, Qt::QueuedConnection); // it has it only afterwards
+        return false;
+    case QEvent::KeyPress: return pressKey(index, static_cast<QKeyEvent *>(event)->key());
+    case QEvent::ContextMenu: showMenu(index, static_cast<QContextMenuEvent *>(event)->globalPos()); return true;
+    default: return QWidget::eventFilter(watched, event);
+    }
+}
+
+bool PlotGrid::event(QEvent *event)
+{
+    if (event->type() == QEvent::ToolTip && m_figure.result && m_figure.result->reference) {
+        const auto *help = static_cast<QHelpEvent *>(event);
+        if (help->pos().y() < m_typography.legendHeight()) { // the name may be elided there
+            QToolTip::showText(help->globalPos(), m_figure.result->reference->path, this);
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void PlotGrid::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    const bool isFont = event->type() == QEvent::FontChange;
+    if (!isFont && event->type() != QEvent::PaletteChange) {
+        return;
+    }
+    if (isFont) {
+        m_typography = PlotTypography(font());
+        placePlots();
+    }
+    const SeriesColours colours = seriesColours(palette());
+    for (std::size_t i = 0; i < kPlotCount; ++i) {
+        m_plots[i]->setStyle(m_typography, colours);
+        QPalette cursor;
+        cursor.setColor(QPalette::Window, colours.cursor);
+        m_cursors[i]->setPalette(cursor);
+        m_overlays[i]->setStyle(m_typography.tick, colours);
+    }
+    requestRefresh();
+}
+
+void PlotGrid::paintEvent(QPaintEvent *)
+{
+    if (m_isStale) { // drawn without being visible, as grab() does
+        refresh();
+    }
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    const SeriesColours colours = seriesColours(palette());
+    const bool hasModel = !m_maximized || !isErrorPlot(*m_maximized);
+    const bool hasErrors = !m_maximized || isErrorPlot(*m_maximized);
+    QRect legend(0, 0, width(), m_typography.legendHeight());
+    constexpr int kRoomForCurves = 300; // px: model, reference and a gap
+    const QString measured = measuredText(width() - kRoomForCurves);
+    if (!measured.isEmpty()) {
+        constexpr int kGap = 12;
+        painter.setFont(m_typography.title);
+        painter.setPen(colours.text);
+        painter.drawText(legend.adjusted(0, 0, -kGap, 0), Qt::AlignRight | Qt::AlignVCenter, measured);
+        legend.setRight(legend.right() - QFontMetrics(m_typography.title).horizontalAdvance(measured) - 2 * kGap);
+    }
+    drawLegend(painter, legend, m_figure.legend(hasModel, hasErrors), m_typography, colours);
+}
+
+void PlotGrid::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    placePlots();
+}
+
+void PlotGrid::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_isStale) {
+        requestRefresh();
+    }
+}
+
+namespace
+{
+
+/// QCustomPlot draws with a painter of its own class only: recorded, it can be played to any painter.
+void replay(QPainter &painter, const QRect &cell, QCustomPlot &plot)
+{
+    const QPaintEngine *engine = painter.paintEngine();
+    const bool isVector = engine && (engine->type() == QPaintEngine::SVG || engine->type() == QPaintEngine::Pdf);
+    QPicture recording;
+    QCPPainter recorder(&recording);
+    recorder.setMode(QCPPainter::pmVectorized, isVector);
+    plot.toPainter(&recorder, cell.width(), cell.height());
+    recorder.end();
+    painter.save();
+    painter.translate(cell.topLeft());
+    painter.drawPicture(0, 0, recording);
+    painter.restore();
+}
+
+} // namespace
+
+void PlotGrid::paintFigure(QPainter &painter, const QSize &size, const QPalette &palette)
+{
+    const SeriesColours colours = seriesColours(palette);
+    painter.fillRect(QRect(QPoint(), size), colours.background);
+    drawLegend(painter, PlotArrangement(size, m_typography).legend, m_figure.legend(true, true), m_typography, colours);
+    PlotCanvas plot(nullptr);
+    plot.setStyle(m_typography, colours);
+    for (PlacedPlot &placed : placedPlots(PlotArrangement(size, m_typography))) {
+        placed.picture.markedTime = m_markedTime;
+        plot.display(placed.picture, placed.margins);
+        replay(painter, placed.cell, plot);
+    }
+}
+
+void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
+{
+    const auto index = static_cast<std::size_t>(plotNames().indexOf(name));
+    Q_ASSERT(index < kPlotCount);
+    const SeriesColours colours = seriesColours(palette);
+    const QRect legend(0, 0, size.width(), m_typography.legendHeight());
+    const QRect cell(0, legend.height(), size.width(), std::max(0, size.height() - legend.height()));
+    painter.fillRect(QRect(QPoint(), size), colours.background);
+    drawLegend(painter, legend, m_figure.legend(!isErrorPlot(index), isErrorPlot(index)), m_typography, colours);
+    const bool hasRightAxis = m_figure.hasRightAxis(index);
+    const QSize axes =
+        cell.size().shrunkBy(hasRightAxis ? m_typography.margins(0, true, 0) : m_typography.margins(0, true));
+    PlotPicture picture = m_figure.picture(index, axes, m_typography.digitWidth);
+    picture.markedTime = m_markedTime;
+    PlotCanvas plot(nullptr);
+    plot.setStyle(m_typography, colours);
+    const int labelLength = picture.valueScale.labelLength(picture.values);
+    plot.display(picture, hasRightAxis ? m_typography.margins(
+                                             labelLength, true,
+                                             picture.rightScale.labelLength(picture.rightValues.value_or(Interval{})))
+                                       : m_typography.margins(labelLength, true));
+    replay(painter, cell, plot);
+}
+
+} // namespace slidercrank

@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reference/column_mapping.h"
+
+#include "ui/controls/number_box.h"
+#include "ui/document/column_choices.h"
+#include "ui/document/reference_file.h"
+#include "ui/words/column_text.h"
+#include "ui/words/finding_text.h"
+#include "ui/words/theme.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace slidercrank
+{
+
+/// A curve without axes: enough to recognize a quantity by its shape and range.
+class ColumnPreview : public QWidget
+{
+public:
+    using QWidget::QWidget;
+
+    void setCurve(std::span<const double> x, std::span<const double> y)
+    {
+        // A few hundred points are enough for a few hundred pixels.
+        constexpr std::size_t kPoints = 600;
+        const std::size_t stride = std::max<std::size_t>(1, x.size() / kPoints);
+        m_points.clear();
+        for (std::size_t i = 0; i < x.size(); i += stride) {
+            m_points.push_back({x[i], y[i]});
+        }
+        update();
+    }
+
+    QSize sizeHint() const override { return {400, 120}; }
+    QSize minimumSizeHint() const override { return {200, 70}; }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        const SeriesColours colours = seriesColours(palette());
+        painter.fillRect(rect(), colours.background);
+        painter.setPen(colours.grid);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+        double low = INFINITY;
+        double high = -INFINITY;
+        for (const QPointF &point : m_points) {
+            if (std::isfinite(point.y())) {
+                low = std::min(low, point.y());
+                high = std::max(high, point.y());
+            }
+        }
+        if (!(low <= high)) {
+            return;
+        }
+        const double left = m_points.front().x();
+        const double width = std::max(m_points.back().x() - left, 1e-300);
+        const QRectF inside = QRectF(rect()).adjusted(8.0, 8.0, -8.0, -8.0);
+        const auto toPixel = [&](const QPointF &point) {
+            const double up = high > low ? (point.y() - low) / (high - low) : 0.5;
+            return QPointF(inside.left() + (point.x() - left) / width * inside.width(),
+                           inside.bottom() - up * inside.height());
+        };
+        QPainterPath curve;
+        bool drawing = false;
+        for (const QPointF &point : m_points) {
+            if (!std::isfinite(point.y())) {
+                drawing = false;
+            } else if (drawing) {
+                curve.lineTo(toPixel(point));
+            } else {
+                curve.moveTo(toPixel(point));
+                drawing = true;
+            }
+        }
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(colours.reference, 1.5));
+        painter.drawPath(curve);
+    }
+
+private:
+    std::vector<QPointF> m_points;
+};
+
+namespace
+{
+
+// What an entry of the combo of meanings stands for: the index of a channel, or
+constexpr int kIgnored = -2;
+constexpr int kTime = -1;
+
+int meaningOf(ColumnRole role, Channel channel)
+{
+    switch (role) {
+    case ColumnRole::Ignored: return kIgnored;
+    case ColumnRole::Time: return kTime;
+    case ColumnRole::Channel: return static_cast<int>(indexOf(channel));
+    }
+    return kIgnored;
+}
+
+std::variant<ReferenceData, ReadError> readWith(const QByteArray &bytes, const std::vector<ColumnChoice> &choices)
+{
+    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, {choices, {}});
+}
+
+FileLayout layoutIn(const std::variant<ReferenceData, ReadError> &outcome)
+{
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? data->layout : std::get<ReadError>(outcome).layout;
+}
+
+QString channelText(Channel channel)
+{
+    return QStringLiteral("%1  (%2)").arg(symbolOf(channel), columnNameOf(channel));
+}
+
+void fillMeanings(QComboBox &combo)
+{
+    combo.addItem(ColumnMapping::tr("ignored"), kIgnored);
+    combo.addItem(ColumnMapping::tr("time"), kTime);
+    for (const Channel channel : kPlottedChannels) {
+        combo.addItem(channelText(channel), static_cast<int>(indexOf(channel)));
+    }
+    combo.insertSeparator(combo.count());
+    const ChannelSet plotted = plottedChannels();
+    for (std::size_t i = 0; i < kChannelCount; ++i) {
+        if (!plotted.test(i)) {
+            combo.addItem(channelText(channelAt(i)), static_cast<int>(i));
+        }
+    }
+}
+
+/// The units that a column of that meaning may have; the first entry is the file's own.
+void fillUnits(QComboBox &combo, int meaning, const FileColumn &column)
+{
+    const QString kept = combo.currentData().toString();
+    combo.clear();
+    combo.setEnabled(meaning != kIgnored);
+    if (meaning == kIgnored) {
+        return;
+    }
+    QStringList units{QStringLiteral("s"), QStringLiteral("ms")};
+    QString author = QStringLiteral("s");
+    if (meaning != kTime) {
+        const Channel channel = channelAt(static_cast<std::size_t>(meaning));
+        author = unitOf(channel);
+        units = isAngle(channel.coordinate) ? QStringList{QStringLiteral("°"), QStringLiteral("rad")}
+                                            : QStringList{QStringLiteral("mm"), QStringLiteral("cm"),
+                                                          QStringLiteral("m"), QStringLiteral("in")};
+        const QString per = author.mid(units.first().size()); // "/s²"
+        for (QString &unit : units) {
+            unit += per;
+        }
+    }
+    combo.addItem(column.unit.empty() ? ColumnMapping::tr("none given: %1").arg(author)
+                                      : ColumnMapping::tr("as printed: %1").arg(textOf(column.unit)),
+                  QString());
+    for (const QString &unit : units) {
+        combo.addItem(unit, unit);
+    }
+    combo.setCurrentIndex(std::max(0, combo.findData(kept)));
+}
+
+/// The first cells of a column as printed.
+QString firstValues(const FileLayout &layout, std::size_t column)
+{
+    constexpr std::size_t kValues = 3;
+    QStringList values;
+    for (std::size_t row = 0; row < std::min(kValues, layout.rows.size()); ++row) {
+        if (column < layout.rows[row].size()) {
+            values << textOf(layout.rows[row][column]);
+        }
+    }
+    return values.join(QStringLiteral("  "));
+}
+
+} // namespace
+
+ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, QWidget *parent)
+    : QDialog(parent)
+    , m_path(path)
+    , m_beginning(beginning)
+{
+    setObjectName(QStringLiteral("columnMapping"));
+    const QString name = QFileInfo(path).fileName();
+    setWindowTitle(tr("Columns of %1").arg(name));
+    m_layout = layoutIn(readWith(beginning, {}));
+    m_rows.resize(m_layout.columns.size());
+
+    auto *purpose = new QLabel(tr("Say what the columns are; the choice is remembered for files with the same "
+                                  "headings. Below is what would be read from the chosen column."));
+    purpose->setWordWrap(true);
+    m_caption = new QLabel;
+    m_caption->setObjectName(QStringLiteral("previewCaption"));
+    m_caption->setTextFormat(Qt::PlainText);
+    m_preview = new ColumnPreview;
+    m_preview->setObjectName(QStringLiteral("preview"));
+    m_preview->setAccessibleName(tr("Preview of the chosen column"));
+    m_problem = new QLabel;
+    m_problem->setObjectName(QStringLiteral("mappingProblem"));
+    m_problem->setTextFormat(Qt::PlainText);
+    m_problem->setWordWrap(true);
+
+    auto *buttons = new QDialogButtonBox;
+    m_use = buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole);
+    m_use->setObjectName(QStringLiteral("useButton"));
+    m_use->setDefault(true);
+    QPushButton *guess = buttons->addButton(tr("Guess anew"), QDialogButtonBox::ResetRole);
+    guess->setObjectName(QStringLiteral("guessButton"));
+    guess->setToolTip(tr("Forgets what was chosen for files with these headings"));
+    guess->setAutoDefault(false);
+    buttons->addButton(QDialogButtonBox::Cancel);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(guess, &QPushButton::clicked, this, &ColumnMapping::guessAnew);
+
+    auto *rows = new QVBoxLayout(this);
+    rows->addWidget(purpose);
+    rows->addWidget(createRows(), 1);
+    rows->addWidget(m_caption);
+    rows->addWidget(m_preview);
+    rows->addWidget(m_problem);
+    rows->addWidget(buttons);
+    resize(900, 560);
+
+    for (const ColumnChoice &choice : rememberedChoices(m_layout, path)) {
+        Row &row = m_rows[choice.column];
+        const QSignalBlocker meaningBlocker(row.meaning);
+        const QSignalBlocker unitBlocker(row.unit);
+        const int meaning = meaningOf(choice.role, choice.channel);
+        row.meaning->setCurrentIndex(row.meaning->findData(meaning));
+        fillUnits(*row.unit, meaning, m_layout.columns[choice.column]);
+        row.unit->setCurrentIndex(std::max(0, row.unit->findData(QString::fromStdString(choice.unit))));
+        row.chosen = true;
+    }
+    // The first column that was guessed is what brings a person here.
+    const auto guessed = std::find_if(m_layout.columns.begin(), m_layout.columns.end(), [](const FileColumn &column) {
+        return column.role == ColumnRole::Channel && isGuess(column.reason);
+    });
+    if (guessed != m_layout.columns.end()) {
+        m_current = static_cast<std::size_t>(guessed - m_layout.columns.begin());
+    }
+    readAgain();
+    if (m_current < m_rows.size()) {
+        m_rows[m_current].meaning->setFocus();
+    }
+}
+
+QWidget *ColumnMapping::createRows()
+{
+    auto *page = new QWidget;
+    auto *grid = new QGridLayout(page);
+    grid->setHorizontalSpacing(14);
+    const QStringList headers{tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("why")};
+    for (int column = 0; column < headers.size(); ++column) {
+        auto *header = new QLabel(headers[column]);
+        QFont bold = header->font();
+        bold.setBold(true);
+        header->setFont(bold);
+        grid->addWidget(header, 0, column);
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const QString heading = headingText(m_layout, i);
+        Row &row = m_rows[i];
+        row.meaning = new QComboBox;
+        row.meaning->setObjectName(QStringLiteral("meaning%1").arg(i));
+        row.meaning->setAccessibleName(tr("%1 is read as").arg(heading));
+        fillMeanings(*row.meaning);
+        row.unit = new QComboBox;
+        row.unit->setObjectName(QStringLiteral("unit%1").arg(i));
+        row.unit->setAccessibleName(tr("Unit of %1").arg(heading));
+        row.unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        for (QComboBox *combo : {row.meaning, row.unit}) {
+            combo->setFocusPolicy(Qt::StrongFocus);
+            combo->installEventFilter(this);
+            connect(combo, &QComboBox::currentIndexChanged, this, [this, i] { choose(i); });
+        }
+        row.why = new QLabel;
+        row.why->setObjectName(QStringLiteral("why%1").arg(i));
+        auto *name = new QLabel(heading);
+        auto *values = new QLabel(firstValues(m_layout, i));
+        for (QLabel *label : {name, values, row.why}) {
+            label->setTextFormat(Qt::PlainText);
+            label->setWordWrap(label != values);
+        }
+        int column = 0;
+        for (QWidget *widget :
+             {static_cast<QWidget *>(name), static_cast<QWidget *>(values), static_cast<QWidget *>(row.meaning),
+              static_cast<QWidget *>(row.unit), static_cast<QWidget *>(row.why)}) {
+            grid->addWidget(widget, static_cast<int>(i) + 1, column++);
+        }
+    }
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(4, 2);
+    grid->setRowStretch(static_cast<int>(m_rows.size()) + 1, 1);
+    auto *scroll = new QScrollArea;
+    scroll->setAccessibleName(tr("Columns of the file"));
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(page);
+    return scroll;
+}
+
+std::vector<ColumnChoice> ColumnMapping::choices() const
+{
+    std::vector<ColumnChoice> choices;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const Row &row = m_rows[i];
+        if (!row.chosen) {
+            continue;
+        }
+        ColumnChoice choice;
+        choice.column = i;
+        choice.unit = row.unit->currentData().toString().toStdString();
+        const int meaning = row.meaning->currentData().toInt();
+        if (meaning == kTime) {
+            choice.role = ColumnRole::Time;
+        } else if (meaning != kIgnored) {
+            choice.role = ColumnRole::Channel;
+            choice.channel = channelAt(static_cast<std::size_t>(meaning));
+        }
+        choices.push_back(choice);
+    }
+    return choices;
+}
+
+void ColumnMapping::choose(std::size_t row)
+{
+    m_rows[row].chosen = true;
+    m_current = row;
+    {
+        const QSignalBlocker blocker(m_rows[row].unit);
+        fillUnits(*m_rows[row].unit, m_rows[row].meaning->currentData().toInt(), m_layout.columns[row]);
+    }
+    readAgain();
+}
+
+void ColumnMapping::guessAnew()
+{
+    for (Row &row : m_rows) {
+        row.chosen = false;
+    }
+    readAgain();
+}
+
+void ColumnMapping::readAgain()
+{
+    m_outcome = readWith(m_beginning, choices());
+    if (const ReferenceData *fit = std::get_if<ReferenceData>(&m_outcome)) {
+        m_layout = fit->layout; // else the other columns stay as they were: the reader may not have come to them
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        showRow(i);
+    }
+    showPreview();
+}
+
+void ColumnMapping::showRow(std::size_t row)
+{
+    const FileColumn &column = m_layout.columns[row];
+    Row &of = m_rows[row];
+    if (!of.chosen) {
+        const QSignalBlocker meaningBlocker(of.meaning);
+        const QSignalBlocker unitBlocker(of.unit);
+        const int meaning = meaningOf(column.role, column.channel);
+        of.meaning->setCurrentIndex(of.meaning->findData(meaning));
+        of.unit->clear(); // what was chosen for another meaning is not kept
+        fillUnits(*of.unit, meaning, column);
+    }
+    of.why->setText(of.chosen ? tr("chosen by hand") : reasonText(m_layout, row));
+}
+
+void ColumnMapping::showPreview()
+{
+    const ReadError *error = std::get_if<ReadError>(&m_outcome);
+    m_problem->setVisible(error);
+    m_use->setEnabled(!error);
+    m_caption->clear();
+    m_preview->setCurve({}, {});
+    if (error) {
+        m_problem->setText(sentenceOf(*error, QFileInfo(m_path).fileName()));
+        QPalette warning = palette();
+        warning.setColor(QPalette::WindowText, seriesColours(palette()).warning);
+        m_problem->setPalette(warning);
+        return;
+    }
+    if (m_current >= m_rows.size()) {
+        return;
+    }
+    const ReferenceData &read = std::get<ReferenceData>(m_outcome);
+    const FileColumn &column = m_layout.columns[m_current];
+    const QString heading = headingText(m_layout, m_current);
+    const QString span = tr("t = %1 … %2 s").arg(numberText(read.time.front()), numberText(read.time.back()));
+    const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
+    if (column.role == ColumnRole::Time) {
+        m_caption->setText(tr("%1: %2").arg(heading, span));
+        m_preview->setCurve(read.time, read.time);
+    } else if (!series) {
+        m_caption->setText(tr("%1 is ignored").arg(heading));
+    } else {
+        double low = INFINITY;
+        double high = -INFINITY;
+        for (const double value : series->values) {
+            low = std::isnan(value) ? low : std::min(low, value);
+            high = std::isnan(value) ? high : std::max(high, value);
+        }
+        const QString unit = unitOf(column.channel);
+        m_caption->setText(tr("%1: %2 from %3 to %4 %5, %6")
+                               .arg(heading, symbolOf(column.channel), numberText(low), numberText(high), unit, span));
+        m_preview->setCurve(read.time, series->values);
+    }
+    m_preview->setAccessibleDescription(m_caption->text());
+}
+
+bool ColumnMapping::eventFilter(QObject *watched, QEvent *event)
+{
+    auto *combo = qobject_cast<QComboBox *>(watched);
+    if (event->type() == QEvent::Wheel && combo && !combo->hasFocus()) {
+        event->ignore(); // the wheel scrolls the rows; it must not change what it passes over
+        return true;
+    }
+    if (event->type() == QEvent::FocusIn) {
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            if ((combo == m_rows[i].meaning || combo == m_rows[i].unit) && i != m_current) {
+                m_current = i;
+                showPreview();
+            }
+        }
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+void ColumnMapping::accept()
+{
+    // A guess that was looked at and let stand is chosen.
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        m_rows[i].chosen = m_rows[i].chosen || isGuess(m_layout.columns[i].reason);
+    }
+    rememberChoices(m_layout, m_path, choices());
+    QDialog::accept();
+    emit chosen(m_path);
+}
+
+} // namespace slidercrank

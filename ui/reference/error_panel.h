@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How far the reference data are from the model: a sentence that says whether they belong together, what explains the
+// difference and how to remedy it, and a row a channel.
+
+#include "ui/document/session.h"
+#include "ui/reference/findings.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+class QStackedWidget;
+class QTableWidget;
+
+namespace slidercrank
+{
+
+class ErrorPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ErrorPanel(QWidget *parent = nullptr);
+
+public slots:
+    /// Kept, and filled in when the panel is on show.
+    void setResult(const std::shared_ptr<const slidercrank::Result> &result);
+
+    /// Null: not known yet.
+    void setDiagnosis(const std::shared_ptr<const slidercrank::Diagnosis> &diagnosis);
+
+signals:
+    void timeRequested(double seconds); ///< somebody wants to see where an error is largest
+    void remedyRequested(const slidercrank::Finding &finding);
+    void openReferenceRequested();
+    void openSampleRequested();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    QWidget *createEmptyPage();
+    QWidget *createTablePage();
+    void refresh(); ///< fills in, now or when the panel comes on show
+    void fill();
+    bool isOnTheMove() const; ///< the parameters are, and nothing was found out for these yet
+    void fillFindings();
+    void fillTable();
+    void fitColumns(); ///< shares spare width out among them, or says verdicts in short
+    void wordVerdicts();
+    void goToError(int row, int column);
+
+    std::shared_ptr<const Result> m_result;
+    std::shared_ptr<const Diagnosis> m_diagnosis;
+    bool m_stale = false;         ///< these are not on show yet
+    QTimer m_pause;               ///< runs for a while after each filling
+    bool m_shortVerdicts = false; ///< there is no room for whole ones
+    QStackedWidget *m_pages = nullptr;
+    QLabel *m_verdict = nullptr;
+    FindingList *m_findings = nullptr;
+    QLabel *m_leftOut = nullptr;
+    QTableWidget *m_table = nullptr;
+};
+
+} // namespace slidercrank

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reference/findings.h"
+
+#include "ui/controls/paragraph.h"
+#include "ui/document/session.h"
+#include "ui/words/axis_scale.h"
+#include "ui/words/finding_text.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Of a file that differs: how many channels do, and the largest error as % of its peak.
+struct Distance {
+    std::ptrdiff_t differing = 0;
+    double percentOfPeak = 0.0;
+};
+
+Distance distanceOf(const std::vector<ChannelComparison> &comparison)
+{
+    Distance distance;
+    for (const ChannelComparison &channel : comparison) {
+        distance.differing += channel.verdict == Verdict::Differs ? 1 : 0;
+        distance.percentOfPeak = std::max(distance.percentOfPeak, channel.percentOfPeak.value_or(0.0));
+    }
+    return distance;
+}
+
+/// Whether the identified mechanism is worth taking over: fewer channels differ, or they differ by half at most.
+bool isBetter(const std::vector<ChannelComparison> &identified, const std::vector<ChannelComparison> &now)
+{
+    constexpr double kMuchNearer = 0.5;
+    const Distance found = distanceOf(identified);
+    const Distance before = distanceOf(now);
+    return !identified.empty() &&
+           (found.differing < before.differing || found.percentOfPeak <= kMuchNearer * before.percentOfPeak);
+}
+
+struct Row {
+    Parameter parameter;
+    double Parameters::*value;
+};
+constexpr std::array<Row, kParameterCount> kRows{{{Parameter::A, &Parameters::a},
+                                                  {Parameter::B, &Parameters::b},
+                                                  {Parameter::C, &Parameters::c},
+                                                  {Parameter::Omega2, &Parameters::omega2},
+                                                  {Parameter::Theta20, &Parameters::theta20}}};
+
+/// A line a parameter: old → new, and how it was measured.
+QString changesText(const Parameters &before, const Interpretation &interpretation)
+{
+    const Identification &found = interpretation.identification;
+    const Parameters &after = interpretation.rounded;
+    constexpr int kDigits = 9;
+    QString rows;
+    for (const Row &row : kRows) {
+        const std::size_t i = indexOf(row.parameter);
+        const double inShownUnit = row.parameter == Parameter::Theta20 ? kDegreesPerRadian : 1.0;
+        const double value = found.parameters.*row.value;
+        const QString measured =
+            found.identifiable[i] ? measuredText(inShownUnit * value, inShownUnit * found.standardError[i], inShownUnit)
+                                  : FindingList::tr("kept");
+        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td><td>  (%4)</td></tr>")
+                    .arg(symbolOf(row.parameter), parameterText(row.parameter, before.*row.value),
+                         parameterText(row.parameter, after.*row.value, kDigits), measured);
+    }
+    if (before.branch != after.branch) {
+        const auto name = [](Branch branch) {
+            return branch == Branch::Open ? FindingList::tr("open") : FindingList::tr("crossed");
+        };
+        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
+                    .arg(FindingList::tr("assembly"), name(before.branch), name(after.branch));
+    }
+    return FindingList::tr("Now → then (as measured ± standard error)") +
+           QStringLiteral("<table style='white-space:pre'>%1</table>").arg(rows);
+}
+
+/// What the file means otherwise, and how far it is off without and with that.
+QString conventionSentence(const ConventionFinding &found)
+{
+    constexpr int kDigits = 3;
+    const QString sentence = explanationOf(found.convention);
+    if (found.convention.kind == Convention::Kind::NotDerivative) {
+        return sentence; // left out, it has no error any more
+    }
+    return FindingList::tr("%1 Largest error: %2 → %3 % of peak.")
+        .arg(sentence, shortNumber(found.before, kDigits, QLocale()), shortNumber(found.after, kDigits, QLocale()));
+}
+
+/// Which mechanism the file is of, where it is another one than that on show.
+Finding mechanismFinding(const Result &result, const Diagnosis &diagnosis)
+{
+    const Identification &found = diagnosis.found.identification;
+    Finding finding;
+    if (!diagnosis.found.conventions.empty() && diagnosis.found.attribution.empty()) {
+        return finding; // read with the conventions, it is of the one on show
+    }
+    if (found.status != Identification::Status::Found) {
+        finding.sentence = summaryOf(found);
+        return finding; // one parameter may explain much, but is not what is wrong
+    }
+    finding.sentence = attributionText(diagnosis.found.attribution, Mechanism(diagnosis.parameters));
+    if (isBetter(diagnosis.found.identified, result.comparison)) {
+        finding.remedy = Finding::Remedy::TakeOver;
+        finding.remedyText = FindingList::tr("Take this mechanism over");
+        finding.details = changesText(result.mechanism.parameters(), diagnosis.found);
+        if (finding.sentence.isEmpty()) {
+            finding.sentence = FindingList::tr("The file fits %1").arg(summaryOf(found));
+        }
+    }
+    return finding;
+}
+
+} // namespace
+
+std::vector<Finding> findingsOf(const Result &result, const Diagnosis *diagnosis)
+{
+    std::vector<Finding> findings;
+    const bool agrees = std::ranges::all_of(
+        result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+    if (diagnosis && !agrees) {
+        for (const ConventionFinding &found : diagnosis->found.conventions) {
+            findings.push_back({Finding::Remedy::Apply, found.convention, conventionSentence(found),
+                                FindingList::tr("Apply"), effectOf(found)});
+        }
+        const Finding mechanism = mechanismFinding(result, *diagnosis);
+        const bool explained = mechanism.remedy == Finding::Remedy::None && !findings.empty();
+        if (!mechanism.sentence.isEmpty() && !explained) {
+            findings.push_back(mechanism);
+        }
+    }
+    if (!result.reference->conventions.empty()) {
+        QStringList names;
+        for (const Convention &convention : result.reference->conventions) {
+            names << nameOf(convention);
+        }
+        findings.push_back({Finding::Remedy::ReadAsPrinted,
+                            {},
+                            FindingList::tr("Not read as printed: %1.").arg(names.join(FindingList::tr(", "))),
+                            FindingList::tr("Read as printed"),
+                            {}});
+    }
+    return findings;
+}
+
+FindingList::FindingList(QWidget *parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("findings"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    hide();
+}
+
+void FindingList::setFindings(const std::vector<Finding> &findings)
+{
+    if (findings == m_findings) {
+        return;
+    }
+    m_findings = findings;
+    m_sentences.clear();
+    if (m_lines) {
+        m_lines->hide();
+        m_lines->deleteLater(); // its button may be the one just pressed
+    }
+    m_lines = new QWidget(this);
+    auto *grid = new QGridLayout(m_lines);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(0, 1);
+    for (const Finding &finding : findings) {
+        const int row = grid->rowCount();
+        auto *sentence = new Paragraph(finding.sentence);
+        sentence->setObjectName(QStringLiteral("findingLabel"));
+        sentence->setTextFormat(Qt::PlainText);
+        sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        grid->addWidget(sentence, row, 0);
+        m_sentences.push_back(sentence);
+        if (finding.remedy != Finding::Remedy::None) {
+            auto *button = new QPushButton(finding.remedyText);
+            button->setObjectName(QStringLiteral("remedyButton"));
+            button->setAccessibleName(tr("%1: %2").arg(finding.remedyText, finding.sentence));
+            button->setToolTip(finding.details);
+            button->setFocusPolicy(Qt::TabFocus); // it will vanish: a click must not leave the focus to chance
+            grid->addWidget(button, row, 1);
+            connect(button, &QPushButton::clicked, this, [this, finding] { emit remedyRequested(finding); });
+        }
+    }
+    layout()->addWidget(m_lines);
+    setVisible(!findings.empty());
+    takeRoom();
+}
+
+void FindingList::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    takeRoom();
+}
+
+void FindingList::takeRoom()
+{
+    setMinimumHeight(layout()->hasHeightForWidth() ? layout()->heightForWidth(width()) : 0);
+}
+
+void FindingList::setUpToDate(bool upToDate)
+{
+    for (QLabel *sentence : m_sentences) {
+        sentence->setEnabled(upToDate);
+    }
+}
+
+} // namespace slidercrank

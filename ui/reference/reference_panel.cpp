@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reference/reference_panel.h"
+
+#include "ui/controls/paragraph.h"
+#include "ui/words/column_text.h"
+#include "ui/words/core_text.h"
+#include "ui/words/finding_text.h"
+#include "ui/words/theme.h"
+
+#include <QButtonGroup>
+#include <QDir>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+enum Column { Heading, Unit, Meaning, RoundedTo, Values, Why };
+constexpr int kColumnCount = 6;
+
+/// What the left of the panel shows; the findings are beside it where there is room.
+enum View { ColumnsView, SkippedView, FindingsView };
+constexpr int kBesideEachOther = 800; // px of width: less is too narrow for two
+
+enum SkippedColumn { Line, Cell, Text, Reason };
+constexpr int kSkippedColumnCount = 4;
+
+QString countText(std::size_t count)
+{
+    return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+/// A table to read: rows are chosen, nothing is edited.
+QTableWidget *tableToRead(const QStringList &headers)
+{
+    auto *table = new QTableWidget(0, static_cast<int>(headers.size()));
+    table->setHorizontalHeaderLabels(headers);
+    for (int column = 0; column < table->columnCount(); ++column) {
+        table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    }
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setTabKeyNavigation(false);
+    table->setAlternatingRowColors(true);
+    table->setShowGrid(false);
+    table->setFrameShape(QFrame::NoFrame);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setHighlightSections(false);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->setMinimumHeight(0);
+    return table;
+}
+
+QTableWidgetItem *setCell(QTableWidget *table, int row, int column, const QString &text)
+{
+    auto *item = new QTableWidgetItem(text);
+    item->setToolTip(text); // where the column is too narrow for it
+    table->setItem(row, column, item);
+    return item;
+}
+
+QLabel *wrappedText(const QString &text)
+{
+    auto *label = new Paragraph(text);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+QLabel *title(const QString &text)
+{
+    auto *label = new QLabel(text);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+/// A text with a button beside it.
+QLayout *rowOf(QLabel *text, QPushButton *button)
+{
+    auto *row = new QHBoxLayout;
+    row->addWidget(text, 1);
+    row->addWidget(button, 0, Qt::AlignTop);
+    return row;
+}
+
+} // namespace
+
+ReferencePanel::ReferencePanel(QWidget *parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("referencePanel"));
+    setAccessibleName(tr("Reference: what was read, and how"));
+    m_pages = new QStackedWidget;
+    m_pages->addWidget(createEmptyPage());
+    m_pages->addWidget(createFilePage());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+}
+
+QSize ReferencePanel::minimumSizeHint() const
+{
+    return {300, 120}; // the rest scrolls
+}
+
+QWidget *ReferencePanel::createEmptyPage()
+{
+    auto *purpose =
+        new Paragraph(tr("Load a simulation's exported motion (CSV): here it says what was read from the file "
+                         "and how, which mechanism the motion belongs to, and by which other reading it would "
+                         "come nearer. A file can also be dropped anywhere in the window."));
+    purpose->setAlignment(Qt::AlignCenter);
+    auto *openReference = new QPushButton(tr("Open reference…"));
+    openReference->setObjectName(QStringLiteral("openReferenceButton"));
+    auto *openSample = new QPushButton(tr("Open the sample"));
+    openSample->setObjectName(QStringLiteral("openSampleButton"));
+    openSample->setToolTip(tr("The motion that the report's author exported from Inventor"));
+    connect(openReference, &QPushButton::clicked, this, &ReferencePanel::openReferenceRequested);
+    connect(openSample, &QPushButton::clicked, this, &ReferencePanel::openSampleRequested);
+
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(openReference);
+    buttons->addWidget(openSample);
+    buttons->addStretch(1);
+    auto *page = new QWidget;
+    auto *rows = new QVBoxLayout(page);
+    rows->addStretch(1);
+    rows->addWidget(purpose);
+    rows->addLayout(buttons);
+    rows->addStretch(1);
+    return page;
+}
+
+QWidget *ReferencePanel::createFilePage()
+{
+    m_name = title({});
+    m_name->setObjectName(QStringLiteral("fileLabel"));
+    m_name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_name->installEventFilter(this);
+    auto *columns = new QPushButton(tr("Choose columns…"));
+    columns->setObjectName(QStringLiteral("columnsButton"));
+    columns->setToolTip(tr("Say what the columns of the file are"));
+    connect(columns, &QPushButton::clicked, this, &ReferencePanel::columnsRequested);
+    m_form = wrappedText({});
+    m_form->setObjectName(QStringLiteral("formLabel"));
+
+    QWidget *tables = createTables();
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_name, 1);
+    for (QAbstractButton *button : m_choice->buttons()) {
+        head->addWidget(button);
+    }
+    head->addWidget(columns);
+    auto *file = new QVBoxLayout;
+    file->setSpacing(4);
+    file->addLayout(head);
+    file->addWidget(m_form);
+    file->addWidget(tables, 1);
+
+    auto *room = new QWidget;
+    m_findingsRoom = new QVBoxLayout(room);
+    m_findingsRoom->setContentsMargins(8, 0, 4, 0);
+    m_findingsArea = new QScrollArea;
+    m_findingsArea->setObjectName(QStringLiteral("findings"));
+    m_findingsArea->setAccessibleName(tr("Whose motion the file is, and how else it may be read"));
+    m_findingsArea->setWidgetResizable(true);
+    m_findingsArea->setFrameShape(QFrame::NoFrame);
+    m_findingsArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_findingsArea->setWidget(room);
+
+    auto *page = new QWidget;
+    m_halves = new QHBoxLayout(page);
+    m_halves->setContentsMargins(6, 6, 6, 4);
+    m_halves->addLayout(file, 5);
+    m_halves->addWidget(m_findingsArea, 3);
+    return page;
+}
+
+QWidget *ReferencePanel::createTables()
+{
+    m_columns = tableToRead({tr("heading"), tr("unit"), tr("read as"), tr("rounded to"), tr("values"), tr("why")});
+    m_columns->setObjectName(QStringLiteral("columnTable"));
+    m_columns->setAccessibleName(tr("Columns of the file, a row a column"));
+    m_columns->horizontalHeaderItem(RoundedTo)->setToolTip(
+        tr("How the file rounded this column, inferred from all its values"));
+    m_skipped = tableToRead({tr("line"), tr("column"), tr("text"), tr("why it was left out")});
+    m_skipped->setObjectName(QStringLiteral("skippedTable"));
+    m_skipped->setAccessibleName(tr("Rows of the file that were left out"));
+    m_tables = new QStackedWidget;
+    m_tables->addWidget(m_columns);
+    m_tables->addWidget(m_skipped);
+
+    m_choice = new QButtonGroup(this);
+    for (const auto &[name, text] :
+         {std::pair{QStringLiteral("showColumns"), tr("Columns")}, std::pair{QStringLiteral("showSkipped"), QString()},
+          std::pair{QStringLiteral("showFindings"), tr("Whose motion")}}) {
+        auto *button = new QToolButton;
+        button->setObjectName(name);
+        button->setText(text);
+        button->setCheckable(true);
+        button->setAutoRaise(true);
+        m_choice->addButton(button, static_cast<int>(m_choice->buttons().size()));
+    }
+    connect(m_choice, &QButtonGroup::idClicked, this, &ReferencePanel::showView);
+    return m_tables;
+}
+
+/// Puts the findings beside the tables, or among them; what there is nothing to see of is not offered.
+void ReferencePanel::arrange()
+{
+    const bool beside = width() >= kBesideEachOther;
+    const bool isBeside = m_halves->indexOf(m_findingsArea) >= 0;
+    if (beside && !isBeside) {
+        m_halves->addWidget(m_findingsArea, 3);
+        m_findingsArea->show();
+    } else if (!beside && isBeside) {
+        m_tables->addWidget(m_findingsArea);
+    }
+    const bool skipped = m_reference && !m_reference->data.skipped.empty();
+    m_choice->button(ColumnsView)->setVisible(skipped || !beside);
+    m_choice->button(SkippedView)->setVisible(skipped);
+    m_choice->button(FindingsView)->setVisible(!beside);
+    const int view = m_choice->checkedId();
+    const bool gone = (view == SkippedView && !skipped) || (view == FindingsView && beside);
+    showView(view < 0 || gone ? ColumnsView : view);
+}
+
+void ReferencePanel::showView(int view)
+{
+    m_choice->button(view)->setChecked(true);
+    m_tables->setCurrentWidget(view == ColumnsView   ? static_cast<QWidget *>(m_columns)
+                               : view == SkippedView ? static_cast<QWidget *>(m_skipped)
+                                                     : m_findingsArea);
+}
+
+void ReferencePanel::setReference(const std::shared_ptr<const Reference> &reference)
+{
+    m_reference = reference;
+    refill();
+}
+
+void ReferencePanel::setDiagnosis(const std::shared_ptr<const Diagnosis> &diagnosis)
+{
+    m_diagnosis = diagnosis;
+    if (isVisible() && !m_stale) {
+        fillFindings();
+    } else {
+        m_stale = true;
+    }
+}
+
+void ReferencePanel::refill()
+{
+    m_stale = true;
+    if (isVisible()) {
+        fill();
+    }
+}
+
+void ReferencePanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void ReferencePanel::showEvent(QShowEvent *event)
+{
+    if (m_stale) {
+        fill();
+    }
+    QWidget::showEvent(event);
+}
+
+void ReferencePanel::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange) {
+        refill();
+    }
+    QWidget::changeEvent(event);
+}
+
+bool ReferencePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_name && event->type() == QEvent::Resize) {
+        showName();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ReferencePanel::fill()
+{
+    m_stale = false;
+    m_pages->setCurrentIndex(m_reference ? 1 : 0);
+    if (m_reference) {
+        fillForm();
+        fillColumns();
+        fillSkipped();
+        arrange();
+    }
+    fillFindings();
+}
+
+void ReferencePanel::showName()
+{
+    if (!m_reference) {
+        return;
+    }
+    const bool onDisk = !m_reference->path.startsWith(QLatin1String(":/")); // the sample is in the program
+    const QString path = onDisk ? QDir::toNativeSeparators(m_reference->path) : m_reference->name;
+    m_name->setText(m_name->fontMetrics().elidedText(path, Qt::ElideLeft, m_name->width()));
+    m_name->setToolTip(path);
+}
+
+void ReferencePanel::fillForm()
+{
+    showName();
+    const ReferenceData &read = m_reference->data;
+    QString rows = tr("%1 rows read").arg(countText(read.time.size()));
+    if (!read.time.empty()) {
+        const QLocale locale;
+        rows += tr(", t = %1 … %2 s").arg(locale.toString(read.time.front()), locale.toString(read.time.back()));
+    }
+    m_form->setText(tr("%1. %2.").arg(formText(read.layout), rows));
+}
+
+void ReferencePanel::fillColumns()
+{
+    const ReferenceData &read = m_reference->data;
+    const FileLayout &layout = read.layout;
+    const SeriesColours colours = seriesColours(palette());
+    m_columns->setRowCount(static_cast<int>(layout.columns.size()));
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        const int row = static_cast<int>(i);
+        setCell(m_columns, row, Heading, headingText(layout, i));
+        setCell(m_columns, row, Unit, unitText(column));
+        QTableWidgetItem *meaning = setCell(m_columns, row, Meaning, meaningText(column));
+        QTableWidgetItem *why = setCell(m_columns, row, Why, shortReasonText(layout, i));
+        why->setToolTip(reasonText(layout, i));
+        QString rounding = QStringLiteral("–");
+        QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : QStringLiteral("–");
+        const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
+        if (series) {
+            meaning->setToolTip(columnNameOf(column.channel));
+            rounding = roundingText(series->rounding);
+            const auto empty = static_cast<std::size_t>(std::count_if(series->values.begin(), series->values.end(),
+                                                                      [](double value) { return std::isnan(value); }));
+            values = countText(series->values.size() - empty);
+            if (empty > 0) {
+                values += empty == 1 ? tr(", 1 gap") : tr(", %1 gaps").arg(countText(empty));
+            }
+        }
+        setCell(m_columns, row, RoundedTo, rounding);
+        setCell(m_columns, row, Values, values);
+        for (int cell = 0; cell < kColumnCount; ++cell) {
+            if (column.role == ColumnRole::Ignored) {
+                m_columns->item(row, cell)->setForeground(palette().color(QPalette::PlaceholderText));
+            }
+        }
+        if (isGuess(column.reason)) {
+            why->setForeground(colours.reference);
+        }
+    }
+    fitColumns(m_columns);
+}
+
+void ReferencePanel::fillSkipped()
+{
+    const std::vector<SkippedRow> &skipped = m_reference->data.skipped;
+    m_choice->button(SkippedView)
+        ->setText(tr("Rows left out (%1)").arg(countText(m_reference->data.skippedRowCount())));
+    m_skipped->setRowCount(static_cast<int>(skipped.size()));
+    for (std::size_t i = 0; i < skipped.size(); ++i) {
+        const int row = static_cast<int>(i);
+        const SkippedRow &of = skipped[i];
+        setCell(m_skipped, row, Line, of.line == 0 ? QString() : QString::number(of.line));
+        setCell(m_skipped, row, Cell, of.column == 0 ? QString() : QString::number(of.column));
+        setCell(m_skipped, row, Text, textOf(of.text));
+        setCell(m_skipped, row, Reason, coreText(of.reason));
+    }
+    fitColumns(m_skipped);
+}
+
+void ReferencePanel::fitColumns(QTableWidget *table)
+{
+    constexpr int kAir = 6;
+    for (int column = 0; column + 1 < table->columnCount(); ++column) {
+        table->resizeColumnToContents(column);
+        table->setColumnWidth(column, table->columnWidth(column) + kAir);
+    }
+}
+
+void ReferencePanel::fillFindings()
+{
+    const bool hadFocus = m_findings && m_findings->isAncestorOf(focusWidget());
+    delete m_findings;
+    m_findings = new QWidget;
+    auto *rows = new QVBoxLayout(m_findings);
+    rows->setContentsMargins(0, 0, 0, 0);
+    m_findingsRoom->addWidget(m_findings);
+    if (!m_reference) {
+        return;
+    }
+    const auto button = [](const QString &text, const QString &name) {
+        auto *made = new QPushButton(text);
+        made->setObjectName(name);
+        return made;
+    };
+
+    const auto later = Qt::QueuedConnection; // what follows a click makes all of this anew, the button too
+
+    if (!m_reference->conventions.empty()) {
+        rows->addWidget(title(tr("Read otherwise than printed")));
+        QStringList sentences;
+        for (const Convention &convention : m_reference->conventions) {
+            sentences << explanationOf(convention);
+        }
+        QPushButton *asPrinted = button(tr("Read as printed again"), QStringLiteral("asPrintedButton"));
+        connect(asPrinted, &QPushButton::clicked, this, &ReferencePanel::readAsPrintedRequested, later);
+        rows->addLayout(rowOf(wrappedText(sentences.join(QLatin1Char('\n'))), asPrinted));
+    }
+    const bool known = m_diagnosis && m_diagnosis->reference == m_reference;
+    if (known && !m_diagnosis->found.conventions.empty()) {
+        rows->addWidget(title(tr("How else it may be read")));
+        for (const ConventionFinding &finding : m_diagnosis->found.conventions) {
+            QPushButton *apply = button(tr("Apply"), QStringLiteral("applyButton"));
+            apply->setAccessibleName(tr("Apply: %1").arg(explanationOf(finding.convention)));
+            connect(
+                apply, &QPushButton::clicked, this,
+                [this, convention = finding.convention] { emit applyRequested(convention); }, later);
+            rows->addLayout(
+                rowOf(wrappedText(explanationOf(finding.convention) + QLatin1Char('\n') + effectOf(finding)), apply));
+        }
+    }
+    rows->addWidget(title(tr("Whose motion it is")));
+    if (!known) {
+        rows->addWidget(wrappedText(tr("Being found out…")));
+    } else {
+        QString summary = summaryOf(m_diagnosis->found.identification);
+        if (const QString rounded = roundNumbersText(m_diagnosis->found); !rounded.isEmpty()) {
+            summary += QLatin1Char('\n') + rounded;
+        }
+        for (const char *inOneLine : {" = ", " ± ", " mm", " rad/s"}) {
+            const QString part = QString::fromUtf8(inOneLine);
+            summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
+        }
+        QLabel *mechanism = wrappedText(summary);
+        mechanism->setObjectName(QStringLiteral("identificationLabel"));
+        if (m_diagnosis->found.identification.status == Identification::Status::Found) {
+            QPushButton *takeOver = button(tr("Take over"), QStringLiteral("takeOverButton"));
+            takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
+            takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
+            connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);
+            rows->addLayout(rowOf(mechanism, takeOver));
+        } else {
+            rows->addWidget(mechanism);
+        }
+    }
+    rows->addStretch(1);
+    if (hadFocus) {
+        if (auto *first = m_findings->findChild<QPushButton *>()) {
+            first->setFocus();
+        }
+    }
+}
+
+} // namespace slidercrank

@@ -1,0 +1,565 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/study_panel.h"
+
+#include "ui/controls/number_box.h"
+#include "ui/export/figure_export.h"
+#include "ui/study/study_figure.h"
+#include "ui/words/axis_scale.h"
+#include "ui/words/core_text.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSplitter>
+#include <QStandardPaths>
+#include <QStringList>
+#include <QTableWidget>
+#include <QThreadPool>
+#include <QToolButton>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include <array>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+enum Column { Name, Tolerance, Time, Error, Bound, Iterations, Outcome };
+constexpr int kColumnCount = 7;
+constexpr QSize kExportSize(900, 600);
+constexpr int kProgressSteps = 200;
+
+QString shownNumber(std::optional<double> value)
+{
+    return value ? shortNumber(*value, 3, QLocale()) : QStringLiteral("–");
+}
+
+QString statusText(Status status)
+{
+    switch (status) {
+    case Status::Solved: return StudyPanel::tr("solved");
+    case Status::Singular: return StudyPanel::tr("singular");
+    case Status::IterationLimit: return StudyPanel::tr("not converged");
+    case Status::NotAssemblable: return StudyPanel::tr("not assemblable");
+    case Status::NotFinite: return StudyPanel::tr("not finite");
+    }
+    return {};
+}
+
+/// "solved", or "190 solved, 11 singular".
+QString outcomeOf(const MethodResult &row)
+{
+    QStringList parts;
+    int statuses = 0;
+    for (std::size_t i = 0; i < kStatusCount; ++i) {
+        if (row.counts[i] > 0) {
+            ++statuses;
+            parts += StudyPanel::tr("%1 %2").arg(row.counts[i]).arg(statusText(static_cast<Status>(i)));
+        }
+    }
+    QString text = statuses == 1 ? statusText(row.status) : parts.join(StudyPanel::tr(", "));
+    if (row.silentFailures.value_or(0) > 0) {
+        text += StudyPanel::tr(", %1 silently wrong").arg(*row.silentFailures);
+    }
+    return text;
+}
+
+std::size_t silentFailuresOf(const StudyResult &result)
+{
+    std::size_t sum = 0;
+    for (const CaseResult &which : result.cases) {
+        for (const MethodResult &row : which.methods) {
+            sum += row.silentFailures.value_or(0);
+        }
+    }
+    return sum;
+}
+
+QString lengthsOf(const Parameters &p)
+{
+    const auto number = [](double value) { return QLocale().toString(value, 'g', 9); };
+    return StudyPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6")
+        .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
+             p.branch == Branch::Open ? StudyPanel::tr("open") : StudyPanel::tr("crossed"));
+}
+
+} // namespace
+
+/// The picture on the screen: its points answer to the mouse.
+class StudyPicture : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StudyPicture(QWidget *parent = nullptr)
+        : QWidget(parent)
+    {
+        setObjectName(QStringLiteral("studyPicture"));
+        setAccessibleName(tr("Error against time per state"));
+        setMouseTracking(true);
+        setMinimumSize(220, 120);
+    }
+
+    void setCase(const CaseResult *which)
+    {
+        m_case = which ? std::optional(*which) : std::nullopt;
+        m_marked.reset();
+        QStringList best;
+        if (m_case) {
+            for (const std::size_t row : bestFront(*m_case)) {
+                best += titleOf(m_case->methods[row]);
+            }
+        }
+        setAccessibleDescription(best.isEmpty() ? QString()
+                                                : tr("Best in speed and error: %1").arg(best.join(tr(", "))));
+        update();
+    }
+
+    void mark(std::optional<std::size_t> row)
+    {
+        if (row != m_marked) {
+            m_marked = row;
+            update();
+        }
+    }
+
+signals:
+    void pointed(std::size_t row); ///< at a point
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        const SeriesColours colours = seriesColours(palette());
+        if (m_case) {
+            drawStudy(painter, size(), *m_case, colours, m_marked);
+            return;
+        }
+        painter.fillRect(rect(), colours.background);
+        painter.setPen(colours.text);
+        painter.drawText(rect().adjusted(12, 4, -12, -4), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("How fast is each method, and how exact? Run the study: every method is timed on the same "
+                            "instants and its error measured against 50 digits and more."));
+    }
+
+    void mouseMoveEvent(QMouseEvent *event) override
+    {
+        if (const std::optional<std::size_t> row = rowAt(event->position())) {
+            mark(row);
+            QToolTip::showText(event->globalPosition().toPoint(), descriptionOf(m_case->methods[*row]), this);
+            emit pointed(*row);
+        } else {
+            QToolTip::hideText();
+        }
+    }
+
+private:
+    std::optional<std::size_t> rowAt(const QPointF &position) const
+    {
+        constexpr double kNear = 9.0; // px
+        std::optional<std::size_t> nearest;
+        double least = kNear;
+        if (m_case) {
+            for (const StudyPoint &point : studyPoints(*m_case, size())) {
+                const double away = std::hypot(point.at.x() - position.x(), point.at.y() - position.y());
+                if (away <= least) {
+                    least = away;
+                    nearest = point.row;
+                }
+            }
+        }
+        return nearest;
+    }
+
+    std::optional<CaseResult> m_case;
+    std::optional<std::size_t> m_marked;
+};
+
+StudyPanel::StudyPanel(QWidget *parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("studyPanel"));
+    setAccessibleName(tr("Speed and accuracy of the methods"));
+
+    m_runThis = new QPushButton(tr("Run (this mechanism)"));
+    m_runThis->setObjectName(QStringLiteral("runThisButton"));
+    m_runThis->setToolTip(tr("Times every method on one turn of this mechanism"));
+    connect(m_runThis, &QPushButton::clicked, this, &StudyPanel::runThisMechanism);
+    m_runHard = new QPushButton(tr("Run hard cases"));
+    m_runHard->setObjectName(QStringLiteral("runHardButton"));
+    m_runHard->setToolTip(tr("Toggles, rockers, other scales, far times: takes some ten seconds"));
+    connect(m_runHard, &QPushButton::clicked, this, &StudyPanel::runHardCases);
+    m_cancel = new QPushButton(tr("Cancel"));
+    m_cancel->setObjectName(QStringLiteral("cancelStudyButton"));
+    connect(m_cancel, &QPushButton::clicked, this, &StudyPanel::cancel);
+    m_progress = new QProgressBar;
+    m_progress->setObjectName(QStringLiteral("studyProgress"));
+    m_progress->setAccessibleName(tr("Progress of the study"));
+    m_progress->setRange(0, kProgressSteps);
+    m_progress->setMaximumWidth(140);
+
+    m_cases = new QComboBox;
+    m_cases->setObjectName(QStringLiteral("caseBox"));
+    m_cases->setAccessibleName(tr("Case on show"));
+    m_cases->setToolTip(tr("Case on show"));
+    m_cases->setMinimumContentsLength(12);
+    m_cases->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(m_cases, &QComboBox::currentIndexChanged, this, &StudyPanel::showCase);
+
+    m_export = new QToolButton;
+    m_export->setObjectName(QStringLiteral("exportStudyButton"));
+    m_export->setText(tr("Export"));
+    m_export->setToolTip(tr("The picture as PNG, SVG or PDF, the numbers as CSV or JSON"));
+    m_export->setPopupMode(QToolButton::InstantPopup);
+    auto *menu = new QMenu(m_export);
+    menu->addAction(tr("Picture…"), this, &StudyPanel::choosePicture);
+    menu->addAction(tr("Numbers…"), this, &StudyPanel::chooseNumbers);
+    m_export->setMenu(menu);
+
+    m_summary = new QLabel;
+    m_summary->setObjectName(QStringLiteral("studySummary"));
+    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+    auto *controls = new QHBoxLayout;
+    controls->setSpacing(6);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_runThis, m_runHard, m_cancel, m_progress}) {
+        controls->addWidget(widget);
+    }
+    controls->addStretch(1);
+    controls->addWidget(m_cases);
+    controls->addWidget(m_export);
+
+    m_picture = new StudyPicture;
+    m_table = new QTableWidget(0, kColumnCount);
+    m_table->setObjectName(QStringLiteral("studyTable"));
+    m_table->setAccessibleName(tr("Methods, a row a method and tolerance"));
+    const std::array<std::pair<QString, QString>, kColumnCount> headers{{
+        {tr("method"), tr("How the motion is computed")},
+        {tr("tolerance"), tr("Of Newton-Raphson: absolute as in the report for its own way, relative for the others")},
+        {tr("ns"), tr("Time per state: median over interleaved rounds")},
+        {tr("error"),
+         tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants")},
+        {tr("κ·u"), tr("The error that rounding the given numbers makes by itself")},
+        {tr("iterations"), tr("Per state")},
+        {tr("instants"), tr("What the method says of them")},
+    }};
+    for (int column = 0; column < kColumnCount; ++column) {
+        const auto &[title, explanation] = headers[static_cast<std::size_t>(column)];
+        auto *item = new QTableWidgetItem(title);
+        item->setToolTip(explanation);
+        const bool isText = column == Name || column == Outcome;
+        item->setTextAlignment((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        m_table->setHorizontalHeaderItem(column, item);
+    }
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setTabKeyNavigation(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setShowGrid(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->hide(); // until there is something in it
+    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
+        m_picture->mark(row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt);
+    });
+    connect(m_picture, &StudyPicture::pointed, this,
+            [this](std::size_t row) { m_table->setCurrentCell(static_cast<int>(row), Name); });
+
+    auto *beside = new QSplitter(Qt::Horizontal);
+    beside->setChildrenCollapsible(false);
+    beside->addWidget(m_picture);
+    beside->addWidget(m_table);
+    beside->setSizes({1000, 1000}); // alike, whatever they would like to have
+    beside->setStretchFactor(0, 1);
+    beside->setStretchFactor(1, 1);
+
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(6, 4, 6, 4);
+    rows->setSpacing(4);
+    rows->addLayout(controls);
+    rows->addWidget(beside, 1);
+    rows->addWidget(m_summary);
+    updateButtons();
+    showSummary();
+}
+
+StudyPanel::~StudyPanel()
+{
+    if (m_listener && m_listener->panel == this) {
+        m_listener->panel = nullptr;
+        m_stop.request_stop();
+    }
+}
+
+void StudyPanel::takeOver(StudyPanel &other)
+{
+    m_result = other.m_result;
+    m_running = other.m_running;
+    m_stop = other.m_stop;
+    m_listener = other.m_listener;
+    if (m_listener) {
+        m_listener->panel = this;
+    }
+    m_progress->setValue(other.m_progress->value());
+    showResult();
+    m_cases->setCurrentIndex(other.m_cases->currentIndex());
+    updateButtons();
+}
+
+void StudyPanel::setParameters(const Parameters &parameters)
+{
+    m_parameters = parameters;
+    showSummary();
+}
+
+void StudyPanel::runThisMechanism()
+{
+    StudyRequest request;
+    request.cases = {studyCase(m_parameters)};
+    run(std::move(request));
+}
+
+void StudyPanel::runHardCases()
+{
+    StudyRequest request;
+    request.cases.assign(hardCases().begin(), hardCases().end());
+    run(std::move(request));
+}
+
+void StudyPanel::cancel()
+{
+    m_stop.request_stop();
+}
+
+void StudyPanel::run(StudyRequest request)
+{
+    if (m_running) {
+        return;
+    }
+    m_running = true;
+    m_stop = std::stop_source();
+    m_listener = std::make_shared<Listener>(Listener{this});
+    m_progress->setValue(0);
+    updateButtons();
+    QThreadPool::globalInstance()->start(
+        [listener = m_listener, request = std::move(request), stop = m_stop.get_token()] {
+            int told = 0;
+            const auto tell = [&](double part) {
+                const int now = static_cast<int>(part * kProgressSteps);
+                if (now == told) {
+                    return;
+                }
+                told = now;
+                QMetaObject::invokeMethod(
+                    QCoreApplication::instance(),
+                    [listener, now] {
+                        if (listener->panel) {
+                            listener->panel->m_progress->setValue(now);
+                        }
+                    },
+                    Qt::QueuedConnection);
+            };
+            auto result = std::make_shared<const StudyResult>(runStudy(request, stop, tell));
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [listener, result = std::move(result)] {
+                    if (listener->panel) {
+                        listener->panel->finish(result);
+                    }
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+void StudyPanel::finish(const std::shared_ptr<const StudyResult> &result)
+{
+    m_running = false;
+    if (!result->cases.empty()) {
+        m_result = result;
+        showResult();
+    }
+    updateButtons();
+    emit finished();
+}
+
+void StudyPanel::showResult()
+{
+    if (!m_result) {
+        return;
+    }
+    const QSignalBlocker quiet(m_cases);
+    m_cases->clear();
+    for (const CaseResult &which : m_result->cases) {
+        m_cases->addItem(coreNames(which.name));
+    }
+    showCase();
+}
+
+const CaseResult *StudyPanel::shownCase() const
+{
+    const int index = m_cases->currentIndex();
+    return m_result && index >= 0 ? &m_result->cases[static_cast<std::size_t>(index)] : nullptr;
+}
+
+void StudyPanel::showCase()
+{
+    const CaseResult *which = shownCase();
+    m_picture->setCase(which);
+    if (which) {
+        fillTable(*which);
+        m_cases->setToolTip(lengthsOf(which->parameters));
+    }
+    m_table->setVisible(which != nullptr);
+    showSummary();
+}
+
+void StudyPanel::fillTable(const CaseResult &which)
+{
+    const QSignalBlocker quiet(m_table);
+    const SeriesColours colours = seriesColours(palette());
+    m_table->setCurrentCell(-1, -1);
+    m_table->setRowCount(static_cast<int>(which.methods.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const MethodResult &method = which.methods[static_cast<std::size_t>(row)];
+        const QString description = descriptionOf(method);
+        const auto set = [&](Column column, const QString &text) {
+            auto *item = new QTableWidgetItem(text);
+            item->setToolTip(description);
+            const bool isText = column == Name || column == Outcome;
+            item->setTextAlignment((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+            m_table->setItem(row, column, item);
+            return item;
+        };
+        set(Name, titleOf(method));
+        set(Tolerance, method.tolerance ? numberText(*method.tolerance, 3) : QStringLiteral("–"));
+        set(Time, shownNumber(method.nsPerState));
+        set(Iterations, shownNumber(method.iterationsPerState));
+        set(Error, shownNumber(method.maxError));
+        set(Bound, shownNumber(method.errorBound));
+        QTableWidgetItem *outcome = set(Outcome, outcomeOf(method));
+        if (method.silentFailures.value_or(0) > 0) {
+            outcome->setForeground(colours.warning);
+        }
+    }
+    m_table->resizeColumnsToContents();
+}
+
+void StudyPanel::showSummary()
+{
+    QString text;
+    if (m_result) {
+        const QLocale locale;
+        text = m_result->cases.size() == 1 ? tr("1 case") : tr("%1 cases").arg(m_result->cases.size());
+        const std::size_t silent = silentFailuresOf(*m_result);
+        text += silent == 0 ? tr(", nothing silently wrong") : tr(", ⚠ %1 instants silently wrong").arg(silent);
+        text += tr(", done in %1 s").arg(locale.toString(m_result->seconds, 'f', 1));
+        if (!m_result->complete) {
+            text += tr(" (cancelled)");
+        }
+        const CaseResult *which = shownCase();
+        const bool ofThisMechanism = which && which->name == studyCase(which->parameters).name;
+        if (ofThisMechanism && which->parameters != m_parameters) {
+            text += tr(". The mechanism has changed since: run again");
+        }
+        text += tr(". Times of %1").arg(coreNames(m_result->machine));
+    }
+    m_summary->setText(text);
+    m_summary->setToolTip(text);
+    m_summary->setVisible(!text.isEmpty());
+}
+
+void StudyPanel::updateButtons()
+{
+    m_runThis->setEnabled(!m_running);
+    m_runHard->setEnabled(!m_running);
+    m_cancel->setVisible(m_running);
+    m_progress->setVisible(m_running);
+    m_cases->setVisible(m_result && m_result->cases.size() > 1);
+    m_export->setEnabled(m_result != nullptr);
+}
+
+std::optional<QString> StudyPanel::exportPicture(const QString &path) const
+{
+    const CaseResult *which = shownCase();
+    if (!which) {
+        return tr("There is nothing to export yet: run the study first.");
+    }
+    const SeriesColours light = seriesColours(paletteFor(Theme::Light));
+    return exportFigure(path, {kExportSize, 2.0}, tr("Speed and accuracy: %1").arg(coreNames(which->name)),
+                        [&](QPainter &painter, const QSize &size) { drawStudy(painter, size, *which, light); });
+}
+
+std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
+{
+    if (!m_result) {
+        return tr("There is nothing to export yet: run the study first.");
+    }
+    const bool json = path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+    QSaveFile file(path);
+    const QByteArray bytes = QByteArray::fromStdString(json ? studyJson(*m_result) : studyCsv(*m_result));
+    const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    return written
+               ? std::nullopt
+               : std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), file.errorString()));
+}
+
+void StudyPanel::choosePicture()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export"), QDir(folder).filePath(tr("speed.png")),
+                                                      tr("Images and drawings (*.png *.svg *.pdf)"));
+    if (!path.isEmpty()) {
+        tellProblem(exportPicture(path));
+    }
+}
+
+void StudyPanel::chooseNumbers()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export"), QDir(folder).filePath(tr("speed.csv")),
+                                                      tr("Tables (*.csv *.json)"));
+    if (!path.isEmpty()) {
+        tellProblem(exportNumbers(path));
+    }
+}
+
+void StudyPanel::tellProblem(const std::optional<QString> &sentence)
+{
+    if (sentence) {
+        m_summary->setText(tr("⚠ %1").arg(*sentence));
+        m_summary->setVisible(true);
+    }
+}
+
+void StudyPanel::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange) {
+        showCase();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace slidercrank
+
+#include "study_panel.moc"

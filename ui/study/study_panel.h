@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Speed and accuracy: runs the study beside the window, for this mechanism or the named hard cases, and shows a case of
+// it as a picture and as a table.
+
+#include "core/study/study.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableWidget;
+class QToolButton;
+
+namespace slidercrank
+{
+
+class StudyPicture;
+
+class StudyPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StudyPanel(QWidget *parent = nullptr);
+    ~StudyPanel() override;
+
+    /// Of the case on show, in light colours, by the file name's suffix; a sentence when it could not be written.
+    std::optional<QString> exportPicture(const QString &path) const;
+
+    /// Goes on with what the other shows and runs, in its place.
+    void takeOver(StudyPanel &other);
+
+    /// Every case: JSON where the name ends in .json, else CSV.
+    std::optional<QString> exportNumbers(const QString &path) const;
+
+public slots:
+    void setParameters(const slidercrank::Parameters &parameters);
+    void runThisMechanism();
+    void runHardCases();
+    void cancel();
+
+signals:
+    void finished(); ///< or cancelled
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    /// Whom a study under way tells.
+    struct Listener {
+        StudyPanel *panel = nullptr; ///< null: nobody any more
+    };
+
+    void run(StudyRequest request);
+    void showResult();
+    void finish(const std::shared_ptr<const StudyResult> &result);
+    const CaseResult *shownCase() const;
+    void showCase();
+    void fillTable(const CaseResult &which);
+    void showSummary();
+    void updateButtons();
+    void choosePicture();
+    void chooseNumbers();
+    void tellProblem(const std::optional<QString> &sentence);
+
+    Parameters m_parameters;
+    std::shared_ptr<const StudyResult> m_result;
+    std::stop_source m_stop;
+    std::shared_ptr<Listener> m_listener; ///< read and written in the GUI thread only
+    bool m_running = false;
+
+    QPushButton *m_runThis = nullptr;
+    QPushButton *m_runHard = nullptr;
+    QPushButton *m_cancel = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QComboBox *m_cases = nullptr;
+    QToolButton *m_export = nullptr;
+    QLabel *m_summary = nullptr;
+    StudyPicture *m_picture = nullptr;
+    QTableWidget *m_table = nullptr;
+};
+
+} // namespace slidercrank

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/help_page.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include <utility>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Entries = std::vector<std::pair<QString, QString>>; ///< what is done, and by what
+
+QString tableOf(const QString &title, const Entries &entries)
+{
+    QString html = QStringLiteral("<h3>%1</h3><table width='100%' cellpadding='3'>").arg(title.toHtmlEscaped());
+    for (const auto &[what, how] : entries) {
+        html += QStringLiteral("<tr><td>%1</td><td width='45%'>%2</td></tr>")
+                    .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
+    }
+    return html + QStringLiteral("</table>");
+}
+
+/// As it reads in the menu, whatever there is to undo.
+QString nameOf(const QAction &action)
+{
+    return action.iconText();
+}
+
+void collect(const QMenu &menu, const QString &path, Entries &entries)
+{
+    for (const QAction *action : menu.actions()) {
+        const QString name = path + nameOf(*action);
+        if (const QMenu *below = action->menu()) {
+            collect(*below, HelpPage::tr("%1: ").arg(name), entries);
+            continue;
+        }
+        QStringList keys;
+        for (const QKeySequence &key : action->shortcuts()) {
+            keys << key.toString(QKeySequence::NativeText);
+        }
+        if (!keys.isEmpty()) {
+            entries.emplace_back(name, keys.join(HelpPage::tr(" or ")));
+        }
+    }
+}
+
+QString paragraph(const QString &text)
+{
+    return QStringLiteral("<p>%1</p>").arg(text);
+}
+
+/// Not translated: mathematics reads the same everywhere.
+QString formulas(const QStringList &lines)
+{
+    return QStringLiteral("<p style='margin-left:24px'>%1</p>").arg(lines.join(QStringLiteral("<br>")));
+}
+
+} // namespace
+
+QString shortcutsText(const QMenuBar &menus)
+{
+    QString html;
+    for (const QAction *action : menus.actions()) {
+        Entries entries;
+        if (const QMenu *menu = action->menu()) {
+            collect(*menu, QString(), entries);
+        }
+        if (!entries.empty()) {
+            html += tableOf(nameOf(*action), entries);
+        }
+    }
+    html += tableOf(HelpPage::tr("Everywhere"),
+                    {{HelpPage::tr("To the next control, to the one before"), HelpPage::tr("Tab, Shift+Tab")},
+                     {HelpPage::tr("Open a menu"), HelpPage::tr("Alt and the underlined letter")},
+                     {HelpPage::tr("Open a file"), HelpPage::tr("Drop it on the window")}});
+    html += tableOf(
+        HelpPage::tr("Mechanism"),
+        {{HelpPage::tr("Move through time"), HelpPage::tr("Drag A, or B along its line")},
+         {HelpPage::tr("Change a, b or c"),
+          HelpPage::tr("Pull the crank, the coupler or the slider's line; with Control to a finer length")},
+         {HelpPage::tr("Zoom"), HelpPage::tr("Wheel, + and -")},
+         {HelpPage::tr("Show all"), HelpPage::tr("Double click beside the mechanism, or 0")},
+         {HelpPage::tr("Move the drawing"), HelpPage::tr("Drag beside the mechanism, or Control and the arrows")},
+         {HelpPage::tr("Read about a part"), HelpPage::tr("Point at it, or Page Down and Page Up")}});
+    html += tableOf(
+        HelpPage::tr("Parameters"),
+        {{HelpPage::tr("Change a little, a lot"), HelpPage::tr("On a slider: arrow keys, Page Up and Page Down")},
+         {HelpPage::tr("Type any number, in any unit on show"), HelpPage::tr("In a box: the number, then Enter")}});
+    html += tableOf(
+        HelpPage::tr("Plots"),
+        {{HelpPage::tr("Go to an instant"), HelpPage::tr("Click")},
+         {HelpPage::tr("Read the values of all nine"), HelpPage::tr("Point at a curve")},
+         {HelpPage::tr("Zoom the time"), HelpPage::tr("Wheel; + and − on a plot with the focus")},
+         {HelpPage::tr("Zoom the values"), HelpPage::tr("Wheel left of the axis")},
+         {HelpPage::tr("Move what is zoomed"), HelpPage::tr("Drag")},
+         {HelpPage::tr("Show the whole run"), HelpPage::tr("Double click")},
+         {HelpPage::tr("Make a plot large, and small again"), HelpPage::tr("Double click its title, or Enter")},
+         {HelpPage::tr("Copy, export, choose the error"), HelpPage::tr("Right click, or the menu key")},
+         {HelpPage::tr("Move a measuring cursor"), HelpPage::tr("Drag it, or A and B to bring it to the instant")}});
+    html += tableOf(HelpPage::tr("Tables"),
+                    {{HelpPage::tr("Go where a row's value is"), HelpPage::tr("Click, or Enter")},
+                     {HelpPage::tr("Light up a row's joint"), HelpPage::tr("Point at it, or the arrow keys")},
+                     {HelpPage::tr("Copy the table as CSV"), QKeySequence(QKeySequence::Copy).toString()},
+                     {HelpPage::tr("Fold the panels away"), HelpPage::tr("Click the current tab")}});
+    return html;
+}
+
+QString formulasText()
+{
+    QString html = QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("What it does"));
+    html +=
+        paragraph(HelpPage::tr("It shows how an offset slider-crank moves with the lengths and the speed you choose, "
+                               "and how far a motion exported from a simulation (CSV) is from it, and why."));
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("The mechanism"));
+    html += paragraph(
+        HelpPage::tr("The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length "
+                     "b, leads from its pin A to the pin B of the slider, which moves along y = c. Bodies "
+                     "are superscripts: 1 ground, 2 crank, 3 coupler, 4 slider."));
+    html += formulas({QStringLiteral("θ² = ω₂ t + θ₂₀")});
+    html +=
+        paragraph(HelpPage::tr("θ³ is the coupler's angle seen from A towards B; the θ₃ that textbooks draw at B is "
+                               "θ³ + 180°. The crank turns round where"));
+    html += formulas({QStringLiteral("a + |c| ≤ b")});
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Closed form, exact"));
+    html += paragraph(HelpPage::tr("Plus: open assembly, the slider to the right of A. Minus: crossed."));
+    html += formulas({QStringLiteral("h = c − a sin θ²"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),
+                      QStringLiteral("Rₓ⁴ = a cos θ² + b cos θ³"), QStringLiteral("dθ³/dt = −a ω₂ cos θ² / (b cos θ³)"),
+                      QStringLiteral("dRₓ⁴/dt = −a ω₂ sin θ² − b sin θ³ dθ³/dt"),
+                      QStringLiteral("d²θ³/dt² = (a ω₂² sin θ² + b sin θ³ (dθ³/dt)²) / (b cos θ³)"),
+                      QStringLiteral("d²Rₓ⁴/dt² = −a ω₂² cos θ² − b cos θ³ (dθ³/dt)² − b sin θ³ d²θ³/dt²")});
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Newton-Raphson"));
+    html += paragraph(
+        HelpPage::tr("The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations "
+                     "C(q, t) = 0, after A. A. Shabana, <i>Computational Dynamics</i>. The position is iterated "
+                     "until ‖C‖ is within the tolerance; velocity and acceleration follow from it. Where "
+                     "cos θ³ = 0 the coupler stands square to the slider's line and they do not exist."));
+    html += formulas({QStringLiteral("C_q Δq = −C"), QStringLiteral("C_q q̇ = −Cₜ"),
+                      QStringLiteral("C_q q̈ = Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt"),
+                      QStringLiteral("det C_q = −b cos θ³")});
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Error"));
+    html += paragraph(
+        HelpPage::tr("Of each value x of a file against the model's, as a percentage of the file's; where that "
+                     "is 0 there is no percentage. The View menu has errors in ° and mm, and in percent of "
+                     "the peak."));
+    html += formulas({HelpPage::tr("|model − x| / |x| · 100 %")});
+    return html;
+}
+
+HelpPage::HelpPage(const QString &title, const QString &html, QWidget *window)
+    : QDialog(window)
+{
+    setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName(QStringLiteral("helpPage"));
+    setWindowTitle(title);
+    auto *text = new QTextBrowser;
+    text->setObjectName(QStringLiteral("helpText"));
+    text->setAccessibleName(title);
+    text->setHtml(html);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto *rows = new QVBoxLayout(this);
+    rows->addWidget(text);
+    rows->addWidget(buttons);
+    const int letter = fontMetrics().averageCharWidth();
+    resize(90 * letter, 90 * letter);
+}
+
+} // namespace slidercrank

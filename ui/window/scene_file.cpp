@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/scene_file.h"
+
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/plots/plot_grid.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include <utility>
+#include <variant>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kRecentScenes = 8;
+
+const QString kRecentKey = QStringLiteral("recentScenes");
+
+/// Where scenes are: beside the last one.
+QString folderOf(const QString &path)
+{
+    const QString last = path.isEmpty() ? SceneFile::recent().value(0) : path;
+    return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                          : QFileInfo(last).absolutePath();
+}
+
+} // namespace
+
+SceneFile::SceneFile(Session *session, PlotGrid *plots, MechanismView *mechanism, QWidget *window)
+    : QObject(window)
+    , m_session(session)
+    , m_plots(plots)
+    , m_mechanism(mechanism)
+    , m_window(window)
+{
+    connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &SceneFile::changed);
+    connect(session, &Session::referenceLoaded, this, [this] { m_missing.reset(); });
+    connect(session, &Session::opened, this, &SceneFile::finishOpening);
+}
+
+bool SceneFile::isModified() const
+{
+    return !m_session->undoStack().isClean();
+}
+
+QStringList SceneFile::recent()
+{
+    return QSettings().value(kRecentKey).toStringList();
+}
+
+void SceneFile::remember(const QString &path)
+{
+    QStringList paths = recent();
+    paths.removeAll(path);
+    paths.prepend(path);
+    QSettings().setValue(kRecentKey, paths.mid(0, kRecentScenes));
+}
+
+Scene SceneFile::scene() const
+{
+    Scene scene;
+    scene.parameters = m_session->parameters();
+    scene.sampling = m_session->sampling();
+    scene.solver = m_session->solver();
+    scene.reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing;
+    scene.time = m_session->time();
+    scene.plots = m_plots->settings();
+    scene.zoom = m_plots->zoom();
+    scene.mechanism = m_mechanism->settings();
+    scene.mechanismFrame = m_mechanism->zoom();
+    scene.asRead = m_asRead;
+    return scene;
+}
+
+void SceneFile::askThen(const std::function<void()> &goOn)
+{
+    if (!isModified()) {
+        goOn();
+        return;
+    }
+    if (auto *asked = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))) {
+        asked->reject();
+    }
+    auto *question = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                     m_path.isEmpty() ? tr("Save what you changed as a scene?")
+                                                      : tr("Save the changes to %1?").arg(QFileInfo(m_path).fileName()),
+                                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    question->setObjectName(QStringLiteral("unsavedQuestion"));
+    question->setInformativeText(tr("Otherwise they are lost."));
+    question->setDefaultButton(QMessageBox::Save);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::finished, this, [this, goOn](int answer) {
+        if (answer == QMessageBox::Save) {
+            save(goOn);
+        } else if (answer == QMessageBox::Discard) {
+            goOn();
+        }
+    });
+    question->open();
+}
+
+void SceneFile::open(const QString &path, const QString &reference)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    std::variant<Scene, QString> outcome = readScene(absolute);
+    if (const QString *sentence = std::get_if<QString>(&outcome)) {
+        emit problemFound(*sentence);
+        return;
+    }
+    askThen([this, absolute, reference, scene = std::get<Scene>(std::move(outcome))] {
+        m_opening = Opening{absolute, scene};
+        const Choices choices{scene.parameters, scene.sampling, scene.solver, nullptr};
+        m_session->open(choices, scene.time, reference.isEmpty() ? scene.reference : std::nullopt);
+        if (!reference.isEmpty()) {
+            m_session->loadReference(reference);
+        }
+    });
+}
+
+void SceneFile::finishOpening(const QString &problem)
+{
+    if (!m_opening) {
+        return;
+    }
+    const Opening opening = *std::exchange(m_opening, std::nullopt);
+    m_path = opening.path;
+    m_asRead = opening.scene.asRead;
+    m_missing = problem.isEmpty() ? std::nullopt : opening.scene.reference;
+    m_plots->setSettings(opening.scene.plots);
+    m_plots->setZoom(opening.scene.zoom);
+    m_mechanism->setSettings(opening.scene.mechanism);
+    m_mechanism->setZoom(opening.scene.mechanismFrame);
+    if (m_session->result()->sampling != m_session->sampling()) { // a long run, whose result will undo the zoom
+        connect(
+            m_session, &Session::resultChanged, this, [this, zoom = opening.scene.zoom] { m_plots->setZoom(zoom); },
+            Qt::SingleShotConnection);
+    }
+    remember(m_path);
+    emit changed();
+    if (!problem.isEmpty()) {
+        emit referenceMissing(problem);
+    }
+}
+
+void SceneFile::chooseAndOpen()
+{
+    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.json);;All files (*)"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
+    dialog->open();
+}
+
+void SceneFile::save(const std::function<void()> &goOn)
+{
+    if (m_path.isEmpty()) {
+        saveAs(goOn);
+    } else if (saveTo(m_path) && goOn) {
+        goOn();
+    }
+}
+
+void SceneFile::saveAs(const std::function<void()> &goOn)
+{
+    auto *dialog = new QFileDialog(m_window, tr("Save scene"), folderOf(m_path), tr("Scenes (*.json)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("json"));
+    dialog->selectFile(m_path.isEmpty() ? QStringLiteral("scene.json") : QFileInfo(m_path).fileName());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, goOn](const QString &path) {
+        if (saveTo(path) && goOn) {
+            goOn();
+        }
+    });
+    dialog->open();
+}
+
+bool SceneFile::saveTo(const QString &path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (const std::optional<QString> sentence = writeScene(scene(), absolute)) {
+        emit problemFound(*sentence);
+        return false;
+    }
+    m_path = absolute;
+    m_session->undoStack().setClean();
+    remember(m_path);
+    emit changed();
+    emit saved(m_path);
+    return true;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The scene of the window as a document: opened, saved, asked about before it is lost. It is modified while there is an
+// edit that could be undone since; neither the instant on show nor the plots' view counts as one.
+
+#include "ui/document/scene.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <optional>
+
+namespace slidercrank
+{
+
+class MechanismView;
+class PlotGrid;
+
+class SceneFile : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// `window`: whose session, plots and drawing these are, and in front of which is asked.
+    SceneFile(Session *session, PlotGrid *plots, MechanismView *mechanism, QWidget *window);
+
+    /// Others in place of those before.
+    void setViews(PlotGrid *plots, MechanismView *mechanism)
+    {
+        m_plots = plots;
+        m_mechanism = mechanism;
+    }
+
+    const QString &path() const { return m_path; } ///< empty: never saved
+    bool isModified() const;
+
+    /// The latest first.
+    static QStringList recent();
+
+    /// Goes on at once where nothing would be lost; otherwise asks first, and goes on unless the person cancels.
+    void askThen(const std::function<void()> &goOn);
+
+public slots:
+    /// Asks about unsaved changes first. With a reference, that file instead of the scene's own.
+    void open(const QString &path, const QString &reference = {});
+    void chooseAndOpen();
+
+    /// Asks for a name where there is none yet; then goes on once it is saved.
+    void save(const std::function<void()> &goOn = {});
+    void saveAs(const std::function<void()> &goOn = {});
+
+    /// False where it cannot be written: then problemFound says why.
+    bool saveTo(const QString &path);
+
+signals:
+    void changed(); ///< path or isModified
+    void saved(const QString &path);
+    void problemFound(const QString &sentence);
+    void referenceMissing(const QString &sentence); ///< the scene is open without it
+
+private:
+    Scene scene() const;
+    void finishOpening(const QString &problem);
+    void remember(const QString &path);
+
+    Session *m_session;
+    PlotGrid *m_plots;
+    MechanismView *m_mechanism;
+    QWidget *m_window;
+    QString m_path;
+    QJsonObject m_asRead;                     ///< of the file at m_path
+    std::optional<ReferenceSource> m_missing; ///< of the scene, which is open without it: saved again all the same
+
+    struct Opening {
+        QString path;
+        Scene scene;
+    };
+    std::optional<Opening> m_opening; ///< while its reference is read
+};
+
+} // namespace slidercrank

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/words/column_text.h"
+
+#include "ui/words/finding_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct ColumnText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ColumnText)
+};
+
+QString encodingText(const FileLayout &layout)
+{
+    switch (layout.encoding) {
+    case TextEncoding::Utf8: return QStringLiteral("UTF-8");
+    case TextEncoding::Utf16LittleEndian:
+    case TextEncoding::Utf16BigEndian: return QStringLiteral("UTF-16");
+    case TextEncoding::Windows1252: return QStringLiteral("Windows-1252 (Latin-1)");
+    }
+    return {};
+}
+
+QString delimiterText(char delimiter)
+{
+    switch (delimiter) {
+    case ',': return ColumnText::tr("columns separated by commas");
+    case ';': return ColumnText::tr("columns separated by semicolons");
+    case '\t': return ColumnText::tr("columns separated by tabs");
+    case ' ': return ColumnText::tr("columns separated by spaces");
+    default: return ColumnText::tr("columns separated by “%1”").arg(QLatin1Char(delimiter));
+    }
+}
+
+/// Of the column that the reason speaks of.
+QString otherHeading(const FileLayout &layout, std::size_t column)
+{
+    const std::optional<std::size_t> other = layout.columns[column].otherColumn;
+    return other && *other < layout.columns.size() ? headingText(layout, *other) : QString();
+}
+
+} // namespace
+
+QString textOf(std::string_view utf8)
+{
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+QString headingText(const FileLayout &layout, std::size_t column)
+{
+    const QString heading = textOf(layout.columns[column].heading);
+    return heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading;
+}
+
+QString meaningText(const FileColumn &column)
+{
+    switch (column.role) {
+    case ColumnRole::Ignored: return QStringLiteral("–");
+    case ColumnRole::Time: return ColumnText::tr("time");
+    case ColumnRole::Channel: return symbolOf(column.channel);
+    }
+    return {};
+}
+
+QString unitText(const FileColumn &column)
+{
+    if (!column.unit.empty()) {
+        return textOf(column.unit);
+    }
+    switch (column.role) {
+    case ColumnRole::Ignored: return QStringLiteral("–");
+    case ColumnRole::Time: return ColumnText::tr("s (none given)");
+    case ColumnRole::Channel: return ColumnText::tr("%1 (none given)").arg(textOf(authorUnitOf(column.channel)));
+    }
+    return {};
+}
+
+QString reasonText(const FileLayout &layout, std::size_t column)
+{
+    const QString other = otherHeading(layout, column);
+    switch (layout.columns[column].reason) {
+    case ColumnReason::KnownName: return ColumnText::tr("its name is known");
+    case ColumnReason::Chosen: return ColumnText::tr("chosen by hand");
+    case ColumnReason::QuantityInName:
+        return ColumnText::tr("guessed: its name says the quantity, and this is the body usually exported");
+    case ColumnReason::LetterAndUnit:
+        return ColumnText::tr("guessed: P, V or A says the order, its unit says angle or length");
+    case ColumnReason::LetterAndValues:
+        return ColumnText::tr("guessed: P, V or A says the order, its values tell an angle from a length");
+    case ColumnReason::DerivativeOfOther:
+        return ColumnText::tr("guessed: its values are the derivative of “%1”").arg(other);
+    case ColumnReason::EvenRate:
+        return ColumnText::tr("guessed: an angle that grows at an even rate, as the crank's does");
+    case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
+    case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
+    case ColumnReason::NoName: return ColumnText::tr("ignored: it has no name");
+    case ColumnReason::NoNumber: return ColumnText::tr("ignored: it holds no number");
+    case ColumnReason::UnknownUnit:
+        return ColumnText::tr("ignored: its unit is not known or does not suit the quantity");
+    case ColumnReason::LikeOther: return ColumnText::tr("ignored: “%1” could be the same quantity").arg(other);
+    case ColumnReason::NotDerivative:
+        return ColumnText::tr("ignored: its values are not the derivative of “%1” that its name says").arg(other);
+    case ColumnReason::AngleOrLength:
+        return ColumnText::tr("ignored: neither its unit nor its values tell an angle from a length");
+    }
+    return {};
+}
+
+QString shortReasonText(const FileLayout &layout, std::size_t column)
+{
+    const QString other = otherHeading(layout, column);
+    switch (layout.columns[column].reason) {
+    case ColumnReason::KnownName: return ColumnText::tr("name known");
+    case ColumnReason::Chosen: return ColumnText::tr("chosen by hand");
+    case ColumnReason::QuantityInName: return ColumnText::tr("guessed by its name");
+    case ColumnReason::LetterAndUnit: return ColumnText::tr("guessed by its unit");
+    case ColumnReason::LetterAndValues: return ColumnText::tr("guessed by its values");
+    case ColumnReason::DerivativeOfOther: return ColumnText::tr("guessed: derivative of %1").arg(other);
+    case ColumnReason::EvenRate: return ColumnText::tr("guessed: even rate");
+    case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
+    case ColumnReason::UnknownName: return ColumnText::tr("name not known");
+    case ColumnReason::NoName: return ColumnText::tr("no name");
+    case ColumnReason::NoNumber: return ColumnText::tr("no number in it");
+    case ColumnReason::UnknownUnit: return ColumnText::tr("unit not known");
+    case ColumnReason::LikeOther: return ColumnText::tr("as %1 could be").arg(other);
+    case ColumnReason::NotDerivative: return ColumnText::tr("not the derivative of %1").arg(other);
+    case ColumnReason::AngleOrLength: return ColumnText::tr("angle or length?");
+    }
+    return {};
+}
+
+QString roundingText(const Rounding &rounding)
+{
+    switch (rounding.rule) {
+    case Rounding::Rule::Unknown: return QStringLiteral("–");
+    case Rounding::Rule::SignificantDigits:
+        return rounding.digits == 1 ? ColumnText::tr("1 significant digit")
+                                    : ColumnText::tr("%1 significant digits").arg(rounding.digits);
+    case Rounding::Rule::Decimals:
+        if (rounding.digits < 0) {
+            return ColumnText::tr("whole multiples of 1e%1").arg(-rounding.digits);
+        }
+        return rounding.digits == 1 ? ColumnText::tr("1 decimal") : ColumnText::tr("%1 decimals").arg(rounding.digits);
+    }
+    return {};
+}
+
+QString formText(const FileLayout &layout)
+{
+    QStringList parts{encodingText(layout), delimiterText(layout.delimiter),
+                      layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
+                                                               : ColumnText::tr("decimal comma"),
+                      layout.headerLine == 0 ? ColumnText::tr("no names of columns")
+                                             : ColumnText::tr("names in line %1").arg(layout.headerLine)};
+    if (layout.unitsLine != 0) {
+        parts << ColumnText::tr("units in line %1").arg(layout.unitsLine);
+    }
+    if (layout.preambleLines.size() == 1) {
+        parts << ColumnText::tr("line %1 above them passed over").arg(layout.preambleLines[0]);
+    } else if (!layout.preambleLines.empty()) {
+        parts << ColumnText::tr("%1 lines above them passed over").arg(layout.preambleLines.size());
+    }
+    return parts.join(ColumnText::tr(", "));
+}
+
+} // namespace slidercrank

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How a reference file is written and what its columns became, in words.
+
+#include "core/reading/file_layout.h"
+#include "core/reading/rounding.h"
+
+#include <QString>
+
+namespace slidercrank
+{
+
+QString textOf(std::string_view utf8);
+
+/// As printed; "column 3" where nothing is.
+QString headingText(const FileLayout &layout, std::size_t column);
+
+/// "time", "θ³", or a dash for a column that is ignored.
+QString meaningText(const FileColumn &column);
+
+/// "rad/s"; "° (none given)" where the author's was taken.
+QString unitText(const FileColumn &column);
+
+/// Why it became that, a clause; and in a few words, for a table.
+QString reasonText(const FileLayout &layout, std::size_t column);
+QString shortReasonText(const FileLayout &layout, std::size_t column);
+
+/// "6 significant digits"; a dash where it is not known.
+QString roundingText(const Rounding &rounding);
+
+/// "UTF-8, columns apart by commas, decimal point, names in line 1"
+QString formText(const FileLayout &layout);
+
+} // namespace slidercrank
