@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/number_box.h"
 
+#include "ui/words/written_number.h"
+
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -12,69 +14,6 @@
 
 namespace slidercrank
 {
-
-namespace
-{
-
-/// "1e-08" is how machines write 1e-8.
-QString withShortExponent(QString number)
-{
-    const qsizetype e = number.indexOf(QLatin1Char('e'), 0, Qt::CaseInsensitive);
-    if (e < 0) {
-        return number;
-    }
-    qsizetype digits = e + 1;
-    if (digits < number.size() && !number[digits].isDigit()) {
-        if (number[digits] == QLatin1Char('+')) {
-            number.remove(digits, 1);
-        } else {
-            ++digits;
-        }
-    }
-    while (digits + 1 < number.size() && number[digits].digitValue() == 0) {
-        number.remove(digits, 1);
-    }
-    return number;
-}
-
-QLocale localeWithoutGroups()
-{
-    QLocale locale;
-    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-    return locale;
-}
-
-} // namespace
-
-std::optional<double> readNumber(const QString &text)
-{
-    const QString number = text.trimmed();
-    for (const QLocale &locale : {localeWithoutGroups(), QLocale::c()}) {
-        bool read = false;
-        const double value = locale.toDouble(number, &read);
-        if (read && std::isfinite(value)) {
-            return value;
-        }
-    }
-    return std::nullopt;
-}
-
-QString numberText(double value, int significantDigits)
-{
-    return withShortExponent(localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits));
-}
-
-double nextRoundNumber(double value)
-{
-    constexpr double kSlack = 1e-9; // 0.1 · 20 is 2, whatever its last digit
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double mantissa : {1.0, 2.0, 5.0}) {
-        if (mantissa * decade >= value * (1.0 - kSlack)) {
-            return mantissa * decade;
-        }
-    }
-    return 10.0 * decade;
-}
 
 NumberBox::NumberBox(QWidget *parent)
     : QAbstractSpinBox(parent)

@@ -5,7 +5,7 @@
 // with a decimal point), a colour for the size of a number where it is wanted. It tells which part of the mechanism the
 // row under the mouse, or the current one, is about.
 
-#include "ui/mechanism/mechanism_part.h"
+#include "core/mechanism/mechanism_part.h"
 
 #include <QTableView>
 

@@ -22,12 +22,14 @@
 // decides the motion has to be there; the reference and anything in the view may be missing. Keys that are not known
 // are kept, and written back.
 
+#include "core/mechanism/mechanism.h"
+#include "core/run/trajectory.h"
 #include "ui/document/reference_file.h"
-#include "ui/mechanism/mechanism_drawing.h"
-#include "ui/plots/plot_figure.h"
+#include "ui/document/view_settings.h"
 
 #include <QByteArray>
 #include <QJsonObject>
+#include <QRectF>
 #include <QString>
 
 #include <optional>

@@ -5,12 +5,10 @@
 // on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else. What
 // a file has to say about itself follows as a Diagnosis, when the parameters rest. Every edit can be undone.
 
-#include "core/comparison/comparison.h"
-#include "core/limits/mobility.h"
-#include "core/run/trajectory.h"
 #include "ui/document/diagnosis.h"
 #include "ui/document/edit_command.h"
 #include "ui/document/reference_file.h"
+#include "ui/document/result.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -27,39 +25,6 @@
 
 namespace slidercrank
 {
-
-/// The mechanism at one instant, by one closed-form evaluation. Lengths mm, angles rad.
-struct Pose {
-    double time = 0.0;
-    double theta2 = 0.0; ///< not wrapped
-    double theta3 = 0.0;
-    double pinX = 0.0, pinY = 0.0;  ///< A
-    double sliderX = 0.0;           ///< B, at y = c
-    Status status = Status::Solved; ///< Solved or Singular: the pose exists
-    bool exists() const { return status == Status::Solved || status == Status::Singular; }
-};
-
-Pose poseAt(const Parameters &parameters, double seconds);
-
-/// Everything the views draw, of one moment; immutable once published.
-struct Result {
-    Mechanism mechanism;
-    Sampling sampling;
-    SolverSettings solver;
-    RunSummary summary;
-    Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
-    MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null
-
-    // Filled when there is a reference: the model at the file's own instants, one comparison per series of the file.
-    Trajectory atReference;
-    std::vector<ChannelComparison> comparison;
-
-    double computeSeconds = 0.0;
-
-    /// A long run in closed form is not: it takes less time to compute than to store.
-    bool isKept() const { return trajectory.time.size() == summary.instants; }
-};
 
 class Session : public QObject
 {
@@ -185,6 +150,3 @@ private:
 };
 
 } // namespace slidercrank
-
-Q_DECLARE_METATYPE(slidercrank::Parameters)
-Q_DECLARE_METATYPE(slidercrank::Pose)

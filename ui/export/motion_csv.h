@@ -5,7 +5,7 @@
 // one form that `slidercrank solve` and the window write and that both read again as a reference, to the last bit.
 
 #include "core/run/trajectory.h"
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 
 #include <QByteArray>
 #include <QString>

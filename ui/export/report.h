@@ -6,7 +6,7 @@
 // them on pages.
 
 #include "core/diagnosis/interpretation.h"
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 
 #include <QString>
 #include <QStringList>

@@ -4,7 +4,7 @@
 // What the mechanism can do and how far it goes: whether the crank turns round and why, where the slider turns back,
 // how fast slider and coupler ever get. A row with an instant leads there.
 
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 
 #include <QWidget>
 

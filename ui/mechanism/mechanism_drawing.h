@@ -4,7 +4,8 @@
 // All that a drawing of the mechanism shows, as plain data.
 
 #include "core/comparison/reference_pose.h"
-#include "ui/document/session.h"
+#include "ui/document/result.h"
+#include "ui/document/view_settings.h"
 #include "ui/mechanism/mechanism_arrows.h"
 
 #include <QPointF>
@@ -14,17 +15,6 @@
 
 namespace slidercrank
 {
-
-/// What a person may put on show beside the linkage.
-struct MechanismSettings {
-    bool velocity = false;
-    bool acceleration = false;
-    bool path = false; ///< of the coupler's centre of mass
-    bool names = false;
-    bool dimensions = false;
-
-    friend bool operator==(const MechanismSettings &, const MechanismSettings &) = default;
-};
 
 /// What can be pointed at.
 enum class DrawnPart {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_scenery.h"
 
-#include "ui/controls/number_box.h"
+#include "ui/words/written_number.h"
 #include "ui/mechanism/mechanism_labels.h"
 
 #include <QCoreApplication>

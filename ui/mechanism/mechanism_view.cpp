@@ -2,7 +2,7 @@
 #include "ui/mechanism/mechanism_view.h"
 
 #include "core/run/crank_instant.h"
-#include "ui/controls/number_box.h"
+#include "ui/words/written_number.h"
 #include "ui/mechanism/drawn_part.h"
 #include "ui/mechanism/mechanism_linkage.h"
 #include "ui/mechanism/mechanism_note.h"

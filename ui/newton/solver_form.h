@@ -3,7 +3,7 @@
 
 // The solver's settings, and what came of them: iterations, residual, and the instants it could not solve.
 
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 
 #include <QWidget>
 

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/mechanism.h"
 #include "core/run/trajectory.h"
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

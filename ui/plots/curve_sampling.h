@@ -5,6 +5,8 @@
 // smallest and the largest value, in the order in which they occur), gaps kept, cut off at the axes. Units are those of
 // the caller. A value that is not finite is a gap, written as NaN.
 
+#include "ui/words/interval.h"
+
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -13,15 +15,6 @@
 
 namespace slidercrank
 {
-
-struct Interval {
-    double lower = 0.0;
-    double upper = 1.0;
-
-    double length() const { return upper - lower; }
-    bool contains(double x) const { return lower <= x && x <= upper; }
-    friend bool operator==(const Interval &, const Interval &) = default;
-};
 
 struct CurvePoint {
     double t = 0.0;

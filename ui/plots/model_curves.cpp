@@ -2,7 +2,7 @@
 #include "ui/plots/model_curves.h"
 
 #include "core/run/in_parallel.h"
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 
 #include <algorithm>
 #include <iterator>

@@ -19,12 +19,6 @@ constexpr std::size_t kChannels = kPlottedChannels.size();
 constexpr std::size_t kChannelsPerRow = 2;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// The plotted channel of a model plot.
-constexpr std::size_t channelOf(std::size_t plot)
-{
-    return plot / kPlotColumns * kChannelsPerRow + plot % kPlotColumns;
-}
-
 /// Derivatives as fractions: fonts set the dots of θ̇ and R̈ badly or not at all.
 QString quantity(std::size_t channel)
 {
@@ -149,18 +143,6 @@ Interval errorRange(const Interval &extent, bool isLogarithmic)
 }
 
 } // namespace
-
-QString plotName(std::size_t plot)
-{
-    static const std::array<QString, 3> kErrors{QStringLiteral("plot_error_position"),
-                                                QStringLiteral("plot_error_velocity"),
-                                                QStringLiteral("plot_error_acceleration")};
-    if (isErrorPlot(plot)) {
-        return kErrors[plot / kPlotColumns];
-    }
-    const std::string_view name = nameOf(kPlottedChannels[channelOf(plot)]);
-    return QStringLiteral("plot_") + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
-}
 
 void PlotFigure::setResult(const std::shared_ptr<const Result> &newResult)
 {

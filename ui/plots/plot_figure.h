@@ -5,7 +5,8 @@
 // acceleration; columns θ³, R_x⁴, error. Values are in the units of the author's files (mm, °, s), errors in these or
 // in per cent.
 
-#include "ui/document/session.h"
+#include "ui/document/result.h"
+#include "ui/document/view_settings.h"
 #include "ui/plots/curve_sampling.h"
 #include "ui/plots/model_curves.h"
 #include "ui/words/axis_scale.h"
@@ -23,19 +24,6 @@
 namespace slidercrank
 {
 
-inline constexpr std::size_t kPlotRows = 3;
-inline constexpr std::size_t kPlotColumns = 3;
-inline constexpr std::size_t kPlotCount = kPlotRows * kPlotColumns; ///< numbered row by row
-inline constexpr std::size_t kErrorColumn = 2;
-
-constexpr bool isErrorPlot(std::size_t plot)
-{
-    return plot % kPlotColumns == kErrorColumn;
-}
-
-/// "plot_theta3", "plot_error_velocity", …
-QString plotName(std::size_t plot);
-
 inline constexpr double kDash = 7.0;    // px, of the reference
 inline constexpr double kDashGap = 6.0; // px
 
@@ -45,32 +33,6 @@ enum class Ink { Text, Model, Reference, Error, ErrorOther };
 struct InkedText {
     QString text;
     Ink ink = Ink::Text;
-};
-
-enum class ErrorMeasure {
-    Percent,  ///< |model - reference| / |reference|, as in the report; infinite where the reference is zero
-    Absolute, ///< |model - reference|, angles to the left axis, lengths to the right one
-    OfPeak    ///< |model - reference| / max |reference|
-};
-
-enum class Abscissa { Time, CrankAngle };
-
-/// What the person chose to see.
-struct PlotSettings {
-    ErrorMeasure error = ErrorMeasure::Percent;
-    bool logarithmicError = false;
-    bool roundingBand = true; ///< half a rounding step of the file, under its errors
-    Abscissa abscissa = Abscissa::Time;
-
-    friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
-};
-
-/// What is in view; empty: all there is.
-struct PlotZoom {
-    std::optional<Interval> time;                           ///< s, of all nine
-    std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms where the axis is logarithmic
-
-    friend bool operator==(const PlotZoom &, const PlotZoom &) = default;
 };
 
 /// All that one plot shows, for one size of its axes.

@@ -4,7 +4,7 @@
 // Figure 2 of the report: three rows (position, velocity, acceleration) by three columns (θ³, R_x⁴, error in per cent),
 // the model solid and the reference dashed, with one legend, one time range and one time cursor for all nine plots.
 
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 #include "ui/plots/plot_arrangement.h"
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_overlay.h"

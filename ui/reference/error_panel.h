@@ -4,7 +4,7 @@
 // How far the reference data are from the model: a sentence that says whether they belong together, what explains the
 // difference and how to remedy it, and a row a channel.
 
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 #include "ui/reference/findings.h"
 
 #include <QTimer>

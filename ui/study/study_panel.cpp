@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/study_panel.h"
 
-#include "ui/controls/number_box.h"
+#include "ui/words/written_number.h"
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
 #include "ui/words/axis_scale.h"

@@ -5,6 +5,7 @@
 // edit that could be undone since; neither the instant on show nor the plots' view counts as one.
 
 #include "ui/document/scene.h"
+#include "ui/document/session.h"
 
 #include <QObject>
 #include <QString>

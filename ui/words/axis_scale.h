@@ -4,7 +4,7 @@
 // Where an axis has its ticks and how their numbers are written, so that labels stay short whatever the size of the
 // values: very large and very small ones share a power of a thousand, which goes to the unit ("[10⁻³ %]").
 
-#include "ui/plots/curve_sampling.h"
+#include "ui/words/interval.h"
 
 #include <QLocale>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/finding_text.h"
 
-#include "ui/controls/number_box.h"
+#include "ui/words/written_number.h"
 #include "ui/words/axis_scale.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/run/crank_instant.h"
-#include "ui/controls/number_box.h"
+#include "ui/words/written_number.h"
 #include "ui/words/axis_scale.h"
 
 #include <QCoreApplication>

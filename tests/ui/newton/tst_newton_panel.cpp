@@ -4,7 +4,7 @@
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_table.h"
 #include "ui/document/session.h"
-#include "ui/mechanism/mechanism_part.h"
+#include "core/mechanism/mechanism_part.h"
 #include "ui/newton/iteration_plot.h"
 #include "ui/newton/newton_panel.h"
 #include "ui/words/theme.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 #include "ui/reference/error_panel.h"
 
 #include <QLabel>

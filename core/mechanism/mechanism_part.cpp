@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/mechanism/mechanism_part.h"
+#include "core/mechanism/mechanism_part.h"
 
 namespace slidercrank
 {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/result.h"
+
+#include "core/closed_form/closed_form.h"
+#include "core/diagnosis/explanation.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kMostStepsKept = 100'000; // of the closed form
+
+/// Whether the crank turns round with room to spare, at angles that vectors are for (batch.h): then every instant is
+/// Solved, and many are computed at once.
+bool isOrdinary(const Request &request)
+{
+    constexpr double kRoomToSpare = 1.0 + 1e-9;
+    constexpr double kLargestAngle = 1e6; // rad
+    const Parameters &p = request.mechanism.parameters();
+    const Sampling &run = request.sampling;
+    const double latest = std::max(std::abs(run.start), std::abs(run.start + run.duration));
+    return p.b > kRoomToSpare * (p.a + std::abs(p.c)) &&
+           std::abs(p.theta20) + std::abs(p.omega2) * latest <= kLargestAngle;
+}
+
+/// Of a run in closed form.
+RunSummary summaryOf(const Request &request, std::stop_token stop)
+{
+    RunSummary summary;
+    if (isOrdinary(request)) {
+        summary.instants = static_cast<std::size_t>(request.sampling.steps) + 1;
+        summary.endedWith[static_cast<std::size_t>(Status::Solved)] = summary.instants;
+        return summary;
+    }
+    const auto add = [&summary](const Trajectory &piece) {
+        summary.add(piece);
+        return true;
+    };
+    sampleInPieces(request.mechanism, request.sampling, {}, request.solver, add, std::move(stop));
+    return summary;
+}
+
+} // namespace
+
+Pose poseAt(const Parameters &parameters, double seconds)
+{
+    const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(seconds);
+    Pose pose;
+    pose.time = seconds;
+    pose.theta2 = motion.theta2;
+    pose.theta3 = motion.theta3;
+    pose.pinX = parameters.a * motion.crank.cos;
+    pose.pinY = parameters.a * motion.crank.sin;
+    pose.sliderX = motion.R4x;
+    pose.status = motion.status;
+    return pose;
+}
+
+std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop)
+{
+    QElapsedTimer clock;
+    clock.start();
+    auto result = std::make_shared<Result>();
+    result->mechanism = request.mechanism;
+    result->sampling = request.sampling;
+    result->solver = request.solver;
+    result->reference = request.reference;
+    result->limits = motionLimits(request.mechanism);
+    if (request.solver.method == Method::ClosedForm && request.sampling.steps >= kMostStepsKept) {
+        result->summary = summaryOf(request, stop);
+        result->trajectory.complete = !stop.stop_requested();
+    } else {
+        result->trajectory =
+            sample(request.mechanism, request.sampling.instants(), plottedChannels(), request.solver, stop);
+        result->summary.add(result->trajectory);
+    }
+    if (request.reference && result->trajectory.complete) {
+        const ReferenceData &data = request.reference->data;
+        result->atReference = sample(request.mechanism, data.time, channelsOf(data), request.solver, stop);
+        if (result->atReference.complete) {
+            result->comparison = compare(request.mechanism, result->atReference, data);
+        }
+    }
+    if (!result->trajectory.complete || !result->atReference.complete) {
+        return nullptr;
+    }
+    result->computeSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+    return result;
+}
+
+/// Costs per instant are those of a slow machine.
+bool takesLong(const Request &request)
+{
+    constexpr double kMoment = 0.05; // s: below what a person takes for a stop
+    constexpr double kDenseSeconds = 20e-6;
+    constexpr double kStructuredSeconds = 1e-6;
+    constexpr double kClosedFormSeconds = 0.2e-6;
+    constexpr double kManyAtOnceSeconds = 40e-9;
+    const double newton = request.solver.newton.elimination == Elimination::Dense ? kDenseSeconds : kStructuredSeconds;
+    const double closedForm = isOrdinary(request) ? kManyAtOnceSeconds : kClosedFormSeconds;
+    const double each = request.solver.method == Method::Newton ? newton : closedForm;
+    const double compared = std::max(each, kClosedFormSeconds); // as long as computing it
+    const double atReference = request.reference ? static_cast<double>(request.reference->data.time.size()) : 0.0;
+    return each * (request.sampling.steps + 1.0) + compared * atReference > kMoment;
+}
+
+} // namespace slidercrank

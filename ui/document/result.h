@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the views draw: of one moment, as plain data. Session publishes it.
+
+#include "core/comparison/comparison.h"
+#include "core/limits/mobility.h"
+#include "core/run/trajectory.h"
+#include "ui/document/reference_file.h"
+
+#include <QMetaType>
+
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// The mechanism at one instant, by one closed-form evaluation. Lengths mm, angles rad.
+struct Pose {
+    double time = 0.0;
+    double theta2 = 0.0; ///< not wrapped
+    double theta3 = 0.0;
+    double pinX = 0.0, pinY = 0.0;  ///< A
+    double sliderX = 0.0;           ///< B, at y = c
+    Status status = Status::Solved; ///< Solved or Singular: the pose exists
+    bool exists() const { return status == Status::Solved || status == Status::Singular; }
+};
+
+Pose poseAt(const Parameters &parameters, double seconds);
+
+/// Everything the views draw, of one moment; immutable once published.
+struct Result {
+    Mechanism mechanism;
+    Sampling sampling;
+    SolverSettings solver;
+    RunSummary summary;
+    Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
+    MotionLimits limits;
+    std::shared_ptr<const Reference> reference; ///< may be null
+
+    // Filled when there is a reference: the model at the file's own instants, one comparison per series of the file.
+    Trajectory atReference;
+    std::vector<ChannelComparison> comparison;
+
+    double computeSeconds = 0.0;
+
+    /// A long run in closed form is not: it takes less time to compute than to store.
+    bool isKept() const { return trajectory.time.size() == summary.instants; }
+};
+
+/// What a Result is computed from: a value that can travel to another thread.
+struct Request {
+    Mechanism mechanism;
+    Sampling sampling;
+    SolverSettings solver;
+    std::shared_ptr<const Reference> reference;
+};
+
+/// Null when stopped. May run in any thread.
+std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop);
+
+/// Whether that would keep the window waiting for more than a moment.
+bool takesLong(const Request &request);
+
+} // namespace slidercrank
+
+Q_DECLARE_METATYPE(slidercrank::Parameters)
+Q_DECLARE_METATYPE(slidercrank::Pose)

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a person chose to see of the plots and of the drawing: it is saved with a scene.
+
+#include "ui/words/interval.h"
+
+#include <QString>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace slidercrank
+{
+
+inline constexpr std::size_t kPlotRows = 3;
+inline constexpr std::size_t kPlotColumns = 3;
+inline constexpr std::size_t kPlotCount = kPlotRows * kPlotColumns; ///< numbered row by row
+inline constexpr std::size_t kErrorColumn = 2;
+
+constexpr bool isErrorPlot(std::size_t plot)
+{
+    return plot % kPlotColumns == kErrorColumn;
+}
+
+/// Which of the plotted channels a plot of the model shows.
+constexpr std::size_t channelOf(std::size_t plot)
+{
+    return plot / kPlotColumns * kErrorColumn + plot % kPlotColumns;
+}
+
+/// "plot_theta3", "plot_error_velocity", …
+QString plotName(std::size_t plot);
+
+enum class ErrorMeasure {
+    Percent,  ///< |model - reference| / |reference|, as in the report; infinite where the reference is zero
+    Absolute, ///< |model - reference|, angles to the left axis, lengths to the right one
+    OfPeak    ///< |model - reference| / max |reference|
+};
+
+enum class Abscissa { Time, CrankAngle };
+
+/// What the person chose to see.
+struct PlotSettings {
+    ErrorMeasure error = ErrorMeasure::Percent;
+    bool logarithmicError = false;
+    bool roundingBand = true; ///< half a rounding step of the file, under its errors
+    Abscissa abscissa = Abscissa::Time;
+
+    friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
+};
+
+/// What is in view; empty: all there is.
+struct PlotZoom {
+    std::optional<Interval> time;                           ///< s, of all nine
+    std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms where the axis is logarithmic
+
+    friend bool operator==(const PlotZoom &, const PlotZoom &) = default;
+};
+
+/// What a person may put on show beside the linkage.
+struct MechanismSettings {
+    bool velocity = false;
+    bool acceleration = false;
+    bool path = false; ///< of the coupler's centre of mass
+    bool names = false;
+    bool dimensions = false;
+
+    friend bool operator==(const MechanismSettings &, const MechanismSettings &) = default;
+};
+
+} // namespace slidercrank

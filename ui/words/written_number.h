@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Numbers as people write and read them.
+
+#include <QLocale>
+#include <QString>
+
+#include <optional>
+
+namespace slidercrank
+{
+
+/// A number as a person writes it: in the user's locale or with a decimal point; nothing where it is none, or not
+/// finite.
+std::optional<double> readNumber(const QString &text);
+
+/// At most so many significant digits, in the user's locale, no trailing zeros, no group separators.
+QString numberText(double value, int significantDigits = 6);
+
+/// The least of … 1, 2, 5, 10, 20, 50 … that is not below the value (> 0): for steps and ranges that read well.
+double nextRoundNumber(double value);
+
+/// The user's, without a sign between thousands: such a sign reads as a decimal one to somebody else.
+QLocale localeWithoutGroups();
+
+} // namespace slidercrank
