@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/error_panel.h"
 
+#include "ui/document/diagnosis.h"
 #include "ui/words/written_number.h"
 #include "ui/controls/paragraph.h"
 #include "ui/words/axis_scale.h"

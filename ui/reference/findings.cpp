@@ -2,6 +2,7 @@
 #include "ui/reference/findings.h"
 
 #include "ui/controls/paragraph.h"
+#include "ui/document/diagnosis.h"
 #include "ui/document/result.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/finding_text.h"
