@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report.h"
 
-#include "ui/words/written_number.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_scenery.h"
 
-#include "ui/words/written_number.h"
 #include "ui/mechanism/mechanism_labels.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -2,12 +2,12 @@
 #include "ui/mechanism/mechanism_view.h"
 
 #include "core/run/crank_instant.h"
-#include "ui/words/written_number.h"
 #include "ui/mechanism/drawn_part.h"
 #include "ui/mechanism/mechanism_linkage.h"
 #include "ui/mechanism/mechanism_note.h"
 #include "ui/mechanism/mechanism_scenery.h"
 #include "ui/mechanism/mechanism_words.h"
+#include "ui/words/written_number.h"
 
 #include <QAction>
 #include <QKeyEvent>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_words.h"
 
-#include "ui/words/written_number.h"
 #include "ui/words/motion_facts.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 #include <QLocale>

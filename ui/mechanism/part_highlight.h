@@ -4,8 +4,8 @@
 // Lights up a part of the mechanism: lies over the drawing, lets the mouse through, and is hidden while there is
 // nothing to point at.
 
-#include "ui/document/result.h"
 #include "core/mechanism/mechanism_part.h"
+#include "ui/document/result.h"
 
 #include <QWidget>
 

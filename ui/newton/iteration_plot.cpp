@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/newton/iteration_plot.h"
 
-#include "ui/words/written_number.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QLocale>
 #include <QPainter>

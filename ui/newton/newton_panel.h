@@ -4,8 +4,8 @@
 // Newton-Raphson: the solver's settings at first, and behind them, for the instant on show, what it works with: the
 // equations, their Jacobian, the iterations and the coordinates that come of them. Only what is on show is computed.
 
-#include "ui/document/result.h"
 #include "core/mechanism/mechanism_part.h"
+#include "ui/document/result.h"
 
 #include <QTimer>
 #include <QWidget>

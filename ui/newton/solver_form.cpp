@@ -2,9 +2,9 @@
 #include "ui/newton/solver_form.h"
 
 #include "ui/controls/number_box.h"
-#include "ui/words/written_number.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QComboBox>
 #include <QEvent>

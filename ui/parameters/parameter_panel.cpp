@@ -3,9 +3,9 @@
 
 #include "core/limits/mobility.h"
 #include "ui/controls/number_box.h"
-#include "ui/words/written_number.h"
 #include "ui/controls/number_slider.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QComboBox>
 #include <QGridLayout>

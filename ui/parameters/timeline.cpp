@@ -4,8 +4,8 @@
 #include "core/run/crank_instant.h"
 
 #include "ui/controls/number_box.h"
-#include "ui/words/written_number.h"
 #include "ui/controls/number_slider.h"
+#include "ui/words/written_number.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

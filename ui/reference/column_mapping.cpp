@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/column_mapping.h"
 
-#include "ui/words/written_number.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

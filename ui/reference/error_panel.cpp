@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/error_panel.h"
 
-#include "ui/document/diagnosis.h"
-#include "ui/words/written_number.h"
 #include "ui/controls/paragraph.h"
+#include "ui/document/diagnosis.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/study_panel.h"
 
-#include "ui/words/written_number.h"
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/core_text.h"
+#include "ui/words/written_number.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

@@ -3,8 +3,8 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/run/crank_instant.h"
-#include "ui/words/written_number.h"
 #include "ui/words/axis_scale.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/closed_form.h"
+#include "core/mechanism/mechanism_part.h"
 #include "core/newton/constraints.h"
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_table.h"
 #include "ui/document/session.h"
-#include "core/mechanism/mechanism_part.h"
 #include "ui/newton/iteration_plot.h"
 #include "ui/newton/newton_panel.h"
 #include "ui/words/theme.h"
