@@ -8,8 +8,6 @@
 #include "core/run/trajectory.h"
 #include "ui/document/reference_file.h"
 
-#include <QMetaType>
-
 #include <memory>
 #include <stop_token>
 #include <vector>
@@ -65,6 +63,3 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
 bool takesLong(const Request &request);
 
 } // namespace slidercrank
-
-Q_DECLARE_METATYPE(slidercrank::Parameters)
-Q_DECLARE_METATYPE(slidercrank::Pose)

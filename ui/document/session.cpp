@@ -35,8 +35,6 @@ Choices choicesOf(const Result &result)
 Session::Session(QObject *parent)
     : QObject(parent)
 {
-    qRegisterMetaType<Parameters>();
-    qRegisterMetaType<Pose>();
     SolverSettings &solver = m_choices.solver;
     solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
     solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner

@@ -140,5 +140,3 @@ private:
 };
 
 } // namespace slidercrank
-
-Q_DECLARE_METATYPE(slidercrank::Parameter)

@@ -67,5 +67,3 @@ private:
 };
 
 } // namespace slidercrank
-
-Q_DECLARE_METATYPE(slidercrank::Finding)
