@@ -12,4 +12,9 @@ void say(const QString &sentence)
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 
+QString rounded(std::optional<double> value, int digits)
+{
+    return value ? QString::number(*value, 'g', digits) : QStringLiteral("–");
+}
+
 } // namespace slidercrank

@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <optional>
+
 namespace slidercrank
 {
 
@@ -28,5 +30,8 @@ struct CommandLine {
 
 /// One line on standard error.
 void say(const QString &sentence);
+
+/// Three digits are what a person compares; a dash for what does not exist.
+QString rounded(std::optional<double> value, int digits = 3);
 
 } // namespace slidercrank

@@ -62,12 +62,6 @@ QByteArray csvText(const QString &text)
     return '"' + quoted.replace(u'"', QStringLiteral("\"\"")).toUtf8() + '"';
 }
 
-/// Three digits are what a person compares.
-QString rounded(std::optional<double> value, int digits = 3)
-{
-    return value ? QString::number(*value, 'g', digits) : QStringLiteral("–");
-}
-
 /// Columns as wide as their widest cell; text to the left, numbers to the right.
 QString aligned(const std::vector<QStringList> &rows, const std::vector<bool> &isNumber)
 {

@@ -20,12 +20,6 @@ QString toQString(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Three digits are what a person compares; a dash for what does not exist.
-QString rounded(std::optional<double> value, int digits = 3)
-{
-    return value ? QString::number(*value, 'g', digits) : QStringLiteral("–");
-}
-
 /// "solved", or "190 solved, 11 singular".
 QString outcomeOf(const MethodResult &row, std::size_t instants)
 {

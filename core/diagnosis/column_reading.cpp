@@ -10,8 +10,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// A factor between a column and the model is a unit's when it is this near to it: units lie further apart.
 constexpr double kUnitTolerance = 0.05;
 /// A column reads as a channel when no value is farther off, as part of how much the channel varies. The mechanism may
@@ -73,7 +71,7 @@ public:
             }
             largest = std::max(largest, std::abs(error));
             if (largest > kLooselyEqual * m_size) {
-                reading.misfit = kInfinity;
+                reading.misfit = std::numeric_limits<double>::infinity();
                 return reading;
             }
         }
@@ -118,8 +116,8 @@ void makeContinuous(std::span<double> degrees)
 double sizeOf(std::span<const double> values)
 {
     constexpr double kVaries = 1e-3; // of the largest magnitude
-    double lowest = kInfinity;
-    double highest = -kInfinity;
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
     for (const double value : values) {
         if (std::isfinite(value)) {
             lowest = std::min(lowest, value);

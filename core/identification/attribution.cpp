@@ -14,8 +14,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Rows that a search looks at, and rows of the fit that ends it.
 constexpr std::size_t kSearchRows = 32;
 constexpr std::size_t kFitRows = 2000;
@@ -53,7 +51,7 @@ std::vector<double> valuesToTry(Parameter parameter, const Parameters &given, co
     case Parameter::Theta20:
         constexpr int kDirections = 24;
         for (int i = 0; i < kDirections; ++i) {
-            values.push_back(given.theta20 + 2.0 * kPi * i / kDirections - kPi);
+            values.push_back(given.theta20 + 2.0 * std::numbers::pi * i / kDirections - std::numbers::pi);
         }
         break;
     }

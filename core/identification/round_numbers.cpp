@@ -39,22 +39,22 @@ double roundedTo(int place, double value)
     return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
 }
 
-struct Candidate {
+struct RoundNumber {
     double value;
     int digits;
 };
 
 /// In one unit.
-std::optional<Candidate> roundNumber(double value, double standardError)
+std::optional<RoundNumber> roundNumber(double value, double standardError)
 {
     if (std::abs(value) <= kStandardErrors * standardError) {
-        return Candidate{0.0, 0};
+        return RoundNumber{0.0, 0};
     }
     const int highest = powerOfTenBelow(std::abs(value) + kStandardErrors * standardError) + 1;
     for (int place = highest; std::pow(10.0, place) >= kLeastSpacing * standardError; --place) {
         const double rounded = roundedTo(place, value);
         if (std::abs(rounded - value) <= kStandardErrors * standardError) {
-            return Candidate{rounded, powerOfTenBelow(std::abs(rounded)) - place + 1};
+            return RoundNumber{rounded, powerOfTenBelow(std::abs(rounded)) - place + 1};
         }
     }
     return std::nullopt;
@@ -84,7 +84,7 @@ double roundest(double value, double standardError, std::span<const double> unit
     double best = roundedTo(powerOfTenBelow(standardError) - 1, value);
     int fewest = std::numeric_limits<int>::max();
     for (const double unit : units) {
-        const std::optional<Candidate> candidate = roundNumber(value / unit, standardError / unit);
+        const std::optional<RoundNumber> candidate = roundNumber(value / unit, standardError / unit);
         if (candidate && candidate->digits < fewest) {
             fewest = candidate->digits;
             best = candidate->value * unit;

@@ -4,6 +4,7 @@
 #include "core/closed_form/clearance.h"
 #include "core/closed_form/closed_form.h"
 #include "core/limits/mobility.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kQuarter = 0.5 * std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array<Channel, 4> kRates{
@@ -28,13 +27,6 @@ struct Rates {
     std::array<double, kRates.size()> value;
     std::array<double, kRates.size()> slope;
 };
-
-/// Into [-π, π).
-double wrapped(double angle)
-{
-    const double turned = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
-    return turned >= std::numbers::pi ? turned - kTurn : turned;
-}
 
 /// Half a turn about a crank angle at which the coupler is steepest, ±90°, with a little more at both ends. The angle
 /// from there is φ = w sinh u: with w = √(2·gap/a), where b cos θ3 ∝ √(gap + a φ²/2), everything that happens takes
@@ -52,7 +44,7 @@ public:
     {
     }
 
-    double end() const { return std::asinh((kQuarter + 0.1) / m_width); }
+    double end() const { return std::asinh((kQuarterTurn + 0.1) / m_width); }
     double phi(double u) const { return m_width * std::sinh(u); }
     double theta2(double angle) const { return wrapped(m_centre + angle); }
 
@@ -226,7 +218,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     }
 
     // p = ε at -g 90°, m = β at +g 90° (clearance.h)
-    const double below = -lengths.side() * kQuarter;
+    const double below = -lengths.side() * kQuarterTurn;
     const bool togglesBelow = lengths.epsilon() == 0.0;
     const bool togglesAbove = lengths.beta() == 0.0;
     std::array<Largest, kRates.size()> largest;

@@ -2,6 +2,7 @@
 #include "core/limits/mobility.h"
 
 #include "core/closed_form/clearance.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,27 +13,10 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kQuarter = 0.5 * std::numbers::pi;
-
-/// Into [-π, π).
-double wrapped(double angle)
-{
-    const double turned = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
-    return turned >= std::numbers::pi ? turned - kTurn : turned;
-}
-
-/// Into [0, 2π).
-double positive(double angle)
-{
-    const double turned = angle - kTurn * std::floor(angle / kTurn);
-    return turned >= kTurn ? 0.0 : turned;
-}
-
 bool contains(const CrankRange &range, double angle)
 {
     constexpr double kSlack = 1e-12; // rad: a dead centre at the very end of a range counts as within it
-    return positive(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
+    return intoFirstTurn(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
 }
 
 /// The sums that decide everything, each rounded once (clearance.h), in units of the clearance's scale.
@@ -72,7 +56,7 @@ std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const Clea
     switch (mobility) {
     case Mobility::Impossible: return ranges;
     case Mobility::FullTurn: return {{-std::numbers::pi, std::numbers::pi}};
-    case Mobility::Locked: ranges = {{kQuarter, kQuarter}}; break;
+    case Mobility::Locked: ranges = {{kQuarterTurn, kQuarterTurn}}; break;
     case Mobility::Rocker: {
         // asin((C - b)/a) from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
         const double lowest = std::atan2(lengths.offset() - lengths.b(), std::sqrt(-sums.epsilon * sums.gamma));
@@ -149,19 +133,19 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     }
     if (limits.mobility == Mobility::FullTurn) {
         limits.stroke = std::abs(limits.outer->R4x - limits.inner->R4x);
-        const double counterClockwise = positive(limits.outer->theta2 - limits.inner->theta2);
+        const double counterClockwise = intoFirstTurn(limits.outer->theta2 - limits.inner->theta2);
         const double outwards = mechanism.omega2() < 0.0 ? kTurn - counterClockwise : counterClockwise;
         limits.angleOutwards = outwards;
         limits.angleInwards = kTurn - outwards;
         limits.timeRatio = std::max(outwards, kTurn - outwards) / std::min(outwards, kTurn - outwards);
         limits.largestPressureAngle = std::atan2(lengths.a() + lengths.offset(), std::sqrt(sums.epsilon * sums.reach));
-        limits.largestPressureAngleAt = -lengths.side() * kQuarter;
+        limits.largestPressureAngleAt = -lengths.side() * kQuarterTurn;
         return limits;
     }
     for (const CrankRange &range : limits.ranges) {
         limits.stroke = std::max(limits.stroke.value_or(0.0), strokeWithin(range, mechanism, limits));
     }
-    limits.largestPressureAngle = kQuarter;
+    limits.largestPressureAngle = kQuarterTurn;
     limits.largestPressureAngleAt = limits.ranges.front().from;
     return limits;
 }

@@ -2,6 +2,7 @@
 #include "core/limits/slider_stroke.h"
 
 #include "core/limits/linkage_point.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kAtAnEnd = 1e-9; // rad: closer than that to the end of a stroke is at it
 
 /// The least of angle, angle ± 2π, … that is above the bound.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/heading.h"
 
+#include "core/reading/cell_scanner.h"
 #include "core/reading/text_encoding.h"
 
 #include <algorithm>
@@ -26,12 +27,6 @@ bool isUpper(char c)
 bool isLetter(char c)
 {
     return isUpper(c) || (c >= 'a' && c <= 'z');
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(" \t");
-    return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 struct Spelling {

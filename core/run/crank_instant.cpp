@@ -2,19 +2,18 @@
 #include "core/run/crank_instant.h"
 
 #include "core/mechanism/channel.h"
+#include "core/mechanism/turn.h"
 #include "core/mechanism/two_part_angle.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace slidercrank
 {
 
 std::optional<double> instantAtCrankAngle(const Mechanism &mechanism, double degrees, double start)
 {
-    constexpr double kTurn = 2.0 * std::numbers::pi;
     const double wanted = std::remainder(degrees, 360.0) / kDegreesPerRadian;
     const double angle = crankAngle(mechanism.omega2(), start, mechanism.theta20()).hi;
 
@@ -37,7 +36,6 @@ std::optional<double> instantAtCrankAngle(const Mechanism &mechanism, double deg
 
 double nearestInstantAtCrankAngle(const Mechanism &mechanism, const Sampling &run, double theta2, double t)
 {
-    constexpr double kTurn = 2.0 * std::numbers::pi;
     const double omega2 = mechanism.omega2();
     if (omega2 == 0.0) {
         return t;

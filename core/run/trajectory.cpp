@@ -6,7 +6,6 @@
 #include "core/run/in_parallel.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace slidercrank
@@ -14,8 +13,6 @@ namespace slidercrank
 
 namespace
 {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Instants between two looks at the stop token.
 constexpr std::size_t kInstantsPerLook = 256;

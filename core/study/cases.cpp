@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/cases.h"
 
+#include "core/mechanism/turn.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +13,6 @@ namespace slidercrank
 
 namespace
 {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// One turn in one second of a crank of 20 mm, which all but the scaled cases have.
 Case lengths(std::string_view name, double b, double c, Branch branch = Branch::Open)

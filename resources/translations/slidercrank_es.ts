@@ -2812,10 +2812,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
 <context>
     <name>slidercrank::MechanismLabels</name>
     <message>
-        <source>%1 = %2 mm</source>
-        <translation>%1 = %2 mm</translation>
-    </message>
-    <message>
         <source>O₂</source>
         <translation>O₂</translation>
     </message>

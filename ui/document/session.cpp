@@ -21,7 +21,7 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner than this are on the move
-constexpr int kMostSteps = 200;                 // to be undone
+constexpr int kMostUndone = 200;                // steps
 constexpr qint64 kSameStepWithin = 1000;        // ms: longer than the wait before a key held down repeats itself
 
 /// What the result was computed from.
@@ -39,7 +39,7 @@ Session::Session(QObject *parent)
     solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
     solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
     m_result = compute({Mechanism(m_choices.parameters), m_choices.sampling, solver, nullptr}, {});
-    m_undoStack.setUndoLimit(kMostSteps);
+    m_undoStack.setUndoLimit(kMostUndone);
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
 }

@@ -24,7 +24,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kDotsPerInch = 96;           // of a logical pixel, as in SVG and CSS
 constexpr double kPointsPerPixel = 0.75;   // 72 / 96
 constexpr double kLargestPixelCount = 2e8; // 800 MB as an image
 constexpr int kLargestSide = 30000;        // QPainter's raster engine stops at 32767

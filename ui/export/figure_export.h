@@ -20,8 +20,10 @@ enum class FigureFormat { Png, Svg, Pdf };
 /// By the file name's suffix, in any case.
 std::optional<FigureFormat> figureFormatOf(const QString &path);
 
+inline constexpr int kDotsPerInch = 96; ///< logical pixels, as in SVG and CSS
+
 struct FigureSize {
-    QSize size{1400, 900}; ///< logical pixels, 96 to the inch
+    QSize size{1400, 900}; ///< logical pixels
     double scale = 1.0;    ///< PNG and clipboard: device pixels per logical pixel
 };
 

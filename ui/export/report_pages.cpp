@@ -28,8 +28,7 @@ struct ReportPages {
 
 using Kind = ReportBlock::Kind;
 
-// In units of 1/96 inch, as everywhere in drawings; A4 is 794 x 1123 of them.
-constexpr int kDotsPerInch = 96;
+// In logical pixels, as everywhere in drawings; A4 is 794 x 1123 of them.
 constexpr double kMargin = 60.0;
 constexpr double kFooter = 24.0;
 constexpr double kGap = 7.0;           // between blocks

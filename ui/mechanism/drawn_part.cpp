@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/drawn_part.h"
 
+#include "core/mechanism/turn.h"
 #include "ui/mechanism/mechanism_canvas.h"
 #include "ui/mechanism/mechanism_scenery.h"
 
@@ -42,8 +43,7 @@ bool isOnBlock(QPointF away)
 
 bool isWithin(const CrankRange &range, double angle)
 {
-    constexpr double kTurn = 2.0 * std::numbers::pi;
-    return angle - range.from - kTurn * std::floor((angle - range.from) / kTurn) <= range.to - range.from;
+    return intoFirstTurn(angle - range.from) <= range.to - range.from;
 }
 
 } // namespace

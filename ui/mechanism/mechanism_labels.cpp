@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_labels.h"
 
-#include "ui/words/written_number.h"
+#include "ui/mechanism/mechanism_words.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -20,12 +20,7 @@ struct MechanismLabels {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismLabels)
 };
 
-constexpr double kApart = 4.0; ///< px between a link or a line and its text
-
-QString lengthText(const QString &symbol, double length)
-{
-    return MechanismLabels::tr("%1 = %2 mm").arg(symbol, numberText(length));
-}
+constexpr double kTextGap = 4.0; ///< px between a link or a line and its text
 
 /// Beside the link, on the side that `away` points to; nearer to its end, where there is neither O₂'s name nor G₃.
 void paintBeside(QPainter &painter, const MechanismCanvas &on, QPointF from, QPointF to, QPointF away, double width,
@@ -39,7 +34,7 @@ void paintBeside(QPainter &painter, const MechanismCanvas &on, QPointF from, QPo
     const QFontMetricsF metrics(on.font);
     const double reach =
         0.5 * (std::abs(across.x()) * metrics.horizontalAdvance(letter) + std::abs(across.y()) * metrics.xHeight());
-    paintNote(painter, on, placeOfLetter(from, to) + (0.5 * width + kApart + reach) * across, letter);
+    paintNote(painter, on, placeOfLetter(from, to) + (0.5 * width + kTextGap + reach) * across, letter);
 }
 
 } // namespace
@@ -89,7 +84,7 @@ void paintOffset(QPainter &painter, const MechanismCanvas &on, const Mechanism &
     const double x = on.toPixels({-mechanism.a(), 0.0}).x() - kBesideCircle;
     const double line = on.toPixels({0.0, mechanism.c()}).y();
     painter.setPen(QPen(on.muted, 1.0));
-    painter.drawLine(QPointF(x - kApart, pivot.y()), QPointF(pivot.x() - kJointRadius, pivot.y()));
+    painter.drawLine(QPointF(x - kTextGap, pivot.y()), QPointF(pivot.x() - kJointRadius, pivot.y()));
     if (std::abs(line - pivot.y()) > 1.0) {
         painter.drawLine(QPointF(x, pivot.y()), QPointF(x, line));
         const double head = std::min(kHead, 0.4 * std::abs(line - pivot.y()));
@@ -116,7 +111,7 @@ QPointF placeOfLetter(QPointF from, QPointF to)
 
 double letterReach(const MechanismCanvas &on)
 {
-    return kCrankWidth + kApart + 1.5 * QFontMetricsF(on.font).height();
+    return kCrankWidth + kTextGap + 1.5 * QFontMetricsF(on.font).height();
 }
 
 QStringList valueLines(const MechanismCanvas &on, const Mechanism &mechanism)
@@ -125,7 +120,7 @@ QStringList valueLines(const MechanismCanvas &on, const Mechanism &mechanism)
                             lengthText(QStringLiteral("b"), mechanism.b()),
                             lengthText(QStringLiteral("c"), mechanism.c())};
     const QString together = lines.join(QStringLiteral("   "));
-    const double width = QFontMetricsF(on.smallFont).horizontalAdvance(together) + 2.0 * kApart;
+    const double width = QFontMetricsF(on.smallFont).horizontalAdvance(together) + 2.0 * kTextGap;
     return cornerLine(on, 0, width).right() <= on.size.width() ? QStringList{together} : lines;
 }
 
@@ -136,9 +131,9 @@ void paintValues(QPainter &painter, const MechanismCanvas &on, const Mechanism &
     painter.setPen(on.colours.text);
     for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
         const double width = QFontMetricsF(on.smallFont).horizontalAdvance(lines[i]);
-        const QRectF box = cornerLine(on, i, width + 2.0 * kApart);
+        const QRectF box = cornerLine(on, i, width + 2.0 * kTextGap);
         painter.fillRect(box, on.colours.background);
-        painter.drawText(box.adjusted(kApart, 0.0, 0.0, 0.0), Qt::AlignVCenter | Qt::AlignLeft, lines[i]);
+        painter.drawText(box.adjusted(kTextGap, 0.0, 0.0, 0.0), Qt::AlignVCenter | Qt::AlignLeft, lines[i]);
     }
 }
 

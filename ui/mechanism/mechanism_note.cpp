@@ -22,7 +22,7 @@ QPoint topLeftIn(Qt::Corner corner, const QRect &room, const QSize &size)
             isBottom ? room.bottom() - size.height() + 1 : room.top()};
 }
 
-double distance(const QRectF &box, QPointF point)
+double distanceToBox(const QRectF &box, QPointF point)
 {
     const double across = std::max({box.left() - point.x(), 0.0, point.x() - box.right()});
     const double along = std::max({box.top() - point.y(), 0.0, point.y() - box.bottom()});
@@ -67,7 +67,7 @@ void MechanismNote::keepAwayFrom(const QPolygonF &points)
         const QRectF box(topLeftIn(corner, room, size()), size());
         double nearest = std::numeric_limits<double>::infinity();
         for (const QPointF &point : points) {
-            nearest = std::min(nearest, distance(box, point));
+            nearest = std::min(nearest, distanceToBox(box, point));
         }
         if (nearest > farthest) {
             farthest = nearest;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_words.h"
 
+#include "core/mechanism/turn.h"
 #include "ui/words/motion_facts.h"
 #include "ui/words/written_number.h"
 
@@ -19,8 +20,6 @@ namespace
 struct MechanismWords {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismWords)
 };
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// What is nothing but the rounding of numbers of that size is 0.
 QString text(double value, double size)
@@ -54,11 +53,6 @@ QStringList motionLines(const MechanismDrawing &drawing, LinkagePoint point)
         lines << MechanismWords::tr("no velocity: the coupler stands square to the slider's line");
     }
     return lines;
-}
-
-QString lengthText(const QString &symbol, double length)
-{
-    return MechanismWords::tr("%1 = %2 mm").arg(symbol, numberText(length));
 }
 
 QStringList crankLines(const MechanismDrawing &drawing)
@@ -170,7 +164,7 @@ QString explanationOf(const MechanismDrawing &drawing)
                    "be more than %1 mm for any pose; the crank turns round when b is at least %2 mm.")
             .arg(numberText(shortestCouplerForAnyPose(mechanism)), turning);
     }
-    const double angle = drawing.pose.theta2 - kTurn * std::floor(drawing.pose.theta2 / kTurn);
+    const double angle = intoFirstTurn(drawing.pose.theta2);
     return MechanismWords::tr(
                "Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at "
                "least %2 mm.")

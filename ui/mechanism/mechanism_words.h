@@ -13,6 +13,9 @@ namespace slidercrank
 /// A line what it is and what a drag does there, then its numbers. Empty for the background.
 QString partText(const MechanismDrawing &drawing, DrawnPart part);
 
+/// "a = 20 mm".
+QString lengthText(const QString &symbol, double length);
+
 /// Why there is no pose, and what would help; empty while there is one.
 QString explanationOf(const MechanismDrawing &drawing);
 

@@ -2,6 +2,7 @@
 #include "ui/parameters/parameter_panel.h"
 
 #include "core/limits/mobility.h"
+#include "core/mechanism/turn.h"
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_slider.h"
 #include "ui/words/theme.h"
@@ -24,6 +25,13 @@
 
 namespace slidercrank
 {
+
+/// A part of a slider's numbers.
+struct Stretch {
+    double from;
+    double to;
+    friend bool operator==(const Stretch &, const Stretch &) = default;
+};
 
 namespace
 {
@@ -92,17 +100,9 @@ Wording wordingOf(Parameter parameter)
     return {};
 }
 
-/// A part of a slider's numbers.
-struct Stretch {
-    double from;
-    double to;
-    friend bool operator==(const Stretch &, const Stretch &) = default;
-};
-
 /// Where a rocker's crank cannot stand, from -range to range (rad).
 std::vector<Stretch> anglesWithoutPose(const MotionLimits &limits, double range)
 {
-    constexpr double kTurn = 2.0 * std::numbers::pi;
     constexpr double kMostTurns = 4.0; // more on a slider would be but stripes
     const bool rocks = limits.mobility == Mobility::Rocker || limits.mobility == Mobility::Locked;
     if (!rocks || range > kMostTurns * kTurn) {

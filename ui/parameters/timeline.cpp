@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parameters/timeline.h"
 
+#include "core/mechanism/turn.h"
 #include "core/run/crank_instant.h"
-
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_slider.h"
 #include "ui/words/written_number.h"
@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace slidercrank
 {
@@ -30,7 +29,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
 
 QString speedText(double speed)
@@ -414,7 +412,7 @@ void Timeline::goToAngle(double degrees)
         double time =
             (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // the very angle, whole turns included
         if (!(time >= first() && time <= last())) {
-            const double period = 2.0 * std::numbers::pi / std::abs(omega2);
+            const double period = kTurn / std::abs(omega2);
             time = instantAtCrankAngle(Mechanism(m_parameters), degrees, first()).value_or(first());
             if (time > last()) { // not passed: whichever end is nearer
                 time = first() - (time - period) < time - last() ? first() : last();

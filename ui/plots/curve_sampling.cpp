@@ -14,7 +14,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The extremes of a run without gaps, or, where the sum is not finite, of a run that must be looked at one by one.
@@ -88,7 +87,7 @@ void appendBrokenRun(std::vector<CurvePoint> &points, std::span<const double> ti
     if (firstGap == values.size()) {
         return; // every value is finite, only their sum is not
     }
-    points.push_back({time[firstGap], kNaN});
+    points.push_back({time[firstGap], kNoValue});
 
     std::size_t lowest = values.size();
     std::size_t highest = values.size();
@@ -108,7 +107,7 @@ void appendBrokenRun(std::vector<CurvePoint> &points, std::span<const double> ti
         points.push_back({time[later], values[later]});
     }
     if (isGap(values.back())) {
-        points.push_back({time.back(), kNaN});
+        points.push_back({time.back(), kNoValue});
     }
 }
 
@@ -170,7 +169,7 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
     if (columns.starts.empty()) {
         points.reserve(columns.end - columns.first);
         for (std::size_t i = columns.first; i < columns.end; ++i) {
-            points.push_back({time[i], std::isfinite(values[i]) ? values[i] : kNaN});
+            points.push_back({time[i], std::isfinite(values[i]) ? values[i] : kNoValue});
         }
         return points;
     }
@@ -270,7 +269,7 @@ std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval 
     kept.reserve(points.size());
     const auto breakOff = [&kept](double t) {
         if (!kept.empty() && !std::isnan(kept.back().value)) {
-            kept.push_back({t, kNaN});
+            kept.push_back({t, kNoValue});
         }
     };
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -356,7 +355,7 @@ std::vector<CurvePoint> cutIntoDashes(std::span<const CurvePoint> points, const 
             const CurvePoint at{from.t + part * (to.t - from.t), from.value + part * (to.value - from.value)};
             cut.push_back(at);
             if (isDash) {
-                cut.push_back({at.t, kNaN});
+                cut.push_back({at.t, kNoValue});
             }
             isDash = !isDash;
             left = isDash ? pattern.dash : pattern.gap;

@@ -3,12 +3,13 @@
 
 // What of a curve of any number of samples a plot of so many pixels can show: at most two points a pixel column (the
 // smallest and the largest value, in the order in which they occur), gaps kept, cut off at the axes. Units are those of
-// the caller. A value that is not finite is a gap, written as NaN.
+// the caller. A value that is not finite is a gap, written as kNoValue.
 
 #include "ui/words/interval.h"
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,9 +17,11 @@
 namespace slidercrank
 {
 
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
 struct CurvePoint {
     double t = 0.0;
-    double value = 0.0; ///< NaN: a gap
+    double value = 0.0; ///< kNoValue: a gap
 };
 
 /// Which samples lie in which pixel column of a time range; shared by all curves over the same instants.

@@ -17,7 +17,6 @@ namespace
 
 constexpr std::size_t kChannels = kPlottedChannels.size();
 constexpr std::size_t kChannelsPerRow = 2;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Derivatives as fractions: fonts set the dots of θ̇ and R̈ badly or not at all.
 QString quantity(std::size_t channel)
@@ -202,7 +201,7 @@ void PlotFigure::convertErrors(ShownChannel &channel) const
     case ErrorMeasure::OfPeak: {
         const std::optional<Interval> range = extremes(channel.reference);
         const double peak = range ? std::max(std::abs(range->lower), std::abs(range->upper)) : 0.0;
-        channel.perDifference = peak > 0.0 ? kPercent / peak : kNaN;
+        channel.perDifference = peak > 0.0 ? kPercent / peak : kNoValue;
         channel.largestError = comparison ? comparison->percentOfPeak : std::nullopt;
         break;
     }
@@ -223,10 +222,10 @@ double PlotFigure::shownError(const ShownChannel &channel, double difference, do
 {
     double error = std::abs(difference) * channel.perDifference;
     if (m_settings.error == ErrorMeasure::Percent) {
-        error = reference == 0.0 ? kNaN : error / std::abs(reference);
+        error = reference == 0.0 ? kNoValue : error / std::abs(reference);
     }
     if (m_settings.logarithmicError) {
-        error = error > 0.0 ? std::log10(error) : kNaN;
+        error = error > 0.0 ? std::log10(error) : kNoValue;
     }
     return error;
 }

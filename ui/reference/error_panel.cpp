@@ -31,7 +31,7 @@ namespace slidercrank
 namespace
 {
 
-enum Column {
+enum ErrorColumn {
     Name,
     Outcome,
     LargestError,
@@ -42,7 +42,7 @@ enum Column {
     PercentOfPeak,
     RoundingStep
 };
-constexpr int kColumnCount = 9;
+constexpr int kErrorColumnCount = 9;
 constexpr int kErrorDigits = 3;
 
 /// Between two fillings while the parameters move: nobody reads faster, and a filling takes longer than nine plots.
@@ -214,7 +214,7 @@ QWidget *ErrorPanel::createTablePage()
         QString title;
         QString explanation;
     };
-    const std::array<Header, kColumnCount> headers{{
+    const std::array<Header, kErrorColumnCount> headers{{
         {tr("channel"), tr("What is compared, and its unit")},
         {tr("verdict"),
          tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
@@ -230,10 +230,10 @@ QWidget *ErrorPanel::createTablePage()
         {tr("step"), tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
                         "channel's unit. Rounding alone makes an error of half of it.")},
     }};
-    m_table = new QTableWidget(0, kColumnCount);
+    m_table = new QTableWidget(0, kErrorColumnCount);
     m_table->setObjectName(QStringLiteral("errorTable"));
     m_table->setAccessibleName(tr("Errors, a row a channel"));
-    for (int column = 0; column < kColumnCount; ++column) {
+    for (int column = 0; column < kErrorColumnCount; ++column) {
         const Header &header = headers[static_cast<std::size_t>(column)];
         auto *item = new QTableWidgetItem(header.title);
         item->setToolTip(header.explanation);
@@ -336,7 +336,7 @@ void ErrorPanel::fitColumns()
     constexpr int kMostAir = 28;
     const auto widthNeeded = [this] {
         int width = 0;
-        for (int column = 0; column < kColumnCount; ++column) {
+        for (int column = 0; column < kErrorColumnCount; ++column) {
             m_table->resizeColumnToContents(column);
             width += m_table->columnWidth(column);
         }
@@ -351,8 +351,8 @@ void ErrorPanel::fitColumns()
         wordVerdicts();
         needed = widthNeeded();
     }
-    const int air = std::clamp((room - needed) / kColumnCount, 0, kMostAir);
-    for (int column = 0; column < kColumnCount; ++column) {
+    const int air = std::clamp((room - needed) / kErrorColumnCount, 0, kMostAir);
+    for (int column = 0; column < kErrorColumnCount; ++column) {
         m_table->setColumnWidth(column, m_table->columnWidth(column) + air);
     }
 }

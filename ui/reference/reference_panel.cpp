@@ -30,8 +30,8 @@ namespace slidercrank
 namespace
 {
 
-enum Column { Heading, Unit, Meaning, RoundedTo, Values, Why };
-constexpr int kColumnCount = 6;
+enum Fact { Heading, Unit, Meaning, RoundedTo, Values, Why };
+constexpr int kFactCount = 6;
 
 /// What the left of the panel shows; the findings are beside it where there is room.
 enum View { ColumnsView, SkippedView, FindingsView };
@@ -372,7 +372,7 @@ void ReferencePanel::fillColumns()
         }
         setCell(m_columns, row, RoundedTo, rounding);
         setCell(m_columns, row, Values, values);
-        for (int cell = 0; cell < kColumnCount; ++cell) {
+        for (int cell = 0; cell < kFactCount; ++cell) {
             if (column.role == ColumnRole::Ignored) {
                 m_columns->item(row, cell)->setForeground(palette().color(QPalette::PlaceholderText));
             }
