@@ -2908,10 +2908,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
     </message>
     <message>
-        <source>%1 = %2 mm</source>
-        <translation>%1 = %2 mm</translation>
-    </message>
-    <message>
         <source>θ₂ = %1°</source>
         <translation>θ₂ = %1°</translation>
     </message>
@@ -4927,6 +4923,17 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Pause</source>
         <translation>Pausar</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::WorkAside</name>
+    <message>
+        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
+        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
+    <message>
+        <source>That failed: %1.</source>
+        <translation>Eso ha fallado: %1.</translation>
     </message>
 </context>
 </TS>

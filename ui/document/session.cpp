@@ -4,10 +4,7 @@
 #include "ui/document/column_choices.h"
 #include "ui/words/finding_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
-#include <QPointer>
-#include <QThreadPool>
 
 #include <algorithm>
 #include <chrono>
@@ -42,13 +39,19 @@ Session::Session(QObject *parent)
     m_undoStack.setUndoLimit(kMostUndone);
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
+    connect(&m_reading, &WorkAside::progressed, this, &Session::readingProgressed);
+    for (const WorkAside *work : {&m_computation, &m_reading, &m_diagnosing}) {
+        connect(work, &WorkAside::runningChanged, this, [this](bool running) {
+            m_running += running ? 1 : -1;
+            if (m_running == (running ? 1 : 0)) {
+                emit busyChanged(running);
+            }
+        });
+    }
 }
 
 Session::~Session()
 {
-    m_computation.request_stop();
-    m_reading.request_stop();
-    m_diagnosing.request_stop();
     m_undoStack.disconnect(); // it says that it empties itself, to whom is there no more
 }
 
@@ -129,12 +132,12 @@ void Session::putInForce(const Choices &choices)
 {
     const Choices before = std::exchange(m_choices, choices);
     if (m_choices.reference != before.reference) {
-        m_diagnosing.request_stop();
+        m_diagnosing.drop();
         publishDiagnosis(nullptr);
         emit referenceLoaded(m_choices.reference);
     }
     if (m_choices.parameters != before.parameters) {
-        m_diagnosing.request_stop();
+        m_diagnosing.drop();
         emit parametersChanged(m_choices.parameters);
     }
     if (m_choices.sampling != before.sampling || m_choices.solver != before.solver) {
@@ -165,48 +168,19 @@ void Session::setTime(double seconds)
     emit timeChanged(pose());
 }
 
-template <typename Work, typename Done>
-void Session::runAside(Work work, Done done)
-{
-    if (m_pending++ == 0) {
-        emit busyChanged(true);
-    }
-    QThreadPool::globalInstance()->start([session = QPointer<Session>(this), work = std::move(work), done]() {
-        auto outcome = work();
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [session, done, outcome = std::move(outcome)] {
-                if (!session) {
-                    return;
-                }
-                done(outcome);
-                if (--session->m_pending == 0) {
-                    emit session->busyChanged(false);
-                }
-            },
-            Qt::QueuedConnection);
-    });
-}
-
 void Session::recompute()
 {
-    m_computation.request_stop(); // whatever is still under way is out of date
-    if (m_choices == choicesOf(*m_result)) {
-        publish(m_result);
-        return;
-    }
     Request request{Mechanism(m_choices.parameters), m_choices.sampling, m_choices.solver, m_choices.reference};
-    if (!takesLong(request)) {
-        publish(compute(request, {}));
+    const bool isOnShow = m_choices == choicesOf(*m_result);
+    if (isOnShow || !takesLong(request)) {
+        m_computation.drop(); // what is still under way is out of date
+        publish(isOnShow ? m_result : compute(request, {}));
         return;
     }
-    m_computation = std::stop_source();
-    runAside([request = std::move(request), stop = m_computation.get_token()] { return compute(request, stop); },
-             [this](const std::shared_ptr<const Result> &result) {
-                 if (result) {
-                     publish(result);
-                 }
-             });
+    m_computation.start(
+        [request = std::move(request)](const std::stop_token &stop, const auto &) { return compute(request, stop); },
+        [this](const std::shared_ptr<const Result> &result) { publish(result); },
+        [this](const QString &sentence) { emit problemFound(sentence); });
 }
 
 void Session::publish(std::shared_ptr<const Result> result)
@@ -228,15 +202,27 @@ void Session::diagnoseAside()
     if (!reference || !upToDate || known) {
         return; // nothing to say, or not yet: the next result asks again
     }
-    m_diagnosing.request_stop();
-    m_diagnosing = std::stop_source();
-    const std::stop_token stop = m_diagnosing.get_token();
-    runAside([reference, mechanism = m_result->mechanism, stop] { return diagnose(reference, mechanism, stop); },
-             [this, stop](const std::shared_ptr<const Diagnosis> &diagnosis) {
-                 if (diagnosis && !stop.stop_requested()) {
-                     publishDiagnosis(diagnosis);
-                 }
-             });
+    m_diagnosing.start([reference, mechanism = m_result->mechanism](
+                           const std::stop_token &stop, const auto &) { return diagnose(reference, mechanism, stop); },
+                       [this](const std::shared_ptr<const Diagnosis> &diagnosis) { publishDiagnosis(diagnosis); },
+                       [this](const QString &sentence) {
+                           endSearch();
+                           emit problemFound(sentence);
+                       });
+}
+
+/// Without an answer, where there is none.
+void Session::endSearch()
+{
+    m_rest.stop();
+    const bool isKnown = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
+    if (m_choices.reference && !isKnown) {
+        auto stopped = std::make_shared<Diagnosis>();
+        stopped->reference = m_choices.reference;
+        stopped->parameters = m_choices.parameters;
+        stopped->found.identification.status = Identification::Status::Stopped;
+        publishDiagnosis(std::move(stopped));
+    }
 }
 
 void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
@@ -249,34 +235,14 @@ void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
 
 void Session::readAside(const Read &read, const std::function<void(const Reading &)> &done)
 {
-    m_reading.request_stop();
-    m_reading = std::stop_source();
-    const std::stop_token stop = m_reading.get_token();
-    const auto work = [read, session = QPointer<Session>(this), stop]() -> Reading {
+    const auto work = [read](const std::stop_token &stop, const WorkAside::Progress &progress) {
         ReadOptions options;
-        options.progress = [session, stop, told = std::size_t{0}](std::size_t bytes, std::size_t all) mutable {
-            constexpr std::size_t kSteps = 200; // more than the bar can show
-            const std::size_t step = all > 0 ? bytes * kSteps / all : 0;
-            if (step == std::exchange(told, step)) {
-                return;
-            }
-            const double part = static_cast<double>(step) / static_cast<double>(kSteps);
-            QMetaObject::invokeMethod(
-                QCoreApplication::instance(),
-                [session, stop, part] {
-                    if (session && !stop.stop_requested()) {
-                        emit session->readingProgressed(part);
-                    }
-                },
-                Qt::QueuedConnection);
+        options.progress = [&progress](std::size_t bytes, std::size_t all) {
+            progress(all > 0 ? static_cast<double>(bytes) / static_cast<double>(all) : 0.0);
         };
         return read(stop, options);
     };
-    runAside(work, [stop, done](const Reading &outcome) {
-        if (!stop.stop_requested()) {
-            done(outcome);
-        }
-    });
+    m_reading.start(work, done, done);
 }
 
 void Session::loadReference(const QString &path)
@@ -312,7 +278,7 @@ void Session::loadReference(const QString &path, const std::shared_ptr<const Ref
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
     if (!source) {
-        m_reading.request_stop();
+        m_reading.drop();
         startWith(choices, seconds);
         emit opened(QString());
         return;
@@ -338,7 +304,7 @@ void Session::startWith(const Choices &choices, double seconds)
 
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
-    m_reading.request_stop();
+    m_reading.drop();
     Choices choices = m_choices;
     choices.reference = reference;
     m_lastEdit.clear(); // one file opened after the other: two steps
@@ -375,9 +341,9 @@ void Session::readAsPrinted()
 
 void Session::cancel()
 {
-    m_computation.request_stop();
-    m_reading.request_stop();
-    m_diagnosing.request_stop();
+    m_computation.drop();
+    m_reading.drop();
+    m_diagnosing.drop();
     const Choices shown = choicesOf(*m_result);
     if (m_choices != shown) {
         if (m_undoStack.canUndo()) { // else they came with a scene, and no edit is to turn it into another
@@ -387,15 +353,7 @@ void Session::cancel()
         }
         return;
     }
-    const bool isKnown = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
-    if (m_choices.reference && !isKnown) {
-        m_rest.stop();
-        auto stopped = std::make_shared<Diagnosis>();
-        stopped->reference = m_choices.reference;
-        stopped->parameters = m_choices.parameters;
-        stopped->found.identification.status = Identification::Status::Stopped;
-        publishDiagnosis(std::move(stopped));
-    }
+    endSearch();
 }
 
 } // namespace slidercrank

@@ -9,6 +9,7 @@
 #include "ui/document/edit_command.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/result.h"
+#include "ui/document/work_aside.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -126,21 +127,18 @@ private:
     void recompute();
     void publish(std::shared_ptr<const Result> result);
     void diagnoseAside();
+    void endSearch();
     void publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis);
-
-    /// Runs work() in another thread, then done(its outcome) in this one.
-    template <typename Work, typename Done>
-    void runAside(Work work, Done done);
 
     Choices m_choices;
     double m_time = 0.0;
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const Diagnosis> m_diagnosis;
-    std::stop_source m_computation;
-    std::stop_source m_reading;
-    std::stop_source m_diagnosing;
+    WorkAside m_computation{WorkAside::Kind::OfAnEdit};
+    WorkAside m_reading;
+    WorkAside m_diagnosing;
+    int m_running = 0; ///< how many of these three
     QTimer m_rest;     ///< runs while the parameters may still be on the move
-    int m_pending = 0; ///< jobs aside
 
     QUndoStack m_undoStack;
     int m_step = 0;       ///< edits of the same number are undone together
