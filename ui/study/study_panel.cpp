@@ -8,7 +8,6 @@
 #include "ui/words/written_number.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
@@ -26,13 +25,13 @@
 #include <QStandardPaths>
 #include <QStringList>
 #include <QTableWidget>
-#include <QThreadPool>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace slidercrank
 {
@@ -193,6 +192,7 @@ private:
 
 StudyPanel::StudyPanel(QWidget *parent)
     : QWidget(parent)
+    , m_study(new WorkAside(WorkAside::Kind::Lasting, this))
 {
     setObjectName(QStringLiteral("studyPanel"));
     setAccessibleName(tr("Speed and accuracy of the methods"));
@@ -300,27 +300,30 @@ StudyPanel::StudyPanel(QWidget *parent)
     rows->addLayout(controls);
     rows->addWidget(beside, 1);
     rows->addWidget(m_summary);
+    listen();
     updateButtons();
     showSummary();
 }
 
-StudyPanel::~StudyPanel()
+void StudyPanel::listen()
 {
-    if (m_listener && m_listener->panel == this) {
-        m_listener->panel = nullptr;
-        m_stop.request_stop();
-    }
+    connect(m_study, &WorkAside::progressed, this,
+            [this](double part) { m_progress->setValue(static_cast<int>(part * kProgressSteps)); });
+    connect(m_study, &WorkAside::runningChanged, this, [this](bool running) {
+        updateButtons();
+        if (!running) {
+            emit finished();
+        }
+    });
 }
 
 void StudyPanel::takeOver(StudyPanel &other)
 {
     m_result = other.m_result;
-    m_running = other.m_running;
-    m_stop = other.m_stop;
-    m_listener = other.m_listener;
-    if (m_listener) {
-        m_listener->panel = this;
-    }
+    delete std::exchange(m_study, std::exchange(other.m_study, nullptr));
+    m_study->disconnect(&other);
+    m_study->setParent(this);
+    listen();
     m_progress->setValue(other.m_progress->value());
     showResult();
     m_cases->setCurrentIndex(other.m_cases->currentIndex());
@@ -349,58 +352,28 @@ void StudyPanel::runHardCases()
 
 void StudyPanel::cancel()
 {
-    m_stop.request_stop();
+    m_study->cancel();
 }
 
 void StudyPanel::run(StudyRequest request)
 {
-    if (m_running) {
+    if (m_study->isRunning()) {
         return;
     }
-    m_running = true;
-    m_stop = std::stop_source();
-    m_listener = std::make_shared<Listener>(Listener{this});
     m_progress->setValue(0);
-    updateButtons();
-    QThreadPool::globalInstance()->start(
-        [listener = m_listener, request = std::move(request), stop = m_stop.get_token()] {
-            int told = 0;
-            const auto tell = [&](double part) {
-                const int now = static_cast<int>(part * kProgressSteps);
-                if (now == told) {
-                    return;
-                }
-                told = now;
-                QMetaObject::invokeMethod(
-                    QCoreApplication::instance(),
-                    [listener, now] {
-                        if (listener->panel) {
-                            listener->panel->m_progress->setValue(now);
-                        }
-                    },
-                    Qt::QueuedConnection);
-            };
-            auto result = std::make_shared<const StudyResult>(runStudy(request, stop, tell));
-            QMetaObject::invokeMethod(
-                QCoreApplication::instance(),
-                [listener, result = std::move(result)] {
-                    if (listener->panel) {
-                        listener->panel->finish(result);
-                    }
-                },
-                Qt::QueuedConnection);
-        });
-}
-
-void StudyPanel::finish(const std::shared_ptr<const StudyResult> &result)
-{
-    m_running = false;
-    if (!result->cases.empty()) {
-        m_result = result;
-        showResult();
-    }
-    updateButtons();
-    emit finished();
+    // The one that has taken it over by then.
+    const auto panel = [study = m_study] { return static_cast<StudyPanel *>(study->parent()); };
+    m_study->start(
+        [request = std::move(request)](const std::stop_token &stop, const WorkAside::Progress &progress) {
+            return std::make_shared<const StudyResult>(runStudy(request, stop, progress));
+        },
+        [panel](const std::shared_ptr<const StudyResult> &result) {
+            if (!result->cases.empty()) {
+                panel()->m_result = result;
+                panel()->showResult();
+            }
+        },
+        [panel](const QString &sentence) { emit panel()->problemFound(sentence); });
 }
 
 void StudyPanel::showResult()
@@ -491,10 +464,10 @@ void StudyPanel::showSummary()
 
 void StudyPanel::updateButtons()
 {
-    m_runThis->setEnabled(!m_running);
-    m_runHard->setEnabled(!m_running);
-    m_cancel->setVisible(m_running);
-    m_progress->setVisible(m_running);
+    m_runThis->setEnabled(!m_study->isRunning());
+    m_runHard->setEnabled(!m_study->isRunning());
+    m_cancel->setVisible(m_study->isRunning());
+    m_progress->setVisible(m_study->isRunning());
     m_cases->setVisible(m_result && m_result->cases.size() > 1);
     m_export->setEnabled(m_result != nullptr);
 }

@@ -5,13 +5,13 @@
 // it as a picture and as a table.
 
 #include "core/study/study.h"
+#include "ui/document/work_aside.h"
 
 #include <QString>
 #include <QWidget>
 
 #include <memory>
 #include <optional>
-#include <stop_token>
 
 class QComboBox;
 class QLabel;
@@ -31,7 +31,6 @@ class StudyPanel : public QWidget
 
 public:
     explicit StudyPanel(QWidget *parent = nullptr);
-    ~StudyPanel() override;
 
     /// Of the case on show, in light colours, by the file name's suffix; a sentence when it could not be written.
     std::optional<QString> exportPicture(const QString &path) const;
@@ -49,20 +48,16 @@ public slots:
     void cancel();
 
 signals:
-    void finished(); ///< or cancelled
+    void finished();                            ///< or cancelled
+    void problemFound(const QString &sentence); ///< one sentence, for the message bar
 
 protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    /// Whom a study under way tells.
-    struct Listener {
-        StudyPanel *panel = nullptr; ///< null: nobody any more
-    };
-
     void run(StudyRequest request);
+    void listen();
     void showResult();
-    void finish(const std::shared_ptr<const StudyResult> &result);
     const CaseResult *shownCase() const;
     void showCase();
     void fillTable(const CaseResult &which);
@@ -74,9 +69,7 @@ private:
 
     Parameters m_parameters;
     std::shared_ptr<const StudyResult> m_result;
-    std::stop_source m_stop;
-    std::shared_ptr<Listener> m_listener; ///< read and written in the GUI thread only
-    bool m_running = false;
+    WorkAside *m_study; ///< a child of the panel that it tells
 
     QPushButton *m_runThis = nullptr;
     QPushButton *m_runHard = nullptr;
