@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <future>
 #include <thread>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace slidercrank
 
 /// Calls work(i) once for each i < count, in any order, on as many threads as there are processors, the caller's among
 /// them, and returns when all is done; on the caller's alone where it is not `worthIt`. A thread costs some 20 us.
-/// `work` does not throw.
+/// Where work throws (no memory), this does, when all threads have ended.
 template <class Work>
 void inParallel(std::size_t count, const Work &work, bool worthIt = true)
 {
@@ -25,12 +26,14 @@ void inParallel(std::size_t count, const Work &work, bool worthIt = true)
         }
     };
     const std::size_t threads = worthIt ? std::max(1U, std::thread::hardware_concurrency()) : 1;
-    std::vector<std::jthread> aside;
+    std::vector<std::future<void>> aside; // waited for, whatever happens here
     for (std::size_t i = 1; i < std::min(threads, count); ++i) {
-        aside.emplace_back(takeTurns);
+        aside.push_back(std::async(std::launch::async, takeTurns));
     }
     takeTurns();
-    aside.clear(); // waits for them
+    for (std::future<void> &other : aside) {
+        other.get();
+    }
 }
 
 } // namespace slidercrank

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/closed_form.h"
+#include "core/run/in_parallel.h"
 #include "core/run/trajectory.h"
 #include "core/study/cases.h"
 #include "core/study/exact_motion.h"
 
 #include <QTest>
+
+#include <latch>
+#include <new>
+#include <thread>
 
 using namespace slidercrank;
 
@@ -59,6 +64,7 @@ private slots:
     void takesAnyInstants();
     void stopsWhenAsked_data();
     void stopsWhenAsked();
+    void whatAThreadThrowsReachesTheCaller();
 };
 
 void tst_trajectory::defaultsAreTable2()
@@ -334,6 +340,21 @@ void tst_trajectory::stopsWhenAsked()
     QVERIFY(sample(Mechanism(), instants, plottedChannels(), {method, {}}, source.get_token()).complete);
     source.request_stop();
     QVERIFY(!sample(Mechanism(), instants, plottedChannels(), {method, {}}, source.get_token()).complete);
+}
+
+void tst_trajectory::whatAThreadThrowsReachesTheCaller()
+{
+    if (std::thread::hardware_concurrency() < 2) {
+        QSKIP("there is no other thread on one processor");
+    }
+    std::latch both(2);
+    const auto work = [&both, caller = std::this_thread::get_id()](std::size_t) {
+        both.arrive_and_wait(); // one piece each
+        if (std::this_thread::get_id() != caller) {
+            throw std::bad_alloc();
+        }
+    };
+    QVERIFY_THROWS_EXCEPTION(std::bad_alloc, inParallel(2, work));
 }
 
 QTEST_APPLESS_MAIN(tst_trajectory)
