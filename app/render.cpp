@@ -39,11 +39,14 @@ Sampling runAround(const RenderOptions &options)
     return run;
 }
 
-/// The choices, one after the other; returns when everything is computed.
-void settle(Session &session, const RenderOptions &options, const std::shared_ptr<const Reference> &reference)
+/// The choices, one after the other; returns when everything is computed. A sentence when that failed.
+std::optional<QString> settle(Session &session, const RenderOptions &options,
+                              const std::shared_ptr<const Reference> &reference)
 {
     bool busy = false;
+    std::optional<QString> problem;
     QEventLoop loop;
+    QObject::connect(&session, &Session::problemFound, &loop, [&](const QString &sentence) { problem = sentence; });
     QObject::connect(&session, &Session::busyChanged, &loop, [&](bool now) {
         busy = now;
         if (!busy) {
@@ -58,6 +61,7 @@ void settle(Session &session, const RenderOptions &options, const std::shared_pt
         loop.exec();
     }
     session.setTime(options.poseInstant);
+    return problem;
 }
 
 /// The lengths of the linkage as the file has it, where that is another than the model's; none where the file reads
@@ -162,7 +166,10 @@ ExitStatus render(const RenderOptions &options)
         warnOf(options.reference->path, reference->data);
     }
     Session session;
-    settle(session, options, reference);
+    if (const std::optional<QString> problem = settle(session, options, reference)) {
+        say(*problem);
+        return ExitStatus::FileFailed;
+    }
 
     PlotGrid plots;
     MechanismView mechanism;
