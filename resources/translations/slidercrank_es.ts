@@ -2936,6 +2936,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>θ₂ de %1° a %2°</translation>
     </message>
     <message>
+        <source>%1 = %2 mm</source>
+        <translation>%1 = %2 mm</translation>
+    </message>
+    <message>
         <source>The crank turns round when b is at least %1 mm.</source>
         <translation>La manivela da la vuelta completa cuando b es al menos %1 mm.</translation>
     </message>

@@ -148,6 +148,11 @@ QString partText(const MechanismDrawing &drawing, DrawnPart part)
     return {};
 }
 
+QString lengthText(const QString &symbol, double length)
+{
+    return MechanismWords::tr("%1 = %2 mm").arg(symbol, numberText(length));
+}
+
 QString explanationOf(const MechanismDrawing &drawing)
 {
     if (!drawing.result || drawing.pose.exists()) {
