@@ -4,13 +4,10 @@
 // How the points move that one looks at in a linkage: the crank pin A, the slider's pin B, the coupler's centre of mass
 // G3. Lengths in mm, time in s.
 
-#include "core/limits/mobility.h"
 #include "core/mechanism/mechanism.h"
 
-#include <Eigen/Core>
-
 #include <array>
-#include <vector>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -18,20 +15,28 @@ namespace slidercrank
 enum class LinkagePoint { A, B, G3 };
 inline constexpr std::array<LinkagePoint, 3> kLinkagePoints{LinkagePoint::A, LinkagePoint::B, LinkagePoint::G3};
 
-/// NaN where it does not exist.
-struct PointMotion {
-    Eigen::Vector2d position;
-    Eigen::Vector2d velocity;
-    Eigen::Vector2d acceleration;
+struct PlaneVector {
+    double x = 0.0;
+    double y = 0.0;
+
+    double length() const { return std::sqrt(x * x + y * y); }
+    friend PlaneVector operator*(const PlaneVector &vector, double factor)
+    {
+        return {vector.x * factor, vector.y * factor};
+    }
 };
 
-PointMotion motionOf(LinkagePoint point, const State &state);
+/// NaN where it does not exist.
+struct PointMotion {
+    PlaneVector position;
+    PlaneVector velocity;
+    PlaneVector acceleration;
+};
 
-/// The exact state with the crank at that angle (rad), turning at its speed.
-State stateAtCrankAngle(const Mechanism &mechanism, double theta2);
+/// By kLinkagePoints.
+using LinkageMotion = std::array<PointMotion, kLinkagePoints.size()>;
 
-/// Crank angles from one end of the range to the other, closer together towards the ends, where a rocker's coupler
-/// swings fastest.
-std::vector<double> anglesAcross(const CrankRange &range, int steps);
+/// Exact, at time t (s).
+LinkageMotion linkageMotion(const Mechanism &mechanism, double t);
 
 } // namespace slidercrank

@@ -167,6 +167,17 @@ std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits)
     return forbidden;
 }
 
+std::vector<double> anglesAcross(const CrankRange &range, int steps)
+{
+    const double middle = 0.5 * (range.from + range.to);
+    const double half = 0.5 * (range.to - range.from);
+    std::vector<double> angles;
+    for (int i = 0; i <= steps; ++i) {
+        angles.push_back(middle - half * std::cos(std::numbers::pi * i / steps));
+    }
+    return angles;
+}
+
 double shortestCouplerForAnyPose(const Mechanism &mechanism)
 {
     return std::abs(mechanism.c()) - mechanism.a();

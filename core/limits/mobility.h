@@ -65,6 +65,10 @@ MotionLimits motionLimits(const Mechanism &mechanism);
 /// there is no range.
 std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits);
 
+/// Crank angles from one end of the range to the other, closer together towards the ends, where a rocker's coupler
+/// swings fastest.
+std::vector<double> anglesAcross(const CrankRange &range, int steps);
+
 /// The shortest coupler for which there is any pose, |c| - a (may be negative: any length will do), and for which the
 /// crank turns round, a + |c|. mm.
 double shortestCouplerForAnyPose(const Mechanism &mechanism);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/slider_stroke.h"
 
-#include "core/limits/linkage_point.h"
+#include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -23,10 +23,15 @@ double firstAbove(double bound, double angle)
     return turned > bound ? turned : turned + kTurn;
 }
 
+double R4xAt(const Mechanism &mechanism, double theta2)
+{
+    return ClosedForm(withCrankAt(mechanism, theta2)).motionAt(0.0).R4x;
+}
+
 /// At the end of an arc the coupler is square to the slider's line; beyond it, by a rounding, there is no pose.
 double sliderAt(const Mechanism &mechanism, double theta2)
 {
-    const double R4 = stateAtCrankAngle(mechanism, theta2).q[R4x];
+    const double R4 = R4xAt(mechanism, theta2);
     return std::isnan(R4) ? mechanism.a() * std::cos(theta2) : R4;
 }
 
@@ -54,7 +59,7 @@ std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const Motio
             endAt(range.to);
         }
     }
-    if (!std::isfinite(from) || std::isnan(stateAtCrankAngle(mechanism, 0.5 * (from + to)).q[R4x])) {
+    if (!std::isfinite(from) || std::isnan(R4xAt(mechanism, 0.5 * (from + to)))) {
         return std::nullopt;
     }
     return SliderStroke{from, to, sliderAt(mechanism, from), sliderAt(mechanism, to)};

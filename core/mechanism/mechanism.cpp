@@ -58,4 +58,11 @@ Mechanism::Mechanism(const Parameters &parameters)
     assert(!findFault(parameters));
 }
 
+Mechanism withCrankAt(const Mechanism &mechanism, double theta2)
+{
+    Parameters parameters = mechanism.parameters();
+    parameters.theta20 = theta2;
+    return Mechanism(parameters);
+}
+
 } // namespace slidercrank

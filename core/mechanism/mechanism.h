@@ -10,7 +10,7 @@
 // Source: A. A. Shabana, "Computational Dynamics", 3rd ed., Wiley 2009, ch. 3 (absolute coordinates);
 //         R. L. Norton, "Design of Machinery", section 4.6 (the two assemblies of the fourbar slider-crank).
 
-#include <Eigen/Core>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 
@@ -70,13 +70,16 @@ private:
     Parameters m_parameters;
 };
 
+/// The same mechanism with the crank at that angle (rad) at t = 0.
+Mechanism withCrankAt(const Mechanism &mechanism, double theta2);
+
 /// The 12 absolute coordinates, in the order of q: centre of mass (mm) and angle (rad) of each body.
 /// Theta3 is θ³ of the report, the coupler's angle seen from A towards B; a textbook's θ_3 is Theta3 + 180°.
-enum Coordinate : Eigen::Index { R1x, R1y, Theta1, R2x, R2y, Theta2, R3x, R3y, Theta3, R4x, R4y, Theta4 };
-inline constexpr Eigen::Index kCoordinateCount = 12;
+enum Coordinate : std::ptrdiff_t { R1x, R1y, Theta1, R2x, R2y, Theta2, R3x, R3y, Theta3, R4x, R4y, Theta4 };
+inline constexpr std::ptrdiff_t kCoordinateCount = 12;
 
 /// The 12 constraints, in the order of the rows of C: length rows in mm, angle rows in rad.
-enum Constraint : Eigen::Index {
+enum Constraint : std::ptrdiff_t {
     GroundX,     ///< R1x = 0
     GroundY,     ///< R1y = 0
     GroundAngle, ///< θ1 = 0
@@ -91,9 +94,6 @@ enum Constraint : Eigen::Index {
     CrankDrive   ///< θ2 = ω2 t + θ20
 };
 
-using Vector12 = Eigen::Matrix<double, kCoordinateCount, 1>;
-using Matrix12 = Eigen::Matrix<double, kCoordinateCount, kCoordinateCount>;
-
 /// How the computation of one instant ended.
 enum class Status {
     Solved,         ///< position, velocity and acceleration are there
@@ -104,13 +104,5 @@ enum class Status {
 };
 
 inline constexpr std::size_t kStatusCount = 5;
-
-/// One instant: coordinates and their first and second time derivatives (mm, rad, s); NaN where they do not exist.
-struct State {
-    Vector12 q;
-    Vector12 qDot;
-    Vector12 qDDot;
-    Status status = Status::Solved;
-};
 
 } // namespace slidercrank

@@ -7,7 +7,7 @@
 // Source: A. A. Shabana, "Computational Dynamics", 3rd ed., sections 3.3 to 3.7; rows and signs as in the report.
 // Lengths in mm, angles in rad, time in s.
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/state.h"
 
 namespace slidercrank
 {

@@ -11,7 +11,7 @@
 // Source: rows as in constraints.h; the derivations stand above next() and differentiate().
 // Lengths in mm, angles in rad, time in s.
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/state.h"
 #include "core/mechanism/two_part_angle.h"
 
 #include <cmath>

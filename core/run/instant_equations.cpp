@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run/instant_equations.h"
 
-#include "core/closed_form/closed_form.h"
+#include "core/closed_form/state_at.h"
 #include "core/newton/constraints.h"
 #include "core/newton/newton.h"
 

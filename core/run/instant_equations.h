@@ -4,7 +4,7 @@
 // What the report writes down at one instant: C, C_q, C_t and Q_d, at the position that the chosen method finds.
 // Lengths in mm, angles in rad, time in s.
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/state.h"
 #include "core/run/trajectory.h"
 
 namespace slidercrank

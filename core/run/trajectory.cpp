@@ -2,7 +2,8 @@
 #include "core/run/trajectory.h"
 
 #include "core/closed_form/batch.h"
-#include "core/closed_form/closed_form.h"
+#include "core/closed_form/state_at.h"
+#include "core/newton/newton.h"
 #include "core/run/in_parallel.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
-#include "core/newton/newton.h"
+#include "core/newton/newton_options.h"
 
 #include <array>
 #include <functional>

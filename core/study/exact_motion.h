@@ -10,7 +10,7 @@
 // Lengths in mm, angles in rad, time in s.
 
 #include "core/mechanism/channel.h"
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/state.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>

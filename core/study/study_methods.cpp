@@ -2,7 +2,8 @@
 #include "core/study/study_methods.h"
 
 #include "core/closed_form/batch.h"
-#include "core/closed_form/closed_form.h"
+#include "core/closed_form/state_at.h"
+#include "core/newton/newton.h"
 #include "core/study/finite_difference.h"
 #include "core/study/harmonic_series.h"
 

@@ -4,7 +4,7 @@
 // The ladder of methods that the study compares, one entry each.
 
 #include "core/mechanism/channel.h"
-#include "core/newton/newton.h"
+#include "core/newton/newton_options.h"
 #include "core/study/cases.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 // --benchmark_report_aggregates_only=true
 
 #include "core/closed_form/batch.h"
-#include "core/closed_form/closed_form.h"
+#include "core/closed_form/state_at.h"
 #include "core/newton/newton.h"
 #include "core/run/trajectory.h"
 #include "core/study/cases.h"

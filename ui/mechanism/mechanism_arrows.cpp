@@ -24,7 +24,7 @@ constexpr int kStepsOfCycle = 180;
 constexpr double kShaftWidth = 2.0;
 constexpr double kHead = 10.0; ///< px
 
-const Eigen::Vector2d &vectorOf(const PointMotion &motion, MotionKind kind)
+const PlaneVector &vectorOf(const PointMotion &motion, MotionKind kind)
 {
     return kind == MotionKind::Velocity ? motion.velocity : motion.acceleration;
 }
@@ -75,23 +75,15 @@ void paintShaftAndHead(QPainter &painter, QPointF tail, QPointF tip, MotionKind 
 
 } // namespace
 
-LinkageMotion linkageMotion(const State &state)
-{
-    LinkageMotion motion;
-    std::ranges::transform(kLinkagePoints, motion.begin(),
-                           [&state](LinkagePoint point) { return motionOf(point, state); });
-    return motion;
-}
-
 Cycle cycleOf(const Mechanism &mechanism, const MotionLimits &limits)
 {
     Cycle cycle;
     for (const CrankRange &range : limits.ranges) {
         std::vector<LinkageMotion> arc;
         for (const double theta2 : anglesAcross(range, kStepsOfCycle)) {
-            const State state = stateAtCrankAngle(mechanism, theta2);
-            if (!std::isnan(state.q[R4x])) {
-                arc.push_back(linkageMotion(state));
+            const LinkageMotion motion = linkageMotion(withCrankAt(mechanism, theta2), 0.0);
+            if (!std::isnan(motion.front().position.x)) {
+                arc.push_back(motion);
             }
         }
         cycle.push_back(std::move(arc));
@@ -110,18 +102,17 @@ ArrowScale arrowScale(const Cycle &cycle, MotionKind kind, const Mechanism &mech
     for (const std::vector<LinkageMotion> &arc : cycle) {
         for (const LinkageMotion &instant : arc) {
             for (const PointMotion &motion : instant) {
-                Eigen::Vector2d vector = vectorOf(motion, kind);
-                const double amount = vector.norm();
+                PlaneVector vector = vectorOf(motion, kind);
+                const double amount = vector.length();
                 if (!(amount > 0.0)) {
                     continue;
                 }
                 if (amount > scale.most) {
-                    vector *= scale.most / amount;
+                    vector = vector * (scale.most / amount);
                 }
-                perMillimetre =
-                    std::max({perMillimetre, vector.norm() / longest,
-                              leastPerMillimetre(motion.position.x(), vector.x(), room.left(), room.right()),
-                              leastPerMillimetre(motion.position.y(), vector.y(), room.top(), room.bottom())});
+                perMillimetre = std::max({perMillimetre, vector.length() / longest,
+                                          leastPerMillimetre(motion.position.x, vector.x, room.left(), room.right()),
+                                          leastPerMillimetre(motion.position.y, vector.y, room.top(), room.bottom())});
             }
         }
     }
@@ -145,16 +136,16 @@ QString scaleText(const ArrowScale &scale, MotionKind kind)
 
 std::optional<MotionArrow> arrowOf(const PointMotion &motion, MotionKind kind, const ArrowScale &scale)
 {
-    const Eigen::Vector2d &vector = vectorOf(motion, kind);
-    const double amount = vector.norm();
+    const PlaneVector &vector = vectorOf(motion, kind);
+    const double amount = vector.length();
     if (scale.amount == 0.0 || !(amount > 0.0) || !std::isfinite(amount)) {
         return std::nullopt;
     }
     MotionArrow arrow;
     arrow.isCut = amount > scale.most * (1.0 + 1e-9);
-    const Eigen::Vector2d drawn = vector * (scale.length / scale.amount * (arrow.isCut ? scale.most / amount : 1.0));
-    arrow.tail = {motion.position.x(), motion.position.y()};
-    arrow.tip = arrow.tail + QPointF(drawn.x(), drawn.y());
+    const PlaneVector drawn = vector * (scale.length / scale.amount * (arrow.isCut ? scale.most / amount : 1.0));
+    arrow.tail = {motion.position.x, motion.position.y};
+    arrow.tip = arrow.tail + QPointF(drawn.x, drawn.y);
     return arrow;
 }
 

@@ -6,11 +6,11 @@
 // square to the slider's line) an arrow is cut, and drawn dashed.
 
 #include "core/limits/linkage_point.h"
+#include "core/limits/mobility.h"
 #include "ui/mechanism/mechanism_canvas.h"
 
 #include <QString>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,11 +18,6 @@ namespace slidercrank
 {
 
 enum class MotionKind { Velocity, Acceleration };
-
-/// By kLinkagePoints.
-using LinkageMotion = std::array<PointMotion, kLinkagePoints.size()>;
-
-LinkageMotion linkageMotion(const State &state);
 
 /// A turn of the crank, or all that a rocker has of it: an arc each. Empty where there is no pose.
 using Cycle = std::vector<std::vector<LinkageMotion>>;

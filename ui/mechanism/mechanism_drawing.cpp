@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_drawing.h"
 
-#include "core/closed_form/closed_form.h"
-
 #include <cmath>
 
 namespace slidercrank
@@ -16,7 +14,7 @@ QPointF MechanismDrawing::crankPin() const
 
 LinkageMotion MechanismDrawing::motion() const
 {
-    return linkageMotion(ClosedForm(mechanism()).stateAt(pose.time));
+    return linkageMotion(mechanism(), pose.time);
 }
 
 bool MechanismDrawing::hasCentre() const

@@ -119,8 +119,8 @@ void paintPath(QPainter &painter, const MechanismCanvas &on, const Cycle &cycle)
     for (const std::vector<LinkageMotion> &arc : cycle) {
         QPolygonF path;
         for (const LinkageMotion &instant : arc) {
-            const Eigen::Vector2d &centre = instant[static_cast<std::size_t>(LinkagePoint::G3)].position;
-            path << on.toPixels({centre.x(), centre.y()});
+            const PlaneVector &centre = instant[static_cast<std::size_t>(LinkagePoint::G3)].position;
+            path << on.toPixels({centre.x, centre.y});
         }
         painter.drawPolyline(path);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_words.h"
 
+#include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 #include "ui/words/motion_facts.h"
 #include "ui/words/written_number.h"
@@ -29,9 +30,9 @@ QString text(double value, double size)
     return numberText(std::abs(value) < kNothing * size ? 0.0 : value, kDigits);
 }
 
-QString vectorText(const QString &pattern, const Eigen::Vector2d &vector, double size)
+QString vectorText(const QString &pattern, const PlaneVector &vector, double size)
 {
-    return pattern.arg(text(vector.norm(), size), text(vector.x(), size), text(vector.y(), size));
+    return pattern.arg(text(vector.length(), size), text(vector.x, size), text(vector.y, size));
 }
 
 QStringList motionLines(const MechanismDrawing &drawing, LinkagePoint point)
@@ -43,9 +44,9 @@ QStringList motionLines(const MechanismDrawing &drawing, LinkagePoint point)
     const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
     const double omega2 = std::abs(mechanism.omega2());
     const PointMotion motion = drawing.motion()[static_cast<std::size_t>(point)];
-    QStringList lines{MechanismWords::tr("position (%1; %2) mm")
-                          .arg(text(motion.position.x(), size), text(motion.position.y(), size))};
-    if (motion.velocity.allFinite()) {
+    QStringList lines{
+        MechanismWords::tr("position (%1; %2) mm").arg(text(motion.position.x, size), text(motion.position.y, size))};
+    if (std::isfinite(motion.velocity.length())) {
         lines << vectorText(MechanismWords::tr("velocity %1 mm/s (%2; %3)"), motion.velocity, size * omega2)
               << vectorText(MechanismWords::tr("acceleration %1 mm/s² (%2; %3)"), motion.acceleration,
                             size * omega2 * omega2);
@@ -66,13 +67,13 @@ QStringList couplerLines(const MechanismDrawing &drawing)
     if (!drawing.pose.exists()) {
         return {MechanismWords::tr("no pose at this instant")};
     }
-    const State state = stateAtCrankAngle(drawing.mechanism(), drawing.pose.theta2);
+    const Motion motion = ClosedForm(withCrankAt(drawing.mechanism(), drawing.pose.theta2)).motionAt(0.0);
     const double omega2 = std::abs(drawing.mechanism().omega2());
-    QStringList lines{MechanismWords::tr("θ³ = %1°").arg(text(kDegreesPerRadian * state.q[Theta3], 1.0))};
-    if (std::isfinite(state.qDot[Theta3])) {
-        lines << MechanismWords::tr("turns at %1 °/s").arg(text(kDegreesPerRadian * state.qDot[Theta3], omega2))
+    QStringList lines{MechanismWords::tr("θ³ = %1°").arg(text(kDegreesPerRadian * motion.theta3, 1.0))};
+    if (std::isfinite(motion.theta3Dot)) {
+        lines << MechanismWords::tr("turns at %1 °/s").arg(text(kDegreesPerRadian * motion.theta3Dot, omega2))
               << MechanismWords::tr("angular acceleration %1 °/s²")
-                     .arg(text(kDegreesPerRadian * state.qDDot[Theta3], omega2 * omega2));
+                     .arg(text(kDegreesPerRadian * motion.theta3DDot, omega2 * omega2));
     }
     return lines;
 }

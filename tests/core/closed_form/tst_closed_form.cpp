@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/closed_form/closed_form.h"
+#include "core/closed_form/state_at.h"
 #include "core/study/cases.h"
 #include "core/study/exact_motion.h"
 #include "tests/support/random_mechanisms.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/closed_form/closed_form.h"
+#include "core/closed_form/state_at.h"
+#include "core/newton/newton.h"
 #include "core/run/in_parallel.h"
 #include "core/run/trajectory.h"
 #include "core/study/cases.h"

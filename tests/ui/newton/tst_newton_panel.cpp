@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/closed_form/closed_form.h"
+#include "core/closed_form/state_at.h"
 #include "core/mechanism/mechanism_part.h"
 #include "core/newton/constraints.h"
 #include "ui/controls/number_box.h"
