@@ -14,8 +14,6 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 double cube(double x)
 {
     return x * x * x;

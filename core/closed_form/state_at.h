@@ -6,8 +6,6 @@
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/state.h"
 
-#include <limits>
-
 namespace slidercrank
 {
 
@@ -16,7 +14,6 @@ namespace slidercrank
 // it takes an eighth of the time that working it out does.
 inline State ClosedForm::stateAt(double t) const
 {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const Motion motion = motionAt(t);
     State state;
     state.status = motion.status;

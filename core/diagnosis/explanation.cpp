@@ -246,11 +246,6 @@ bool hasLowerOrder(const ReferenceData &data, Channel channel)
     return hasLowerOrder(data, std::vector<bool>(data.series.size(), true), channel);
 }
 
-Branch otherThan(Branch branch)
-{
-    return branch == Branch::Open ? Branch::Crossed : Branch::Open;
-}
-
 Trajectory motionOf(const Parameters &parameters, std::span<const double> time, const ChannelSet &channels)
 {
     SolverSettings settings;

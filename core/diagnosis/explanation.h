@@ -67,8 +67,6 @@ ChannelSet channelsOf(const ReferenceData &data);
 /// Whether the file has the coordinate of that channel, or a lower derivative of it.
 bool hasLowerOrder(const ReferenceData &data, Channel channel);
 
-Branch otherThan(Branch branch);
-
 /// The closed form, in the author's units.
 Trajectory motionOf(const Parameters &parameters, std::span<const double> time, const ChannelSet &channels);
 

@@ -20,20 +20,6 @@ using Kind = Convention::Kind;
 /// Instants of one column from which a mechanism is found that all of them then judge.
 constexpr std::size_t kWitnessRows = 100;
 
-/// The mechanisms that move alike in one column or another: mirrored, turned, the crank reversed.
-std::vector<Parameters> imagesOf(const Parameters &p)
-{
-    const double pi = std::numbers::pi;
-    std::vector<Parameters> images;
-    for (const Branch branch : {p.branch, otherThan(p.branch)}) {
-        images.push_back({p.a, p.b, p.c, p.omega2, p.theta20, branch});
-        images.push_back({p.a, p.b, p.c, -p.omega2, pi - p.theta20, branch});
-        images.push_back({p.a, p.b, -p.c, -p.omega2, -p.theta20, branch});
-        images.push_back({p.a, p.b, -p.c, p.omega2, p.theta20 + pi, branch});
-    }
-    return images;
-}
-
 /// The same mechanism in the sizes that the file's columns of length have: angles alone do not tell it.
 std::vector<Parameters> sizesOf(const Parameters &parameters, const ReferenceData &data)
 {

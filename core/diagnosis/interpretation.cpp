@@ -16,7 +16,7 @@ namespace
 Mechanism otherAssembly(const Mechanism &mechanism)
 {
     Parameters parameters = mechanism.parameters();
-    parameters.branch = parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+    parameters.branch = otherThan(parameters.branch);
     return Mechanism(parameters);
 }
 

@@ -20,8 +20,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 /// Rows that decide which start is the best.
 constexpr std::size_t kScreeningRows = 64;
 
@@ -126,7 +124,7 @@ Accuracy accuracyOf(const Observations &observations, const Parameters &fitted, 
     Accuracy accuracy;
     accuracy.standardError.fill(kNone);
     Eigen::VectorXd residuals;
-    Eigen::Matrix<double, Eigen::Dynamic, kParameterRows> all;
+    Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> all;
     if (!linearize(observations, fitted, residuals, &all)) {
         return accuracy;
     }

@@ -20,13 +20,6 @@
 namespace slidercrank
 {
 
-inline constexpr std::size_t kParameterCount = 5;
-
-constexpr std::size_t indexOf(Parameter parameter)
-{
-    return static_cast<std::size_t>(parameter);
-}
-
 struct Identification {
     enum class Status {
         Found,        ///< the data agree with it, or come as close as a least-squares minimum does

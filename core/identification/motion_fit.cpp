@@ -100,7 +100,7 @@ private:
     std::vector<Parameter> m_free;
     Eigen::Index m_count = 0;
     Eigen::VectorXd m_residuals;
-    Eigen::Matrix<double, Eigen::Dynamic, kParameterRows> m_derivatives;
+    Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> m_derivatives;
 };
 
 } // namespace
@@ -210,13 +210,13 @@ double misfitAtBestSize(const Observations &observations, Parameters &parameters
 }
 
 bool linearize(const Observations &observations, const Parameters &parameters, Eigen::VectorXd &residuals,
-               Eigen::Matrix<double, Eigen::Dynamic, kParameterRows> *derivatives)
+               Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> *derivatives)
 {
     const std::size_t rows = observations.time.size();
     const auto count = static_cast<Eigen::Index>(rows * observations.channels.size());
     residuals.resize(count);
     if (derivatives) {
-        derivatives->resize(count, kParameterRows);
+        derivatives->resize(count, kParameterCount);
     }
     PlottedValues model;
     PlottedDerivatives byParameter;

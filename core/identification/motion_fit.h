@@ -36,7 +36,7 @@ struct Fit {
 };
 
 /// By enum Parameter.
-using FreeParameters = std::array<bool, kParameterRows>;
+using FreeParameters = std::array<bool, kParameterCount>;
 
 /// The branch is held, as is what is not free. Where b is free, the coupler is first made long enough; otherwise there
 /// is nothing to be fitted from a start that cannot move as long as the data do, and the rms is infinite.
@@ -53,6 +53,6 @@ Fit fitGrowing(const ReferenceData &data, const FitUnits &units, const Supply &s
 /// The residuals weighted, and their derivatives, a column a parameter; values that are missing give rows of zeros.
 /// False where the mechanism has no motion at some row.
 bool linearize(const Observations &observations, const Parameters &parameters, Eigen::VectorXd &residuals,
-               Eigen::Matrix<double, Eigen::Dynamic, kParameterRows> *derivatives);
+               Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> *derivatives);
 
 } // namespace slidercrank

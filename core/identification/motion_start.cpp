@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -374,22 +375,6 @@ Samples samplesOf(const Courses &courses, bool theta3, bool R4x)
     return samples;
 }
 
-/// The other way round, the other side of the line, the other assembly: what one series alone cannot tell apart.
-std::vector<Parameters> withImages(const std::vector<Parameters> &found)
-{
-    std::vector<Parameters> all;
-    for (const Parameters &p : found) {
-        const Branch other = p.branch == Branch::Open ? Branch::Crossed : Branch::Open;
-        for (const Branch branch : {p.branch, other}) {
-            all.push_back({p.a, p.b, p.c, p.omega2, p.theta20, branch});
-            all.push_back({p.a, p.b, p.c, -p.omega2, kPi - p.theta20, branch});
-            all.push_back({p.a, p.b, -p.c, -p.omega2, -p.theta20, branch});
-            all.push_back({p.a, p.b, -p.c, p.omega2, p.theta20 + kPi, branch});
-        }
-    }
-    return all;
-}
-
 } // namespace
 
 Courses coursesOf(const ReferenceData &data, const Supply &supply, const FitUnits &units)
@@ -493,7 +478,11 @@ std::vector<Parameters> startsFrom(const Courses &courses, const std::vector<dou
             search([&](double speed) { return fromR4x(samples, speed, order); }, speeds, found);
         }
     }
-    return withImages(found);
+    std::vector<Parameters> all; // one channel alone does not tell them apart
+    for (const Parameters &one : found) {
+        std::ranges::copy(imagesOf(one), std::back_inserter(all));
+    }
+    return all;
 }
 
 std::vector<Parameters> startsFromGrid(const Observations &observations, const std::vector<double> &speeds,

@@ -107,7 +107,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
         const double standardError = std::max(found.standardError[indexOf(parameter)], kArithmetic * scale);
         return standardError > 0.0 && std::isfinite(standardError) ? roundest(value, standardError, units) : value;
     };
-    const double size = fitted.a + fitted.b + std::abs(fitted.c);
+    const double size = reachOf(fitted);
     Parameters parameters = fitted;
     parameters.a = rounded(Parameter::A, fitted.a, size, kLengthUnits);
     parameters.b = rounded(Parameter::B, fitted.b, size, kLengthUnits);

@@ -30,13 +30,12 @@ namespace slidercrank
 {
 
 inline constexpr Eigen::Index kPlottedCount = static_cast<Eigen::Index>(kPlottedChannels.size());
-inline constexpr Eigen::Index kParameterRows = 5;
 
 /// In the order of kPlottedChannels; θ3 as closed_form.h has it.
 using PlottedValues = Eigen::Matrix<double, kPlottedCount, 1>;
 
 /// A row a channel, a column a parameter in the order of enum Parameter.
-using PlottedDerivatives = Eigen::Matrix<double, kPlottedCount, kParameterRows>;
+using PlottedDerivatives = Eigen::Matrix<double, kPlottedCount, kParameterCount>;
 
 /// False, and nothing computed, where the mechanism cannot be assembled or has no derivative (|h| >= b). The sign of a
 /// length is not looked at: -a is a crank that is half a turn ahead, -b the same as b.

@@ -61,8 +61,7 @@ std::string_view authorUnitOf(Channel channel)
 
 double naturalScale(const Mechanism &mechanism, Channel channel)
 {
-    const double size =
-        isAngle(channel.coordinate) ? kDegreesPerRadian : mechanism.a() + mechanism.b() + std::abs(mechanism.c());
+    const double size = isAngle(channel.coordinate) ? kDegreesPerRadian : reachOf(mechanism.parameters());
     return size * std::pow(std::abs(mechanism.omega2()), static_cast<int>(channel.order));
 }
 

@@ -7,6 +7,20 @@
 namespace slidercrank
 {
 
+std::array<Parameters, 8> imagesOf(const Parameters &p)
+{
+    constexpr double kHalfTurn = std::numbers::pi;
+    std::array<Parameters, 8> images;
+    auto image = images.begin();
+    for (const Branch branch : {p.branch, otherThan(p.branch)}) {
+        *image++ = {p.a, p.b, p.c, p.omega2, p.theta20, branch};
+        *image++ = {p.a, p.b, p.c, -p.omega2, kHalfTurn - p.theta20, branch};
+        *image++ = {p.a, p.b, -p.c, -p.omega2, -p.theta20, branch};
+        *image++ = {p.a, p.b, -p.c, p.omega2, p.theta20 + kHalfTurn, branch};
+    }
+    return images;
+}
+
 double &valueOf(Parameters &parameters, Parameter parameter)
 {
     switch (parameter) {
@@ -63,6 +77,18 @@ Mechanism withCrankAt(const Mechanism &mechanism, double theta2)
     Parameters parameters = mechanism.parameters();
     parameters.theta20 = theta2;
     return Mechanism(parameters);
+}
+
+std::string_view wordOf(Status status)
+{
+    switch (status) {
+    case Status::Solved: return "solved";
+    case Status::Singular: return "singular";
+    case Status::IterationLimit: return "iteration-limit";
+    case Status::NotAssemblable: return "not-assemblable";
+    case Status::NotFinite: return "not-finite";
+    }
+    return "";
 }
 
 } // namespace slidercrank

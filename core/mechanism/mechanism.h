@@ -10,15 +10,27 @@
 // Source: A. A. Shabana, "Computational Dynamics", 3rd ed., Wiley 2009, ch. 3 (absolute coordinates);
 //         R. L. Norton, "Design of Machinery", section 4.6 (the two assemblies of the fourbar slider-crank).
 
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <string_view>
 
 namespace slidercrank
 {
 
+/// What does not exist.
+inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 /// Which of the two assemblies: on Open the slider lies to the right of A (cos θ3 > 0), on Crossed to the left.
 enum class Branch { Open, Crossed };
+
+constexpr Branch otherThan(Branch branch)
+{
+    return branch == Branch::Open ? Branch::Crossed : Branch::Open;
+}
 
 /// What a person chooses. The defaults are Table 1 of the report.
 struct Parameters {
@@ -32,7 +44,22 @@ struct Parameters {
     friend bool operator==(const Parameters &, const Parameters &) = default;
 };
 
+/// Reversed, mirrored, turned: the same on either branch, itself first. What one channel, or two, cannot tell apart.
+std::array<Parameters, 8> imagesOf(const Parameters &parameters);
+
+/// a + b + |c|, mm: the size that lengths have.
+inline double reachOf(const Parameters &parameters)
+{
+    return parameters.a + parameters.b + std::abs(parameters.c);
+}
+
 enum class Parameter { A, B, C, Omega2, Theta20 };
+inline constexpr std::size_t kParameterCount = 5;
+
+constexpr std::size_t indexOf(Parameter parameter)
+{
+    return static_cast<std::size_t>(parameter);
+}
 
 double &valueOf(Parameters &parameters, Parameter parameter);
 double valueOf(const Parameters &parameters, Parameter parameter);
@@ -104,5 +131,8 @@ enum class Status {
 };
 
 inline constexpr std::size_t kStatusCount = 5;
+
+/// As the command line names it: "solved", "singular", "iteration-limit", "not-assemblable", "not-finite".
+std::string_view wordOf(Status status);
 
 } // namespace slidercrank

@@ -17,8 +17,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 /// The middle of the branch's half turn of θ3.
 double branchCentre(Branch branch)
 {
@@ -93,11 +91,6 @@ double theta3Of(const StructuredSystem::Coordinates &q)
     return q.theta3;
 }
 
-double reach(const Mechanism &mechanism)
-{
-    return mechanism.a() + mechanism.b() + std::abs(mechanism.c());
-}
-
 enum class Ending { Converged, IterationLimit, LeftBranch };
 
 void record(NewtonResult &result, double residual)
@@ -113,7 +106,7 @@ template <class System>
 Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
                typename System::Coordinates &q, NewtonResult &result)
 {
-    const double lengths = reach(mechanism);
+    const double lengths = reachOf(mechanism.parameters());
     const double perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / lengths : 1.0;
     constexpr double kRoundings =
         32.0; // rounding alone: each row sums a few terms of a length's size, or of an angle's
@@ -358,7 +351,8 @@ void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const
             system.write(q, instant.q);
             if (position.status == Status::Solved) {
                 const bool relative = options.toleranceKind == ToleranceKind::Relative;
-                const double residual = relative ? position.residual() * reach(mechanism) : position.residual();
+                const double residual =
+                    relative ? position.residual() * reachOf(mechanism.parameters()) : position.residual();
                 system.write(q, state.q);
                 differentiateHere(system, mechanism, residual, state);
             }

@@ -15,8 +15,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 NewtonInstant newtonAt(const Mechanism &mechanism, double t, double step, const NewtonOptions &options)
 {
     return solveInstant(mechanism, t, solveInstant(mechanism, t - step, {}, options), options);

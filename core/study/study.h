@@ -85,9 +85,6 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop = {},
 /// A turn of this mechanism in 200 steps; a second where the crank stands still.
 Case studyCase(const Parameters &parameters);
 
-/// As the command line names it: "solved", "singular", "iteration-limit", "not-assemblable", "not-finite".
-std::string_view wordOf(Status status);
-
 /// The rows of a case that no other is both faster and at least as exact than: by ascending time, falling error.
 std::vector<std::size_t> bestFront(const CaseResult &result);
 

@@ -58,18 +58,6 @@ std::string jsonOf(const MethodResult &row)
 
 } // namespace
 
-std::string_view wordOf(Status status)
-{
-    switch (status) {
-    case Status::Solved: return "solved";
-    case Status::Singular: return "singular";
-    case Status::IterationLimit: return "iteration-limit";
-    case Status::NotAssemblable: return "not-assemblable";
-    case Status::NotFinite: return "not-finite";
-    }
-    return "";
-}
-
 std::string studyJson(const StudyResult &result)
 {
     std::string text = "{\"machine\":" + quoted(result.machine, "\\") + ",\"cases\":[";

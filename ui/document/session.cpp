@@ -325,7 +325,7 @@ void Session::apply(const Convention &convention)
 {
     if (convention.kind == Convention::Kind::Branch) {
         Parameters parameters = m_choices.parameters;
-        parameters.branch = parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+        parameters.branch = otherThan(parameters.branch);
         setParameters(parameters);
     } else if (m_choices.reference) {
         setReference(applied(convention, m_choices.reference));

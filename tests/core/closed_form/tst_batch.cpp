@@ -16,7 +16,6 @@ namespace
 constexpr double kPromise = 2e-15;
 
 constexpr double kNotWritten = -12345.0;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The same number, or both none.

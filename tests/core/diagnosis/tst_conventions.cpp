@@ -331,7 +331,7 @@ const std::vector<Fault> &faultsOfTheWhole()
          }},
         {"the other assembly",
          [](Table &, Parameters &p, RandomFiles &) {
-             p.branch = p.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+             p.branch = otherThan(p.branch);
              return std::vector<Convention>{{Kind::Branch, {}, 1.0}};
          }},
         {"a late start",
@@ -540,7 +540,7 @@ private slots:
             for (const ConventionFinding &finding : findConventions(data, Mechanism(p))) {
                 data = applied(finding.convention, data);
                 if (finding.convention.kind == Kind::Branch) {
-                    p.branch = p.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+                    p.branch = otherThan(p.branch);
                 }
             }
             QVERIFY(data.series.size() >= 5);

@@ -113,7 +113,7 @@ private slots:
             }
             double Parameters::*const members[] = {&Parameters::a, &Parameters::b, &Parameters::c, &Parameters::omega2,
                                                    &Parameters::theta20};
-            for (Eigen::Index j = 0; j < kParameterRows; ++j) {
+            for (Eigen::Index j = 0; j < derivatives.cols(); ++j) {
                 double Parameters::*const member = members[j];
                 const double step = 1e-5 * (j == 4 ? 1.0 : std::abs(j == 3 ? p.omega2 : p.a));
                 const auto at = [&](double steps) {

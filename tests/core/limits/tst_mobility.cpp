@@ -17,11 +17,6 @@ constexpr double kTurn = 2.0 * kPi;
 /// Relative to a + b + |c|, or rad: a few roundings, more where a square root of a small difference stands.
 constexpr double kTolerance = 1e-12;
 
-double reachOf(const Parameters &p)
-{
-    return p.a + p.b + std::abs(p.c);
-}
-
 /// Full turns, rockers of one and of two arcs, impossible ones.
 Parameters anyMechanism(RandomMechanisms &random)
 {
@@ -442,7 +437,7 @@ void tst_mobility::mirroringTheBranchMirrorsTheSlider()
 {
     for (const Parameters &p : mechanisms()) {
         Parameters mirrored = p;
-        mirrored.branch = p.branch == Branch::Open ? Branch::Crossed : Branch::Open;
+        mirrored.branch = otherThan(p.branch);
         const MotionLimits one = motionLimits(Mechanism(p));
         const MotionLimits other = motionLimits(Mechanism(mirrored));
         VERIFY_FOR(p, one.mobility == other.mobility);
