@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/batch.h"
 #include "core/study/cases.h"
-#include "core/study/exact_motion.h"
+#include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
 
 #include <QTest>

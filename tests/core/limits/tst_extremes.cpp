@@ -2,7 +2,7 @@
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
 #include "core/study/cases.h"
-#include "core/study/exact_motion.h"
+#include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
 
 #include <QElapsedTimer>

@@ -3,7 +3,7 @@
 #include "core/newton/constraints.h"
 #include "core/newton/newton.h"
 #include "core/study/cases.h"
-#include "core/study/exact_motion.h"
+#include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
 
 #include <QTest>

@@ -8,7 +8,7 @@
 #include "core/newton/newton.h"
 #include "core/newton/structured_system.h"
 #include "core/study/cases.h"
-#include "core/study/exact_motion.h"
+#include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
 
 #include <Eigen/LU>

@@ -4,7 +4,7 @@
 #include "core/run/in_parallel.h"
 #include "core/run/trajectory.h"
 #include "core/study/cases.h"
-#include "core/study/exact_motion.h"
+#include "tests/support/deviation.h"
 
 #include <QTest>
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How far a computed motion is from the exact one (exact_motion.h), in words. Lengths in mm, angles in rad, time in s.
+
+#include "core/mechanism/state.h"
+#include "core/study/exact_motion.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace slidercrank
+{
+
+inline double valueOf(const State &state, Channel channel)
+{
+    switch (channel.order) {
+    case Order::Position: return state.q[channel.coordinate];
+    case Order::Velocity: return state.qDot[channel.coordinate];
+    case Order::Acceleration: return state.qDDot[channel.coordinate];
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The size of each channel in a run (rad, mm): its peak; naturalSize() where it is identically zero.
+template <class Real>
+std::array<double, kChannelCount> channelSizes(const Parameters &parameters, std::span<const ExactState<Real>> run)
+{
+    using std::abs;
+    std::array<double, kChannelCount> sizes{};
+    for (const ExactState<Real> &state : run) {
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            sizes[index] = std::max(sizes[index], static_cast<double>(abs(state.values[index])));
+        }
+    }
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        const double natural = naturalSize(parameters, channelAt(index));
+        if (sizes[index] <= kExactZero * natural) {
+            sizes[index] = natural;
+        }
+    }
+    return sizes;
+}
+
+template <class Real>
+std::vector<ExactState<Real>> exactRun(const Parameters &parameters, std::span<const double> instants)
+{
+    std::vector<ExactState<Real>> run;
+    run.reserve(instants.size());
+    for (const double t : instants) {
+        run.push_back(exactState<Real>(parameters, t));
+    }
+    return run;
+}
+
+/// One value beside the exact one.
+struct Deviation {
+    Channel channel;
+    double t = 0.0;
+    double got = 0.0;
+    double exact = 0.0;
+    double error = 0.0;     ///< |got - exact|, the difference taken in many digits; infinite where got is not a number
+    double tolerance = 0.0; ///< absolute
+
+    bool accepted() const { return error <= tolerance; }
+    /// In units of the tolerance.
+    double ratio() const { return error == 0.0 ? 0.0 : error / tolerance; }
+};
+
+/// The worst channel, in units of its tolerance, of those orders that exist.
+template <class Real>
+Deviation worstDeviation(const State &got, const ExactState<Real> &exact, double t,
+                         const std::array<double, kChannelCount> &tolerances, Order last = Order::Acceleration)
+{
+    using std::abs;
+    Deviation worst;
+    double worstRatio = -1.0;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        const Channel channel = channelAt(index);
+        if (channel.order > last || (channel.order != Order::Position && exact.status != Status::Solved)) {
+            continue;
+        }
+        Deviation one{channel,          t, valueOf(got, channel), static_cast<double>(exact.values[index]), 0.0,
+                      tolerances[index]};
+        one.error = std::isfinite(one.got) ? static_cast<double>(abs(Real(one.got) - exact.values[index]))
+                                           : std::numeric_limits<double>::infinity();
+        if (one.ratio() > worstRatio) {
+            worstRatio = one.ratio();
+            worst = one;
+        }
+    }
+    return worst;
+}
+
+inline std::string describe(const Parameters &p)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, "a=%.17g b=%.17g c=%.17g omega2=%.17g theta20=%.17g %s", p.a, p.b, p.c, p.omega2,
+                  p.theta20, p.branch == Branch::Open ? "open" : "crossed");
+    return text;
+}
+
+inline std::string describe(const Deviation &deviation)
+{
+    char text[320];
+    std::snprintf(text, sizeof text, "%s at t=%.17g: got %.17g, exact %.17g, difference %.3g, tolerance %.3g",
+                  std::string(nameOf(deviation.channel)).c_str(), deviation.t, deviation.got, deviation.exact,
+                  deviation.error, deviation.tolerance);
+    return text;
+}
+
+inline std::array<double, kChannelCount> scaled(std::array<double, kChannelCount> sizes, double factor)
+{
+    for (double &size : sizes) {
+        size *= factor;
+    }
+    return sizes;
+}
+
+} // namespace slidercrank
