@@ -18,8 +18,6 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner than this are on the move
-constexpr int kMostUndone = 200;                // steps
-constexpr qint64 kSameStepWithin = 1000;        // ms: longer than the wait before a key held down repeats itself
 
 /// What the result was computed from.
 Choices choicesOf(const Result &result)
@@ -36,7 +34,6 @@ Session::Session(QObject *parent)
     solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
     solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
     m_result = compute({Mechanism(m_choices.parameters), m_choices.sampling, solver, nullptr}, {});
-    m_undoStack.setUndoLimit(kMostUndone);
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
     connect(&m_reading, &WorkAside::progressed, this, &Session::readingProgressed);
@@ -52,7 +49,7 @@ Session::Session(QObject *parent)
 
 Session::~Session()
 {
-    m_undoStack.disconnect(); // it says that it empties itself, to whom is there no more
+    m_edits.disconnect(); // it says that it empties itself, to whom is there no more
 }
 
 Pose Session::pose() const
@@ -81,7 +78,7 @@ void Session::setParameters(const Parameters &parameters)
     }
     Choices choices = m_choices;
     choices.parameters = parameters;
-    edit(choices, changeName(m_choices, choices));
+    edit(choices);
 }
 
 void Session::setParameter(Parameter parameter, double value)
@@ -95,37 +92,21 @@ void Session::setSampling(const Sampling &sampling)
 {
     Choices choices = m_choices;
     choices.sampling = sampling;
-    edit(choices, changeName(m_choices, choices));
+    edit(choices);
 }
 
 void Session::setSolver(const SolverSettings &solver)
 {
     Choices choices = m_choices;
     choices.solver = solver;
-    edit(choices, changeName(m_choices, choices));
+    edit(choices);
 }
 
 void Session::edit(const Choices &choices, const QString &text)
 {
-    if (choices == m_choices) {
-        return;
+    if (choices != m_choices) {
+        m_edits.edit(m_choices, choices, text);
     }
-    const bool continues = text == m_lastEdit && (m_dragging || m_idle.elapsed() < kSameStepWithin);
-    if (!continues) {
-        ++m_step;
-    }
-    m_lastEdit = text;
-    m_idle.start();
-    m_undoStack.push(
-        new EditCommand(m_choices, choices, text, m_step, [this](const Choices &inForce) { putInForce(inForce); }));
-}
-
-void Session::retranslateEdits()
-{
-    for (int i = 0; i < m_undoStack.count(); ++i) { // the stack gives its commands for reading; these are ours
-        const_cast<EditCommand *>(static_cast<const EditCommand *>(m_undoStack.command(i)))->retranslate();
-    }
-    m_lastEdit.clear();
 }
 
 void Session::putInForce(const Choices &choices)
@@ -147,18 +128,6 @@ void Session::putInForce(const Choices &choices)
     if (m_choices.sampling != before.sampling) {
         setTime(m_time);
     }
-}
-
-void Session::beginDrag()
-{
-    m_lastEdit.clear();
-    m_dragging = true;
-}
-
-void Session::endDrag()
-{
-    m_lastEdit.clear();
-    m_dragging = false;
 }
 
 void Session::setTime(double seconds)
@@ -296,8 +265,8 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
 
 void Session::startWith(const Choices &choices, double seconds)
 {
-    m_undoStack.clear();
-    m_lastEdit.clear();
+    m_edits.clear();
+    m_edits.beginStep();
     putInForce(choices);
     setTime(seconds);
 }
@@ -307,8 +276,8 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
     m_reading.drop();
     Choices choices = m_choices;
     choices.reference = reference;
-    m_lastEdit.clear(); // one file opened after the other: two steps
-    edit(choices, changeName(m_choices, choices));
+    m_edits.beginStep(); // one file opened after the other: two steps
+    edit(choices);
 }
 
 void Session::takeOver()
@@ -346,10 +315,8 @@ void Session::cancel()
     m_diagnosing.drop();
     const Choices shown = choicesOf(*m_result);
     if (m_choices != shown) {
-        if (m_undoStack.canUndo()) { // else they came with a scene, and no edit is to turn it into another
-            m_undoStack.push(new EditCommand(m_choices, shown, changeName(m_choices, shown), m_step,
-                                             [this](const Choices &inForce) { putInForce(inForce); }));
-            m_lastEdit.clear();
+        if (m_edits.canUndo()) { // else they came with a scene, and no edit is to turn it into another
+            m_edits.takeBack(m_choices, shown);
         }
         return;
     }

@@ -6,16 +6,14 @@
 // a file has to say about itself follows as a Diagnosis, when the parameters rest. Every edit can be undone.
 
 #include "ui/document/diagnosis.h"
-#include "ui/document/edit_command.h"
+#include "ui/document/edit_stack.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/result.h"
 #include "ui/document/work_aside.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <QUndoStack>
 
 #include <functional>
 #include <memory>
@@ -47,10 +45,10 @@ public:
     /// have rested and the next is there: it may be of other parameters than the ones on show (Diagnosis::parameters).
     const std::shared_ptr<const Diagnosis> &diagnosis() const { return m_diagnosis; }
 
-    QUndoStack &undoStack() { return m_undoStack; }
+    QUndoStack &undoStack() { return m_edits; }
 
     /// Names the edits that can be undone in the language now in use.
-    void retranslateEdits();
+    void retranslateEdits() { m_edits.retranslate(); }
 
     /// Other choices and another time in place of all there was, which cannot be undone; the reference is read from
     /// `source` first, off the GUI thread, and what is on show stays until then. opened() follows.
@@ -87,8 +85,8 @@ public slots:
 
     /// What is edited from one to the other is undone in one step. Elsewhere the same kind of edit, repeated at once
     /// (a key held down), is one step too.
-    void beginDrag();
-    void endDrag();
+    void beginDrag() { m_edits.beginDrag(); }
+    void endDrag() { m_edits.endDrag(); }
 
     /// Stops what is computed or read aside. What is on show stays, and edits that have not come to be shown are taken
     /// back.
@@ -110,8 +108,9 @@ signals:
     void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
 
 private:
-    /// Puts the choices into force, as a step that can be undone. `text`: what was done.
-    void edit(const Choices &choices, const QString &text);
+    /// Puts the choices into force, as a step that can be undone. `text`: what was done, where that is more than the
+    /// difference.
+    void edit(const Choices &choices, const QString &text = {});
     void putInForce(const Choices &choices);
 
     /// Runs read(), which reads a file, off the GUI thread, then done(outcome) in this one, unless another file was
@@ -137,14 +136,10 @@ private:
     WorkAside m_computation{WorkAside::Kind::OfAnEdit};
     WorkAside m_reading;
     WorkAside m_diagnosing;
-    int m_running = 0; ///< how many of these three
-    QTimer m_rest;     ///< runs while the parameters may still be on the move
+    int m_running = 0;   ///< how many of these three
+    QTimer m_rest{this}; ///< runs while the parameters may still be on the move
 
-    QUndoStack m_undoStack;
-    int m_step = 0;       ///< edits of the same number are undone together
-    QString m_lastEdit;   ///< empty: the next one begins a new step
-    QElapsedTimer m_idle; ///< since the last edit
-    bool m_dragging = false;
+    EditStack m_edits{[this](const Choices &choices) { putInForce(choices); }, this};
 };
 
 } // namespace slidercrank
