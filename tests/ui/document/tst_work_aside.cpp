@@ -9,6 +9,7 @@
 #include <QThreadPool>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -207,15 +208,22 @@ private slots:
     void whoAskedMayBeGone()
     {
         Held held;
+        std::atomic<bool> ended = false;
         const auto kept = std::make_shared<int>();
         auto aside = std::make_unique<WorkAside>();
         connect(aside.get(), &WorkAside::runningChanged, this, [](bool running) { QVERIFY(running); });
         aside->start(
-            held, [kept](int) { QFAIL("is not to be called"); }, kNobody);
+            [held, &ended](const Stop &stop, const Progress &progress) {
+                held(stop, progress);
+                ended = true;
+                return 0;
+            },
+            [kept](int) { QFAIL("is not to be called"); }, kNobody);
         held.begun->acquire();
         aside.reset();                  // stops it
         QCOMPARE(kept.use_count(), 1L); // what was to be called went at once, in this thread
         settle();
+        QVERIFY2(ended, "the application waits at its end as this does");
     }
 
     void whoAskedMayGoWhenItIsDone()

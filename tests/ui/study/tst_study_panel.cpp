@@ -77,6 +77,7 @@ private slots:
     void runsBesideTheWindowAndShowsEveryMethod();
     void cancelsAtOnce();
     void mayBeClosedWhileItRuns();
+    void anotherPanelGoesOnWithWhatRuns();
     void saysThatTheMechanismHasChanged();
     void pointsAnswerToTheMouse();
     void theTableMarksItsPoint();
@@ -139,6 +140,20 @@ void tst_study_panel::mayBeClosedWhileItRuns()
     QTest::qWait(20);
     panel.reset();
     QTest::qWait(100); // whatever is still on its way arrives
+}
+
+void tst_study_panel::anotherPanelGoesOnWithWhatRuns()
+{
+    StudyPanel panel;
+    QSignalSpy finished(&panel, &StudyPanel::finished);
+    {
+        StudyPanel before;
+        before.runThisMechanism();
+        panel.takeOver(before);
+    }
+    QVERIFY(!part<QPushButton>(panel, "runThisButton")->isEnabled());
+    QVERIFY(finished.wait(kLongest));
+    QCOMPARE(part<QTableWidget>(panel, "studyTable")->rowCount(), 24);
 }
 
 void tst_study_panel::saysThatTheMechanismHasChanged()
