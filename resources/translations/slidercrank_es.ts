@@ -3739,6 +3739,16 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>textbook&apos;s θ₃ = %1</source>
         <translation>θ₃ de los libros = %1</translation>
     </message>
+    <message>
+        <source>B − A = %1 s</source>
+        <comment>the time between the measuring cursors</comment>
+        <translation>B − A = %1 s</translation>
+    </message>
+    <message>
+        <source>A %1 s · B %2 s · %3</source>
+        <comment>instants of the measuring cursors, the time between them</comment>
+        <translation>A %1 s · B %2 s · %3</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -3833,16 +3843,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Error &amp;in ° and mm</source>
         <translation>Error en ° &amp;y mm</translation>
-    </message>
-    <message>
-        <source>B − A = %1 s</source>
-        <comment>the time between the measuring cursors</comment>
-        <translation>B − A = %1 s</translation>
-    </message>
-    <message>
-        <source>A %1 s · B %2 s · %3</source>
-        <comment>instants of the measuring cursors, the time between them</comment>
-        <translation>A %1 s · B %2 s · %3</translation>
     </message>
 </context>
 <context>

@@ -54,28 +54,31 @@ int PlotTypography::legendHeight() const
     return titleHeight + kSpace;
 }
 
-QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels) const
+QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels, std::optional<int> rightLabelLength) const
 {
     constexpr int kUsualLength = 6; // "-0.005"
     constexpr int kRight = 13;      // half a label of the time axis
-    const int labels = static_cast<int>(std::ceil(digitWidth * std::max(labelLength, kUsualLength)));
+    const auto beside = [&](int length) {
+        const int labels = static_cast<int>(std::ceil(digitWidth * std::max(length, kUsualLength)));
+        return labels + kLabelGap + kTickLength + 1;
+    };
     const int bottom = hasTimeLabels ? tickHeight + kLabelGap + kTickLength + 1 : tickHeight / 2;
-    return {labels + kLabelGap + kTickLength + 1, titleHeight + 2, kRight, bottom};
+    return {beside(labelLength), titleHeight + 2, rightLabelLength ? beside(*rightLabelLength) : kRight, bottom};
 }
 
-QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels, int rightLabelLength) const
-{
-    QMargins around = margins(labelLength, hasTimeLabels);
-    around.setRight(margins(rightLabelLength, hasTimeLabels).left());
-    return around;
-}
-
-PlotArrangement::PlotArrangement(const QSize &size, const PlotTypography &typography)
+PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typography,
+                                 std::optional<std::size_t> onlyPlot)
+    : size(figure)
+    , only(onlyPlot)
+    , legend(0, 0, size.width(), typography.legendHeight())
 {
     constexpr QSize kSmallestLabelledCell(230, 165); // px: below this the labels of the upper rows take too much
     constexpr int kRows = static_cast<int>(kPlotRows);
-    legend = QRect(0, 0, size.width(), typography.legendHeight());
     const int height = std::max(0, size.height() - legend.height());
+    if (only) {
+        cells[*only] = QRect(0, legend.height(), size.width(), height);
+        return;
+    }
     const int cellWidth = size.width() / static_cast<int>(kPlotColumns);
     hasTimeLabelsEverywhere =
         cellWidth >= kSmallestLabelledCell.width() && height / kRows >= kSmallestLabelledCell.height();
@@ -89,16 +92,6 @@ PlotArrangement::PlotArrangement(const QSize &size, const PlotTypography &typogr
         cells[i] = QRect(column * cellWidth, legend.height() + row * cellHeight, cellWidth,
                          cellHeight + (row == kRows - 1 ? extra : 0));
     }
-}
-
-PlotArrangement PlotArrangement::of(std::size_t plot, const QSize &size, const PlotTypography &typography)
-{
-    PlotArrangement arrangement(size, typography);
-    arrangement.cells = {};
-    arrangement.cells[plot] =
-        QRect(0, arrangement.legend.height(), size.width(), std::max(0, size.height() - arrangement.legend.height()));
-    arrangement.hasTimeLabelsEverywhere = true;
-    return arrangement;
 }
 
 bool PlotArrangement::hasTimeLabels(std::size_t plot) const

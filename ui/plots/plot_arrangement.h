@@ -13,6 +13,7 @@
 #include <QRect>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class QPainter;
@@ -30,11 +31,8 @@ struct PlotTypography {
     int legendHeight() const;
 
     /// Around the axes of a plot whose longest label of the value axis has that many characters. Labels of the usual
-    /// length all get the same room, so that nothing moves while the numbers change.
-    QMargins margins(int labelLength, bool hasTimeLabels) const;
-
-    /// The same with labels of that length at the right axis, too.
-    QMargins margins(int labelLength, bool hasTimeLabels, int rightLabelLength) const;
+    /// length all get the same room, so that nothing moves while the numbers change. So do those of a right axis.
+    QMargins margins(int labelLength, bool hasTimeLabels, std::optional<int> rightLabelLength = std::nullopt) const;
 
     QFont title;
     QFont tick;
@@ -43,15 +41,15 @@ struct PlotTypography {
     double digitWidth = 0.0; ///< of the tick font
 };
 
-/// Where legend and plots are in a figure of that size.
+/// Where legend and plots are in a figure of that size: all nine, or one alone; the cells of the others are empty.
 struct PlotArrangement {
-    PlotArrangement(const QSize &size, const PlotTypography &typography);
-
-    /// The same filled by one plot alone; the cells of the others are empty.
-    static PlotArrangement of(std::size_t plot, const QSize &size, const PlotTypography &typography);
+    PlotArrangement(const QSize &figure, const PlotTypography &typography,
+                    std::optional<std::size_t> onlyPlot = std::nullopt);
 
     bool hasTimeLabels(std::size_t plot) const;
 
+    QSize size;
+    std::optional<std::size_t> only; ///< the plot that is alone
     QRect legend;
     std::array<QRect, kPlotCount> cells;
     bool hasTimeLabelsEverywhere = true; ///< else in the bottom row only

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace slidercrank
 {
@@ -15,29 +14,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::size_t kChannels = kPlottedChannels.size();
-constexpr std::size_t kChannelsPerRow = 2;
-
-/// Derivatives as fractions: fonts set the dots of θ̇ and R̈ badly or not at all.
-QString quantity(std::size_t channel)
-{
-    static const std::array<QString, kChannels> kNames{QStringLiteral("θ³"),       QStringLiteral("Rₓ⁴"),
-                                                       QStringLiteral("dθ³/dt"),   QStringLiteral("dRₓ⁴/dt"),
-                                                       QStringLiteral("d²θ³/dt²"), QStringLiteral("d²Rₓ⁴/dt²")};
-    return kNames[channel];
-}
-
-QString unitOf(std::size_t channel)
-{
-    const std::string_view unit = authorUnitOf(kPlottedChannels[channel]);
-    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
-}
-
-/// "24.6°", "74.5 mm".
-QString withUnit(const QString &number, const QString &unit)
-{
-    return unit.isEmpty() || unit.startsWith(u'°') ? number + unit : QStringLiteral("%1 %2").arg(number, unit);
-}
+constexpr double kSmallestPart = 1e-10; // of the largest number on an axis: what one can zoom to
 
 Interval sampledRange(const Sampling &sampling)
 {
@@ -66,6 +43,12 @@ Interval broughtInto(const Interval &bounds, Interval range)
     return {lower, lower + range.length()};
 }
 
+/// Shrunk or widened about one of its points.
+Interval scaled(const Interval &range, double about, double factor)
+{
+    return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
+}
+
 /// As many ticks as labels fit side by side.
 AxisScale timeScale(const Interval &range, bool isAngle, double width, double digitWidth)
 {
@@ -82,22 +65,36 @@ AxisScale timeScale(const Interval &range, bool isAngle, double width, double di
     }
 }
 
-constexpr int kDigits = 6;
-constexpr int kErrorDigits = 3;
-constexpr int kBriefDigits = 4; // where there is little room
-
-/// For reading, with its unit.
-QString numberText(double value, const QString &unit, int digits = kDigits)
+/// In the chosen measure, as the axis has it; NaN where it is infinite or has no logarithm.
+double shownError(const ShownChannel &channel, const PlotSettings &settings, double difference, double reference)
 {
-    return std::isfinite(value) ? withUnit(shortNumber(value, digits, QLocale()), unit)
-                                : PlotFigure::tr("does not exist");
+    double error = std::abs(difference) * channel.perDifference;
+    if (settings.error == ErrorMeasure::Percent) {
+        error = reference == 0.0 ? kNoValue : error / std::abs(reference);
+    }
+    if (settings.logarithmicError) {
+        error = error > 0.0 ? std::log10(error) : kNoValue;
+    }
+    return error;
 }
 
-/// Which of them is nearest; there must be one.
-std::size_t nearest(std::span<const double> instants, double t)
+void setMeasure(ShownChannel &channel, ErrorMeasure measure, const ChannelComparison *comparison)
 {
-    return nearestIndex(
-        instants.size(), [instants](std::size_t i) { return instants[i]; }, t);
+    constexpr double kPercent = 100.0;
+    switch (measure) {
+    case ErrorMeasure::Percent:
+        channel.perDifference = kPercent;
+        channel.largestError = comparison ? comparison->maxPercent : std::nullopt;
+        break;
+    case ErrorMeasure::Absolute: channel.largestError = comparison ? comparison->maxAbs : std::nullopt; break;
+    case ErrorMeasure::OfPeak: {
+        const std::optional<Interval> range = extremes(channel.reference);
+        const double peak = range ? std::max(std::abs(range->lower), std::abs(range->upper)) : 0.0;
+        channel.perDifference = peak > 0.0 ? kPercent / peak : kNoValue;
+        channel.largestError = comparison ? comparison->percentOfPeak : std::nullopt;
+        break;
+    }
+    }
 }
 
 /// The part of `whole` that lies as `part` lies in `of`.
@@ -129,6 +126,18 @@ void finishCurve(PlotPicture::Curve &curve, const Interval &time, const Interval
     curve.points = cutIntoDashes(withoutNeedlessPoints(curve.points, tolerance), pattern);
 }
 
+std::optional<Interval> extremesWithin(const Interval &range, std::span<const double> instants,
+                                       std::span<const double> values)
+{
+    if (values.empty()) {
+        return std::nullopt; // a channel that the file lacks
+    }
+    const auto begin = std::lower_bound(instants.begin(), instants.end(), range.lower);
+    const auto end = std::upper_bound(begin, instants.end(), range.upper);
+    return extremes(
+        values.subspan(static_cast<std::size_t>(begin - instants.begin()), static_cast<std::size_t>(end - begin)));
+}
+
 /// The errors' axis begins at zero; in decades, where the smallest that matters is.
 Interval errorRange(const Interval &extent, bool isLogarithmic)
 {
@@ -143,102 +152,83 @@ Interval errorRange(const Interval &extent, bool isLogarithmic)
 
 } // namespace
 
+QString quantity(std::size_t channel)
+{
+    // Derivatives as fractions: fonts set the dots of θ̇ and R̈ badly or not at all.
+    static const std::array<QString, kPlottedChannels.size()> kNames{
+        QStringLiteral("θ³"),      QStringLiteral("Rₓ⁴"),      QStringLiteral("dθ³/dt"),
+        QStringLiteral("dRₓ⁴/dt"), QStringLiteral("d²θ³/dt²"), QStringLiteral("d²Rₓ⁴/dt²")};
+    return kNames[channel];
+}
+
+QString channelUnit(std::size_t channel)
+{
+    const std::string_view unit = authorUnitOf(kPlottedChannels[channel]);
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+}
+
+ShownData::ShownData(const Result &result, const PlotSettings &shown)
+    : settings(shown)
+    , model(result)
+{
+    if (!result.reference) {
+        return;
+    }
+    const ReferenceData &data = result.reference->data;
+    referenceTime = data.time;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        ShownChannel &channel = channels[i];
+        channel.series = data.find(kPlottedChannels[i]);
+        if (!channel.series) {
+            continue;
+        }
+        channel.reference = channel.series->values;
+        channel.modelAtReference = result.atReference[kPlottedChannels[i]];
+        const auto comparison = std::ranges::find(result.comparison, kPlottedChannels[i], &ChannelComparison::channel);
+        setMeasure(channel, settings.error, comparison == result.comparison.end() ? nullptr : &*comparison);
+        channel.errors.reserve(channel.reference.size());
+        for (std::size_t k = 0; k < channel.reference.size(); ++k) {
+            const double reference = channel.reference[k];
+            channel.errors.push_back(shownError(channel, settings, channel.modelAtReference[k] - reference, reference));
+            if (reference == 0.0 && settings.error == ErrorMeasure::Percent) {
+                channel.zeroReference.push_back(referenceTime[k]);
+            }
+        }
+    }
+}
+
+std::vector<CurvePoint> ShownData::roundingBand(std::size_t index, const PixelColumns &pixels) const
+{
+    constexpr double kHalf = 0.5;
+    const ShownChannel &channel = channels[index];
+    std::vector<CurvePoint> band = decimate(referenceTime, channel.reference, pixels);
+    for (CurvePoint &point : band) {
+        point.value = shownError(channel, settings, kHalf * channel.series->rounding.stepAt(point.value), point.value);
+    }
+    return band;
+}
+
+ShownData &PlotFigure::data()
+{
+    if (!m_data) {
+        m_data = result ? ShownData(*result, m_settings) : ShownData();
+    }
+    return *m_data;
+}
+
+double PlotFigure::nearestInstant(double t)
+{
+    const ModelCurves &model = data().model;
+    return model.empty() ? t : model.instant(model.nearest(t));
+}
+
 void PlotFigure::setResult(const std::shared_ptr<const Result> &newResult)
 {
     if (!newResult || !result || sampledRange(newResult->sampling) != sampledRange(result->sampling)) {
         timeZoom.reset();
     }
     result = newResult;
-    m_isConverted = false;
-}
-
-void PlotFigure::convert()
-{
-    if (m_isConverted) {
-        return;
-    }
-    m_isConverted = true;
-    m_model = {};
-    m_referenceTime = {};
-    m_channels = {};
-    if (!result) {
-        return;
-    }
-    m_model = ModelCurves(*result);
-    if (!result->reference) {
-        return;
-    }
-    const ReferenceData &data = result->reference->data;
-    m_referenceTime = data.time;
-    for (std::size_t i = 0; i < kChannels; ++i) {
-        ShownChannel &channel = m_channels[i];
-        const ReferenceSeries *series = data.find(kPlottedChannels[i]);
-        if (!series) {
-            continue;
-        }
-        channel.reference = series->values;
-        channel.modelAtReference = result->atReference[kPlottedChannels[i]];
-        for (const ChannelComparison &comparison : result->comparison) {
-            if (comparison.channel == kPlottedChannels[i]) {
-                channel.comparison = &comparison;
-            }
-        }
-        channel.series = series;
-        convertErrors(channel);
-    }
-}
-
-void PlotFigure::convertErrors(ShownChannel &channel) const
-{
-    constexpr double kPercent = 100.0;
-    const ChannelComparison *comparison = channel.comparison;
-    switch (m_settings.error) {
-    case ErrorMeasure::Percent:
-        channel.perDifference = kPercent;
-        channel.largestError = comparison ? comparison->maxPercent : std::nullopt;
-        break;
-    case ErrorMeasure::Absolute: channel.largestError = comparison ? comparison->maxAbs : std::nullopt; break;
-    case ErrorMeasure::OfPeak: {
-        const std::optional<Interval> range = extremes(channel.reference);
-        const double peak = range ? std::max(std::abs(range->lower), std::abs(range->upper)) : 0.0;
-        channel.perDifference = peak > 0.0 ? kPercent / peak : kNoValue;
-        channel.largestError = comparison ? comparison->percentOfPeak : std::nullopt;
-        break;
-    }
-    }
-    const std::size_t count = channel.reference.size();
-    channel.errors.resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-        const double reference = channel.reference[k];
-        channel.errors[k] = shownError(channel, channel.modelAtReference[k] - reference, reference);
-        if (reference == 0.0 && m_settings.error == ErrorMeasure::Percent) {
-            channel.zeroReference.push_back(m_referenceTime[k]);
-        }
-    }
-}
-
-/// In the chosen measure, as the axis has it; NaN where it is infinite or has no logarithm.
-double PlotFigure::shownError(const ShownChannel &channel, double difference, double reference) const
-{
-    double error = std::abs(difference) * channel.perDifference;
-    if (m_settings.error == ErrorMeasure::Percent) {
-        error = reference == 0.0 ? kNoValue : error / std::abs(reference);
-    }
-    if (m_settings.logarithmicError) {
-        error = error > 0.0 ? std::log10(error) : kNoValue;
-    }
-    return error;
-}
-
-/// Half a rounding step of the file, where its curve has the points that are drawn.
-std::vector<CurvePoint> PlotFigure::bandOf(const ShownChannel &channel, const PixelColumns &pixels) const
-{
-    constexpr double kHalf = 0.5;
-    std::vector<CurvePoint> band = decimate(m_referenceTime, channel.reference, pixels);
-    for (CurvePoint &point : band) {
-        point.value = shownError(channel, kHalf * channel.series->rounding.stepAt(point.value), point.value);
-    }
-    return band;
+    m_data.reset();
 }
 
 void PlotFigure::setSettings(const PlotSettings &settings)
@@ -249,7 +239,7 @@ void PlotFigure::setSettings(const PlotSettings &settings)
         }
     }
     m_settings = settings;
-    m_isConverted = false;
+    m_data.reset();
 }
 
 bool PlotFigure::hasRightAxis(std::size_t plot) const
@@ -261,7 +251,7 @@ QString PlotFigure::errorUnit(std::size_t channel) const
 {
     switch (m_settings.error) {
     case ErrorMeasure::Percent: return QStringLiteral("%");
-    case ErrorMeasure::Absolute: return unitOf(channel);
+    case ErrorMeasure::Absolute: return channelUnit(channel);
     case ErrorMeasure::OfPeak: return tr("% of peak");
     }
     return {};
@@ -299,6 +289,27 @@ void PlotFigure::zoomTime(const Interval &range)
     }
 }
 
+void PlotFigure::zoomTime(double about, double factor)
+{
+    const Interval outer = outerRange();
+    const Interval range = scaled(timeRange(), about, factor);
+    // Closer, neighbouring instants could not be told apart on the axis any more.
+    const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
+    if (factor >= 1.0 || range.length() >= kSmallestPart * largest) {
+        zoomTime(range);
+    }
+}
+
+void PlotFigure::zoomValues(std::size_t plot, const Interval &shown, double about, double factor)
+{
+    const Interval range = scaled(shown, about, factor);
+    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
+    constexpr double kLargestValue = 1e60;
+    if (range.length() >= kSmallestPart * largest && largest <= kLargestValue) {
+        valueZoom[plot] = range;
+    }
+}
+
 Interval PlotFigure::outerRange() const
 {
     const Interval whole = wholeRange();
@@ -309,21 +320,8 @@ Interval PlotFigure::outerRange() const
     return united(whole, Interval{instants.front(), instants.back()});
 }
 
-std::optional<Interval> PlotFigure::extremesWithin(const Interval &range, std::span<const double> instants,
-                                                   std::span<const double> values) const
-{
-    if (values.empty()) {
-        return std::nullopt; // a channel that the file lacks
-    }
-    const auto begin = std::lower_bound(instants.begin(), instants.end(), range.lower);
-    const auto end = std::upper_bound(begin, instants.end(), range.upper);
-    return extremes(
-        values.subspan(static_cast<std::size_t>(begin - instants.begin()), static_cast<std::size_t>(end - begin)));
-}
-
 PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digitWidth)
 {
-    convert();
     constexpr double kPixelsPerValueTick = 30.0;
     PlotPicture picture;
     picture.time = timeRange();
@@ -347,7 +345,7 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
     };
     picture.valueScale = scaleOf(picture.values);
     const std::size_t channel = isErrorPlot(plot) ? plot / kPlotColumns * kChannelsPerRow : channelOf(plot);
-    QString unit = isErrorPlot(plot) ? errorUnit(channel) : unitOf(channel);
+    QString unit = isErrorPlot(plot) ? errorUnit(channel) : channelUnit(channel);
     if (picture.hasValues) {
         unit = picture.valueScale.unit(unit);
     }
@@ -366,25 +364,26 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
 
 void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::size_t columns)
 {
-    const ShownChannel &channel = m_channels[index];
+    ShownData &shown = data();
+    const ShownChannel &channel = shown.channels[index];
     picture.title = quantity(index);
     picture.curves[0].ink = Ink::Model;
     picture.curves[1].ink = Ink::Reference;
     if (!result) {
         return;
     }
-    picture.curves[0].points = m_model.decimated(index, picture.time, columns);
+    picture.curves[0].points = shown.model.decimated(index, picture.time, columns);
     if (!channel.reference.empty()) {
         picture.curves[1].points =
-            decimate(m_referenceTime, channel.reference, pixelColumns(m_referenceTime, picture.time, columns));
+            decimate(shown.referenceTime, channel.reference, pixelColumns(shown.referenceTime, picture.time, columns));
     } else if (result->reference) {
         picture.remarks = picture.shortRemarks = {{tr("not in the file"), Ink::Reference}};
     }
     // The axis of values stays that of the whole run while one looks at a part of it.
     const std::optional<Interval> model =
-        picture.time == wholeRange() ? extremes(picture.curves[0].points) : m_model.extremes(index);
+        picture.time == wholeRange() ? extremes(picture.curves[0].points) : shown.model.extremes(index);
     const std::optional<Interval> values =
-        united(model, extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.reference));
+        united(model, extremesWithin(united(wholeRange(), picture.time), shown.referenceTime, channel.reference));
     picture.hasValues = values.has_value();
     if (values) {
         picture.values = roundedOutwards(*values);
@@ -393,7 +392,7 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     }
 }
 
-void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns) const
+void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns)
 {
     picture.title = tr("error");
     picture.curves[0].ink = Ink::Error;
@@ -405,28 +404,29 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
         }
         return;
     }
-    const PixelColumns pixels = pixelColumns(m_referenceTime, picture.time, columns);
+    const ShownData &shown = data();
+    const PixelColumns pixels = pixelColumns(shown.referenceTime, picture.time, columns);
     const bool isSplit = m_settings.error == ErrorMeasure::Absolute;
     std::array<std::optional<Interval>, kChannelsPerRow> extents;
     bool isCompared = false;
     for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
         const std::size_t index = row * kChannelsPerRow + i;
-        const ShownChannel &channel = m_channels[index];
+        const ShownChannel &channel = shown.channels[index];
         if (channel.reference.empty()) {
             continue;
         }
         isCompared = true;
         PlotPicture::Curve &curve = picture.curves[i];
-        curve.points = decimate(m_referenceTime, channel.errors, pixels);
+        curve.points = decimate(shown.referenceTime, channel.errors, pixels);
         if (m_settings.roundingBand) {
-            curve.band = bandOf(channel, pixels);
+            curve.band = shown.roundingBand(index, pixels);
         }
         curve.marks = channel.zeroReference;
-        extents[i] = extremesWithin(united(wholeRange(), picture.time), m_referenceTime, channel.errors);
+        extents[i] = extremesWithin(united(wholeRange(), picture.time), shown.referenceTime, channel.errors);
         if (channel.largestError) {
             constexpr int kFewDigits = 2;
             const double largest = *channel.largestError;
-            const QString unit = isSplit ? unitOf(index) : QStringLiteral("%");
+            const QString unit = isSplit ? channelUnit(index) : QStringLiteral("%");
             const QString number = QStringLiteral("%1 %2").arg(shortNumber(largest, kErrorDigits, QLocale()), unit);
             if (!picture.remarks.empty()) {
                 picture.remarks.push_back({QStringLiteral(" · ")});
@@ -457,8 +457,10 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
     }
 }
 
-std::vector<LegendEntry> PlotFigure::legend(bool hasModel, bool hasErrors) const
+std::vector<LegendEntry> PlotFigure::legend(std::optional<std::size_t> only) const
 {
+    const bool hasModel = !only || !isErrorPlot(*only);
+    const bool hasErrors = !only || isErrorPlot(*only);
     using Sample = LegendEntry::Sample;
     std::vector<LegendEntry> entries;
     if (hasModel) {
@@ -481,136 +483,6 @@ std::vector<LegendEntry> PlotFigure::legend(bool hasModel, bool hasErrors) const
         }
     }
     return entries;
-}
-
-double PlotFigure::nearestInstant(double t)
-{
-    convert();
-    return m_model.empty() ? t : m_model.instant(m_model.nearest(t));
-}
-
-QString PlotFigure::instantText(double seconds) const
-{
-    const QString time = QStringLiteral("t = %1").arg(numberText(seconds, QStringLiteral("s")));
-    if (m_settings.abscissa == Abscissa::Time || !result) {
-        return time;
-    }
-    const double angle = (result->mechanism.theta20() + result->mechanism.omega2() * seconds) * kDegreesPerRadian;
-    return QStringLiteral("θ₂ = %1, %2").arg(numberText(angle, QStringLiteral("°")), time);
-}
-
-QString PlotFigure::errorText(std::size_t channel, std::size_t atReference) const
-{
-    const ShownChannel &shown = m_channels[channel];
-    if (m_settings.error == ErrorMeasure::Percent && shown.reference[atReference] == 0.0) {
-        return tr("no percentage, the reference is 0");
-    }
-    if (shown.modelAtReference[atReference] == shown.reference[atReference]) { // has no logarithm
-        return numberText(0.0, errorUnit(channel), kErrorDigits);
-    }
-    const double error = shown.errors[atReference];
-    return numberText(m_settings.logarithmicError ? std::pow(10.0, error) : error, errorUnit(channel), kErrorDigits);
-}
-
-std::vector<InkedText> PlotFigure::valuesAt(std::size_t plot, double t, Wording wording)
-{
-    convert();
-    std::vector<InkedText> values;
-    if (m_model.empty()) {
-        return values;
-    }
-    if (!isErrorPlot(plot)) {
-        const std::size_t index = channelOf(plot);
-        const ShownChannel &channel = m_channels[index];
-        const auto text = [&](double value) {
-            return wording == Wording::Full ? numberText(value, unitOf(index))
-                                            : numberText(value, QString(), kBriefDigits);
-        };
-        values.push_back({text(m_model.value(index, m_model.nearest(t))), Ink::Model});
-        if (!channel.reference.empty()) {
-            values.push_back({text(channel.reference[nearest(m_referenceTime, t)]), Ink::Reference});
-        }
-        return values;
-    }
-    for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
-        const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
-        if (!m_channels[index].reference.empty()) {
-            values.push_back({errorText(index, nearest(m_referenceTime, t)), i == 0 ? Ink::Error : Ink::ErrorOther});
-        }
-    }
-    return values;
-}
-
-std::vector<InkedText> PlotFigure::changesBetween(std::size_t plot, double from, double to, Wording wording)
-{
-    convert();
-    std::vector<InkedText> changes;
-    if (isErrorPlot(plot) || m_model.empty()) {
-        return changes;
-    }
-    const std::size_t index = channelOf(plot);
-    const ShownChannel &channel = m_channels[index];
-    const auto text = [&](double difference) {
-        return wording == Wording::Full ? numberText(difference, unitOf(index))
-                                        : numberText(difference, QString(), kBriefDigits);
-    };
-    changes.push_back(
-        {text(m_model.value(index, m_model.nearest(to)) - m_model.value(index, m_model.nearest(from))), Ink::Model});
-    if (!channel.reference.empty()) {
-        const double inFile =
-            channel.reference[nearest(m_referenceTime, to)] - channel.reference[nearest(m_referenceTime, from)];
-        changes.push_back({text(inFile), Ink::Reference});
-    }
-    return changes;
-}
-
-std::vector<InkedText> PlotFigure::readout(std::size_t plot, double t, Wording wording)
-{
-    convert();
-    std::vector<InkedText> rows;
-    if (m_model.empty() || (isErrorPlot(plot) && m_referenceTime.empty())) {
-        return rows;
-    }
-    if (isErrorPlot(plot)) {
-        const std::size_t k = nearest(m_referenceTime, t);
-        rows.push_back({instantText(m_referenceTime[k])});
-        for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
-            const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
-            if (!m_channels[index].reference.empty()) {
-                rows.push_back({tr("error of %1: %2").arg(quantity(index), errorText(index, k)),
-                                i == 0 ? Ink::Error : Ink::ErrorOther});
-            }
-        }
-        return rows;
-    }
-    const std::size_t index = channelOf(plot);
-    const ShownChannel &channel = m_channels[index];
-    const QString unit = unitOf(index);
-    const std::size_t k = m_model.nearest(t);
-    const double value = m_model.value(index, k);
-    rows.push_back({instantText(m_model.instant(k))});
-    rows.push_back({tr("%1 = %2").arg(quantity(index), numberText(value, unit)), Ink::Model});
-    if (kPlottedChannels[index] == Channel{Theta3, Order::Position} && std::isfinite(value)) {
-        constexpr double kHalfTurn = 180.0;
-        const QString textbook =
-            wording == Wording::Full ? tr("textbook's θ₃ = θ³ + 180° = %1") : tr("textbook's θ₃ = %1");
-        rows.push_back({textbook.arg(numberText(value + kHalfTurn, unit))});
-    }
-    if (!channel.reference.empty()) {
-        const std::size_t r = nearest(m_referenceTime, t);
-        const double inFile = channel.reference[r];
-        QString text = tr("reference: %1").arg(numberText(inFile, unit));
-        if (m_referenceTime[r] != m_model.instant(k)) {
-            text =
-                tr("reference: %1 at %2")
-                    .arg(wording == Wording::Full ? numberText(inFile, unit)
-                                                  : numberText(inFile, QString(), kBriefDigits),
-                         wording == Wording::Full ? instantText(m_referenceTime[r])
-                                                  : numberText(m_referenceTime[r], QStringLiteral("s"), kBriefDigits));
-        }
-        rows.push_back({text, Ink::Reference});
-    }
-    return rows;
 }
 
 } // namespace slidercrank

@@ -27,6 +27,13 @@ namespace slidercrank
 inline constexpr double kDash = 7.0;    // px, of the reference
 inline constexpr double kDashGap = 6.0; // px
 
+inline constexpr std::size_t kChannelsPerRow = 2;
+inline constexpr int kErrorDigits = 3;
+
+/// "θ³", "dRₓ⁴/dt", …, of one of kPlottedChannels, and its unit in the author's files.
+QString quantity(std::size_t channel);
+QString channelUnit(std::size_t channel);
+
 /// Which of seriesColours() a part of a picture takes: pictures know no palette.
 enum class Ink { Text, Model, Reference, Error, ErrorOther };
 
@@ -80,6 +87,33 @@ struct LegendEntry {
     bool mayBeLeftOut = false; ///< where there is no room for all; the last such entry first
 };
 
+/// A column of the file, beside the model.
+struct ShownChannel {
+    std::span<const double> reference; ///< empty where the file has no such column
+    std::span<const double> modelAtReference;
+    const ReferenceSeries *series = nullptr;
+    double perDifference = 1.0; ///< what a difference is multiplied by to be an error; of a percentage, before it is
+                                ///< divided by the value
+    std::vector<double> errors; ///< in the chosen measure, at the file's instants; NaN where there is none
+    std::vector<double> zeroReference; ///< instants where the reference is zero
+    std::optional<double> largestError;
+};
+
+/// What is shown of a Result, as numbers.
+struct ShownData {
+    ShownData() = default; ///< nothing
+    /// `result` must outlive it.
+    ShownData(const Result &result, const PlotSettings &settings);
+
+    /// Half a rounding step of the file as an error, where its curve has the points that are drawn.
+    std::vector<CurvePoint> roundingBand(std::size_t channel, const PixelColumns &pixels) const;
+
+    PlotSettings settings;
+    ModelCurves model;
+    std::span<const double> referenceTime;
+    std::array<ShownChannel, ModelCurves::kChannels> channels; ///< as in kPlottedChannels
+};
+
 /// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks.
 class PlotFigure
 {
@@ -100,62 +134,36 @@ public:
     /// As far as there is something to see.
     void zoomTime(const Interval &range);
 
+    /// Closer or farther, about a point of the axis that stays.
+    void zoomTime(double about, double factor);
+    void zoomValues(std::size_t plot, const Interval &shown, double about, double factor);
+
     /// One plot whose axes have that size in pixels and whose time axis has characters of that width.
     PlotPicture picture(std::size_t plot, const QSize &axes, double digitWidth);
-    std::vector<LegendEntry> legend(bool hasModel, bool hasErrors) const;
+
+    /// Of all nine plots, or of one only.
+    std::vector<LegendEntry> legend(std::optional<std::size_t> only) const;
 
     /// The sampled instant next to t (s); t itself where there is none.
     double nearestInstant(double t);
 
-    /// "t = 0.25 s"; the crank angle first where that is the abscissa.
-    QString instantText(double seconds) const;
+    /// What the figure shows of the result; computed when somebody looks.
+    ShownData &data();
 
-    /// How much room there is: fewer digits, without what can be read elsewhere.
-    enum class Wording { Full, Brief };
-
-    /// What the plot shows next to time t (s): model and reference, or the two errors; empty where it shows nothing.
-    std::vector<InkedText> valuesAt(std::size_t plot, double t, Wording wording = Wording::Full);
-
-    /// The same for the differences from one instant to another, of model and reference.
-    std::vector<InkedText> changesBetween(std::size_t plot, double from, double to, Wording wording = Wording::Full);
-
-    /// At length, a row each: the instant, the values with their names, the textbook's θ₃.
-    std::vector<InkedText> readout(std::size_t plot, double t, Wording wording = Wording::Full);
+    /// Of one of kPlottedChannels, in the chosen measure.
+    QString errorUnit(std::size_t channel) const;
 
     Interval wholeRange() const; ///< the sampled one
     Interval timeRange() const { return timeZoom.value_or(wholeRange()); }
     Interval outerRange() const; ///< with the reference's instants: as far as one can zoom out
 
 private:
-    struct ShownChannel {
-        std::span<const double> reference; ///< empty where the file has no such column
-        std::span<const double> modelAtReference;
-        const ReferenceSeries *series = nullptr;
-        const ChannelComparison *comparison = nullptr;
-        double perDifference = 1.0; ///< what a difference is multiplied by to be an error; of a percentage, before it
-                                    ///< is divided by the value
-        std::vector<double> errors; ///< in the chosen measure, at the file's instants; NaN where there is none
-        std::vector<double> zeroReference; ///< instants where the reference is zero
-        std::optional<double> largestError;
-    };
-
-    void convert();
-    void convertErrors(ShownChannel &channel) const;
-    double shownError(const ShownChannel &channel, double difference, double reference) const;
-    std::vector<CurvePoint> bandOf(const ShownChannel &channel, const PixelColumns &pixels) const;
     PlotPicture::TimeLabels timeLabels(double width, double digitWidth) const;
-    QString errorUnit(std::size_t channel) const;
-    QString errorText(std::size_t channel, std::size_t atReference) const;
     void fillModelPicture(PlotPicture &picture, std::size_t channel, std::size_t columns);
-    void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns) const;
-    std::optional<Interval> extremesWithin(const Interval &range, std::span<const double> instants,
-                                           std::span<const double> values) const;
+    void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns);
 
     PlotSettings m_settings;
-    bool m_isConverted = false;
-    ModelCurves m_model;
-    std::span<const double> m_referenceTime;
-    std::array<ShownChannel, kPlottedChannels.size()> m_channels;
+    std::optional<ShownData> m_data;
 };
 
 } // namespace slidercrank

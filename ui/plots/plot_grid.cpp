@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_grid.h"
 
+#include "ui/plots/figure_painting.h"
 #include "ui/plots/plot_canvas.h"
+#include "ui/plots/plot_choices.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
 
-#include <QActionGroup>
+#include <QAction>
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
@@ -13,25 +15,17 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPicture>
 #include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace slidercrank
 {
 
 namespace
 {
-
-/// Shrunk or widened about one of its points.
-Interval scaled(const Interval &range, double about, double factor)
-{
-    return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
-}
 
 /// The line of the instant on show, over a plot.
 class CursorLine : public QWidget
@@ -74,7 +68,8 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_overlays[i] = new PlotOverlay(m_plots[i]);
         m_plots[i]->setFocusPolicy(Qt::TabFocus);
     }
-    makeChoices();
+    m_choices = plotChoices(*this);
+    emit settingsChanged(m_figure.settings());
     m_hint = new QLabel(this);
     m_hint->setObjectName(QStringLiteral("no_reference_hint"));
     m_hint->setTextFormat(Qt::RichText);
@@ -168,46 +163,13 @@ void PlotGrid::requestRefresh()
 
 PlotArrangement PlotGrid::arrangementOnScreen() const
 {
-    return m_maximized ? PlotArrangement::of(*m_maximized, size(), m_typography)
-                       : PlotArrangement(size(), m_typography);
-}
-
-/// Those whose cells are empty cost nothing.
-std::array<PlotGrid::PlacedPlot, kPlotCount> PlotGrid::placedPlots(const PlotArrangement &arrangement)
-{
-    std::array<PlacedPlot, kPlotCount> plots;
-    std::array<int, kPlotColumns> labelLengths{};
-    int rightLength = 0;
-    for (std::size_t i = 0; i < kPlotCount; ++i) {
-        if (arrangement.cells[i].isEmpty()) {
-            continue;
-        }
-        const bool hasTimeLabels = arrangement.hasTimeLabels(i);
-        const QMargins usual = m_figure.hasRightAxis(i) ? m_typography.margins(0, hasTimeLabels, 0)
-                                                        : m_typography.margins(0, hasTimeLabels);
-        const QSize axes = arrangement.cells[i].size().shrunkBy(usual);
-        plots[i].cell = arrangement.cells[i];
-        plots[i].picture = m_figure.picture(i, axes, m_typography.digitWidth);
-        plots[i].picture.hasTimeLabels = hasTimeLabels;
-        int &length = labelLengths[i % kPlotColumns];
-        length = std::max(length, plots[i].picture.valueScale.labelLength(plots[i].picture.values));
-        if (plots[i].picture.rightValues) {
-            rightLength = std::max(rightLength, plots[i].picture.rightScale.labelLength(*plots[i].picture.rightValues));
-        }
-    }
-    for (std::size_t i = 0; i < kPlotCount; ++i) {
-        const int length = labelLengths[i % kPlotColumns];
-        const bool hasTimeLabels = arrangement.hasTimeLabels(i);
-        plots[i].margins = m_figure.hasRightAxis(i) ? m_typography.margins(length, hasTimeLabels, rightLength)
-                                                    : m_typography.margins(length, hasTimeLabels);
-    }
-    return plots;
+    return PlotArrangement(size(), m_typography, m_maximized);
 }
 
 void PlotGrid::refresh()
 {
     m_isStale = false;
-    const std::array<PlacedPlot, kPlotCount> plots = placedPlots(arrangementOnScreen());
+    const std::array<PlacedPlot, kPlotCount> plots = placedPlots(m_figure, arrangementOnScreen(), m_typography);
     for (std::size_t i = 0; i < kPlotCount; ++i) {
         if (plots[i].cell.isEmpty()) {
             continue;
@@ -270,36 +232,6 @@ void PlotGrid::updateHint()
     m_hint->raise();
 }
 
-void PlotGrid::zoomTime(double about, double factor)
-{
-    const Interval outer = m_figure.outerRange();
-    const Interval range = scaled(m_figure.timeRange(), about, factor);
-    // Closer, neighbouring instants could not be told apart on the axis any more.
-    constexpr double kSmallestPart = 1e-10;
-    const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
-    if (factor < 1.0 && range.length() < kSmallestPart * largest) {
-        return;
-    }
-    m_figure.zoomTime(range);
-    requestRefresh();
-}
-
-void PlotGrid::zoomValues(std::size_t plot, double about, double factor)
-{
-    if (!m_plots[plot]->yAxis->tickLabels()) {
-        return; // there are no values
-    }
-    const Interval range = scaled(m_plots[plot]->valueRange(), about, factor);
-    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
-    constexpr double kSmallestPart = 1e-10;
-    constexpr double kLargestValue = 1e60;
-    if (range.length() < kSmallestPart * largest || largest > kLargestValue) {
-        return;
-    }
-    m_figure.valueZoom[plot] = range;
-    requestRefresh();
-}
-
 void PlotGrid::pan(std::size_t plot, const QPoint &to)
 {
     const PlotCanvas &shown = *m_plots[plot];
@@ -330,50 +262,6 @@ void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
     menu->popup(globalPosition);
 }
 
-void PlotGrid::choose(const std::function<void(PlotSettings &)> &change)
-{
-    PlotSettings settings = m_figure.settings();
-    change(settings);
-    setSettings(settings);
-}
-
-void PlotGrid::makeChoices()
-{
-    auto *measures = new QActionGroup(this);
-    const std::array<std::pair<ErrorMeasure, QString>, 3> texts{
-        {{ErrorMeasure::Percent, tr("Error in &% of the reference")},
-         {ErrorMeasure::Absolute, tr("Error &in ° and mm")},
-         {ErrorMeasure::OfPeak, tr("Error in % of the &peak")}}};
-    for (const auto &[measure, text] : texts) {
-        QAction *action = measures->addAction(text);
-        action->setCheckable(true);
-        m_choices << action;
-        connect(action, &QAction::triggered, this,
-                [this, chosen = measure] { choose([chosen](PlotSettings &settings) { settings.error = chosen; }); });
-        connect(this, &PlotGrid::settingsChanged, action,
-                [action, own = measure](const PlotSettings &settings) { action->setChecked(settings.error == own); });
-    }
-    const auto addSwitch = [this](const QString &text, auto PlotSettings::*member, auto off, auto on) {
-        auto *action = new QAction(text, this);
-        action->setCheckable(true);
-        m_choices << action;
-        connect(action, &QAction::triggered, this, [this, member, off, on](bool checked) {
-            choose([&](PlotSettings &settings) { settings.*member = checked ? on : off; });
-        });
-        connect(this, &PlotGrid::settingsChanged, action,
-                [action, member, on](const PlotSettings &settings) { action->setChecked(settings.*member == on); });
-    };
-    addSwitch(tr("&Logarithmic errors"), &PlotSettings::logarithmicError, false, true);
-    addSwitch(tr("File's &rounding as a band"), &PlotSettings::roundingBand, false, true);
-    addSwitch(tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::Time, Abscissa::CrankAngle);
-    auto *measuring = new QAction(tr("Mea&suring cursors"), this);
-    measuring->setObjectName(QStringLiteral("measuringAction"));
-    measuring->setCheckable(true);
-    m_choices << measuring;
-    connect(measuring, &QAction::toggled, this, &PlotGrid::setMeasuring);
-    emit settingsChanged(m_figure.settings());
-}
-
 void PlotGrid::maximize(const QString &name)
 {
     const qsizetype index = plotNames().indexOf(name);
@@ -381,7 +269,7 @@ void PlotGrid::maximize(const QString &name)
     if (index >= 0) {
         m_maximized = static_cast<std::size_t>(index);
     }
-    m_hovered.reset();
+    m_read.hovered.reset();
     placePlots();
     requestRefresh();
 }
@@ -394,12 +282,13 @@ void PlotGrid::toggleMaximized(std::size_t plot)
 
 void PlotGrid::setMeasuring(bool measuring)
 {
-    if (measuring != m_measured.has_value()) {
-        m_measured.reset();
+    if (measuring != m_read.measured.has_value()) {
+        m_read.measured.reset();
         if (measuring) {
             const Interval range = m_figure.timeRange();
             const double third = range.length() / 3.0;
-            m_measured = {m_figure.nearestInstant(range.lower + third), m_figure.nearestInstant(range.upper - third)};
+            m_read.measured = {m_figure.nearestInstant(range.lower + third),
+                               m_figure.nearestInstant(range.upper - third)};
         }
         updateOverlays();
     }
@@ -411,33 +300,14 @@ void PlotGrid::setMeasuring(bool measuring)
 void PlotGrid::setMeasured(const std::optional<std::array<double, 2>> &instants)
 {
     setMeasuring(instants.has_value());
-    m_measured = instants;
+    m_read.measured = instants;
     updateOverlays();
-}
-
-/// Where the measuring cursors are, in as many words as have room beside a legend of the curves; empty without them.
-QString PlotGrid::measuredText(int room) const
-{
-    if (!m_measured) {
-        return {};
-    }
-    const auto [a, b] = *m_measured;
-    constexpr int kDigits = 6;
-    QString change =
-        tr("B − A = %1 s", "the time between the measuring cursors").arg(shortNumber(b - a, kDigits, QLocale()));
-    if (m_figure.result) {
-        const double turned = m_figure.result->mechanism.omega2() * (b - a) * kDegreesPerRadian;
-        change += QStringLiteral(" = %1°").arg(shortNumber(turned, kDigits, QLocale()));
-    }
-    const QString text = tr("A %1 s · B %2 s · %3", "instants of the measuring cursors, the time between them")
-                             .arg(shortNumber(a, kDigits, QLocale()), shortNumber(b, kDigits, QLocale()), change);
-    return QFontMetrics(m_typography.title).horizontalAdvance(text) <= room ? text : change;
 }
 
 void PlotGrid::hoverOver(std::optional<std::size_t> plot, double time)
 {
-    m_hovered = plot;
-    m_hoverTime = time;
+    m_read.hovered = plot;
+    m_read.hoverTime = time;
     updateOverlays();
 }
 
@@ -455,53 +325,25 @@ OverlayContent PlotGrid::overlayOf(std::size_t plot)
             content.lines.push_back({static_cast<int>(std::lround(shown.xAxis->coordToPixel(time))), name, isSolid});
         }
     };
-    if (m_measured) {
-        const auto [a, b] = *m_measured;
+    if (m_read.measured) {
+        const auto [a, b] = *m_read.measured;
         lineAt(a, QStringLiteral("A"), true);
         lineAt(b, QStringLiteral("B"), true);
     }
-    if (m_hovered) {
-        lineAt(m_hoverTime, {}, false);
+    if (m_read.hovered) {
+        lineAt(m_read.hoverTime, {}, false);
     }
-    content.box = readingsOf(plot, PlotFigure::Wording::Full);
+    content.box = readingsOf(m_figure, plot, m_read, Wording::Full);
     if (!m_overlays[plot]->fits(content.box)) {
-        content.box = readingsOf(plot, PlotFigure::Wording::Brief);
+        content.box = readingsOf(m_figure, plot, m_read, Wording::Brief);
     }
     return content;
-}
-
-/// What the plot shows under the mouse, or else at the measuring cursors.
-std::vector<InkedRow> PlotGrid::readingsOf(std::size_t plot, PlotFigure::Wording wording)
-{
-    std::vector<InkedRow> rows;
-    const auto addRow = [&rows](const QString &name, const std::vector<InkedText> &values) {
-        InkedRow row{{name}};
-        for (const InkedText &value : values) {
-            row.push_back({row.size() > 1 ? QStringLiteral("   ") + value.text : value.text, value.ink});
-        }
-        if (!values.empty()) {
-            rows.push_back(row);
-        }
-    };
-    if (m_hovered == plot) {
-        for (const InkedText &row : m_figure.readout(plot, m_hoverTime, wording)) {
-            rows.push_back({row});
-        }
-    } else if (m_hovered) {
-        addRow({}, m_figure.valuesAt(plot, m_hoverTime, wording));
-    } else if (m_measured) {
-        const auto [a, b] = *m_measured;
-        addRow(QStringLiteral("A  "), m_figure.valuesAt(plot, a, wording));
-        addRow(QStringLiteral("B  "), m_figure.valuesAt(plot, b, wording));
-        addRow(QStringLiteral("B − A  "), m_figure.changesBetween(plot, a, b, wording));
-    }
-    return rows;
 }
 
 void PlotGrid::updateOverlays()
 {
     for (std::size_t i = 0; i < kPlotCount; ++i) {
-        const bool isBare = !m_hovered && !m_measured && !m_plots[i]->hasFocus();
+        const bool isBare = !m_read.hovered && !m_read.measured && !m_plots[i]->hasFocus();
         m_overlays[i]->setContent(isBare || m_plots[i]->isHidden() ? OverlayContent() : overlayOf(i));
     }
     update(QRect(0, 0, width(), m_typography.legendHeight()));
@@ -510,14 +352,14 @@ void PlotGrid::updateOverlays()
 /// 0 for A, 1 for B.
 std::optional<std::size_t> PlotGrid::measuringCursorAt(std::size_t plot, const QPoint &position) const
 {
-    if (!m_measured || !m_plots[plot]->axisRect()->rect().contains(position)) {
+    if (!m_read.measured || !m_plots[plot]->axisRect()->rect().contains(position)) {
         return std::nullopt;
     }
     constexpr double kReach = 5.0; // px
     std::optional<std::size_t> nearest;
     double distance = kReach;
-    for (std::size_t cursor = 0; cursor < m_measured->size(); ++cursor) {
-        const double x = m_plots[plot]->xAxis->coordToPixel((*m_measured)[cursor]);
+    for (std::size_t cursor = 0; cursor < m_read.measured->size(); ++cursor) {
+        const double x = m_plots[plot]->xAxis->coordToPixel((*m_read.measured)[cursor]);
         if (std::abs(x - position.x()) <= distance) {
             distance = std::abs(x - position.x());
             nearest = cursor;
@@ -545,16 +387,17 @@ bool PlotGrid::pressKey(std::size_t plot, int key)
         constexpr double kFactor = 0.7;
         const Interval shown = m_figure.timeRange();
         const bool sees = m_cursorTime && shown.contains(*m_cursorTime);
-        zoomTime(sees ? *m_cursorTime : 0.5 * (shown.lower + shown.upper),
-                 key == Qt::Key_Minus ? 1.0 / kFactor : kFactor);
+        m_figure.zoomTime(sees ? *m_cursorTime : 0.5 * (shown.lower + shown.upper),
+                          key == Qt::Key_Minus ? 1.0 / kFactor : kFactor);
+        requestRefresh();
         return true;
     }
     case Qt::Key_A:
     case Qt::Key_B:
-        if (!m_measured || !m_cursorTime) {
+        if (!m_read.measured || !m_cursorTime) {
             return false;
         }
-        (*m_measured)[key == Qt::Key_A ? 0 : 1] = m_figure.nearestInstant(*m_cursorTime);
+        (*m_read.measured)[key == Qt::Key_A ? 0 : 1] = m_figure.nearestInstant(*m_cursorTime);
         updateOverlays();
         return true;
     default: return false;
@@ -580,11 +423,12 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
         constexpr double kFactor = 0.85;
         const double factor = std::pow(kFactor, wheel->angleDelta().y() / kNotch);
         const QRect axes = plot.axisRect()->rect();
-        if (wheel->position().x() < axes.left()) {
-            zoomValues(index, plot.yAxis->pixelToCoord(wheel->position().y()), factor);
-        } else {
-            zoomTime(plot.xAxis->pixelToCoord(wheel->position().x()), factor);
+        if (wheel->position().x() >= axes.left()) {
+            m_figure.zoomTime(plot.xAxis->pixelToCoord(wheel->position().x()), factor);
+        } else if (plot.hasValues()) {
+            m_figure.zoomValues(index, plot.valueRange(), plot.yAxis->pixelToCoord(wheel->position().y()), factor);
         }
+        requestRefresh();
         event->accept();
         return true;
     }
@@ -602,8 +446,8 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
         if (m_drag) {
             m_drag->hasMoved =
                 m_drag->hasMoved || (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance();
-            if (m_drag->measuringCursor && m_measured) {
-                (*m_measured)[*m_drag->measuringCursor] = m_figure.nearestInstant(time);
+            if (m_drag->measuringCursor && m_read.measured) {
+                (*m_read.measured)[*m_drag->measuringCursor] = m_figure.nearestInstant(time);
                 hoverOver(std::nullopt, time);
             } else if (m_drag->hasMoved) {
                 pan(m_drag->plot, to);
@@ -691,11 +535,9 @@ void PlotGrid::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Base));
     const SeriesColours colours = seriesColours(palette());
-    const bool hasModel = !m_maximized || !isErrorPlot(*m_maximized);
-    const bool hasErrors = !m_maximized || isErrorPlot(*m_maximized);
     QRect legend(0, 0, width(), m_typography.legendHeight());
     constexpr int kRoomForCurves = 300; // px: model, reference and a gap
-    const QString measured = measuredText(width() - kRoomForCurves);
+    const QString measured = measuredText(m_figure, m_read, m_typography.title, width() - kRoomForCurves);
     if (!measured.isEmpty()) {
         constexpr int kGap = 12;
         painter.setFont(m_typography.title);
@@ -703,7 +545,7 @@ void PlotGrid::paintEvent(QPaintEvent *)
         painter.drawText(legend.adjusted(0, 0, -kGap, 0), Qt::AlignRight | Qt::AlignVCenter, measured);
         legend.setRight(legend.right() - QFontMetrics(m_typography.title).horizontalAdvance(measured) - 2 * kGap);
     }
-    drawLegend(painter, legend, m_figure.legend(hasModel, hasErrors), m_typography, colours);
+    drawLegend(painter, legend, m_figure.legend(m_maximized), m_typography, colours);
 }
 
 void PlotGrid::resizeEvent(QResizeEvent *event)
@@ -720,63 +562,18 @@ void PlotGrid::showEvent(QShowEvent *event)
     }
 }
 
-namespace
-{
-
-/// QCustomPlot draws with a painter of its own class only: recorded, it can be played to any painter.
-void replay(QPainter &painter, const QRect &cell, QCustomPlot &plot)
-{
-    const QPaintEngine *engine = painter.paintEngine();
-    const bool isVector = engine && (engine->type() == QPaintEngine::SVG || engine->type() == QPaintEngine::Pdf);
-    QPicture recording;
-    QCPPainter recorder(&recording);
-    recorder.setMode(QCPPainter::pmVectorized, isVector);
-    plot.toPainter(&recorder, cell.width(), cell.height());
-    recorder.end();
-    painter.save();
-    painter.translate(cell.topLeft());
-    painter.drawPicture(0, 0, recording);
-    painter.restore();
-}
-
-} // namespace
-
 void PlotGrid::paintFigure(QPainter &painter, const QSize &size, const QPalette &palette)
 {
-    const SeriesColours colours = seriesColours(palette);
-    painter.fillRect(QRect(QPoint(), size), colours.background);
-    drawLegend(painter, PlotArrangement(size, m_typography).legend, m_figure.legend(true, true), m_typography, colours);
-    PlotCanvas plot(nullptr);
-    plot.setStyle(m_typography, colours);
-    for (PlacedPlot &placed : placedPlots(PlotArrangement(size, m_typography))) {
-        placed.picture.markedTime = m_markedTime;
-        plot.display(placed.picture, placed.margins);
-        replay(painter, placed.cell, plot);
-    }
+    paintPlots(painter, m_figure, PlotArrangement(size, m_typography), m_typography, seriesColours(palette),
+               m_markedTime);
 }
 
 void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
 {
     const auto index = static_cast<std::size_t>(plotNames().indexOf(name));
     Q_ASSERT(index < kPlotCount);
-    const SeriesColours colours = seriesColours(palette);
-    const QRect legend(0, 0, size.width(), m_typography.legendHeight());
-    const QRect cell(0, legend.height(), size.width(), std::max(0, size.height() - legend.height()));
-    painter.fillRect(QRect(QPoint(), size), colours.background);
-    drawLegend(painter, legend, m_figure.legend(!isErrorPlot(index), isErrorPlot(index)), m_typography, colours);
-    const bool hasRightAxis = m_figure.hasRightAxis(index);
-    const QSize axes =
-        cell.size().shrunkBy(hasRightAxis ? m_typography.margins(0, true, 0) : m_typography.margins(0, true));
-    PlotPicture picture = m_figure.picture(index, axes, m_typography.digitWidth);
-    picture.markedTime = m_markedTime;
-    PlotCanvas plot(nullptr);
-    plot.setStyle(m_typography, colours);
-    const int labelLength = picture.valueScale.labelLength(picture.values);
-    plot.display(picture, hasRightAxis ? m_typography.margins(
-                                             labelLength, true,
-                                             picture.rightScale.labelLength(picture.rightValues.value_or(Interval{})))
-                                       : m_typography.margins(labelLength, true));
-    replay(painter, cell, plot);
+    paintPlots(painter, m_figure, PlotArrangement(size, m_typography, index), m_typography, seriesColours(palette),
+               m_markedTime);
 }
 
 } // namespace slidercrank

@@ -7,7 +7,7 @@
 #include "ui/document/result.h"
 #include "ui/plots/plot_arrangement.h"
 #include "ui/plots/plot_figure.h"
-#include "ui/plots/plot_overlay.h"
+#include "ui/plots/plot_readings.h"
 
 #include <QList>
 #include <QPalette>
@@ -16,7 +16,6 @@
 #include <QWidget>
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -40,8 +39,7 @@ public:
     static QStringList plotNames();
 
     /// The whole figure with its legend, or one plot of it, at that logical size, zoomed as on the screen, in the
-    /// colours of that palette. The widget need not be visible. Every curve ends at its axes, also on devices that do
-    /// not clip.
+    /// colours of that palette. The widget need not be visible.
     void paintFigure(QPainter &painter, const QSize &size, const QPalette &palette);
     void paintPlot(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
@@ -54,13 +52,13 @@ public:
     QString maximized() const { return m_maximized ? plotName(*m_maximized) : QString(); }
 
     /// Instants (s) of the measuring cursors, where there are any.
-    const std::optional<std::array<double, 2>> &measured() const { return m_measured; }
+    const std::optional<std::array<double, 2>> &measured() const { return m_read.measured; }
     void setMeasured(const std::optional<std::array<double, 2>> &instants);
 
     /// An instant (s) to be marked by a line in what is painted from now on. The cursor on the screen is not.
     void markTime(double seconds) { m_markedTime = seconds; }
 
-    /// What one can choose about the plots, for menus: the measure of the errors, the abscissa, measuring cursors.
+    /// What one can choose about the plots, for menus.
     const QList<QAction *> &choices() const { return m_choices; }
 
     QSize sizeHint() const override;
@@ -94,13 +92,6 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    /// A plot within a figure of some size.
-    struct PlacedPlot {
-        QRect cell;
-        QMargins margins;
-        PlotPicture picture;
-    };
-    std::array<PlacedPlot, kPlotCount> placedPlots(const PlotArrangement &arrangement);
     PlotArrangement arrangementOnScreen() const;
 
     void requestRefresh();
@@ -108,20 +99,14 @@ private:
     void placePlots();
     void moveCursors();
     void updateHint();
-    void zoomTime(double about, double factor);
-    void zoomValues(std::size_t plot, double about, double factor);
     void pan(std::size_t plot, const QPoint &to);
     void showMenu(std::size_t plot, const QPoint &globalPosition);
-    void makeChoices();
-    void choose(const std::function<void(PlotSettings &)> &change);
     void toggleMaximized(std::size_t plot);
     void hoverOver(std::optional<std::size_t> plot, double time);
     void updateOverlays();
     OverlayContent overlayOf(std::size_t plot);
-    std::vector<InkedRow> readingsOf(std::size_t plot, PlotFigure::Wording wording);
     std::optional<std::size_t> measuringCursorAt(std::size_t plot, const QPoint &position) const;
     bool pressKey(std::size_t plot, int key);
-    QString measuredText(int room) const; ///< px
 
     PlotFigure m_figure;
     PlotTypography m_typography;
@@ -130,9 +115,7 @@ private:
     std::array<PlotOverlay *, kPlotCount> m_overlays{};
     QList<QAction *> m_choices;
     std::optional<std::size_t> m_maximized;
-    std::optional<std::size_t> m_hovered;            ///< the plot under the pointer
-    double m_hoverTime = 0.0;                        ///< s, where it is
-    std::optional<std::array<double, 2>> m_measured; ///< s, instants of the measuring cursors A and B
+    ReadInstants m_read;
     QLabel *m_hint = nullptr;
     std::optional<double> m_cursorTime;
     std::optional<double> m_markedTime; ///< s

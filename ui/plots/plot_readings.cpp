@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_readings.h"
+
+#include <QFontMetrics>
+#include <QLocale>
+
+#include <cmath>
+#include <span>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kDigits = 6;
+constexpr int kBriefDigits = 4; // where there is little room
+
+/// "24.6°", "74.5 mm".
+QString valueText(double value, const QString &unit, int digits = kDigits)
+{
+    if (!std::isfinite(value)) {
+        return PlotFigure::tr("does not exist");
+    }
+    const QString number = shortNumber(value, digits, QLocale());
+    return unit.isEmpty() || unit.startsWith(u'°') ? number + unit : QStringLiteral("%1 %2").arg(number, unit);
+}
+
+/// Of a plotted channel.
+QString channelText(double value, std::size_t channel, Wording wording)
+{
+    return wording == Wording::Full ? valueText(value, channelUnit(channel))
+                                    : valueText(value, QString(), kBriefDigits);
+}
+
+/// "t = 0.25 s"; the crank angle first where that is the abscissa.
+QString instantText(const PlotFigure &figure, double seconds)
+{
+    const QString time = QStringLiteral("t = %1").arg(valueText(seconds, QStringLiteral("s")));
+    if (figure.settings().abscissa == Abscissa::Time || !figure.result) {
+        return time;
+    }
+    const Mechanism &mechanism = figure.result->mechanism;
+    const double angle = (mechanism.theta20() + mechanism.omega2() * seconds) * kDegreesPerRadian;
+    return QStringLiteral("θ₂ = %1, %2").arg(valueText(angle, QStringLiteral("°")), time);
+}
+
+/// Which of them is nearest; there must be one.
+std::size_t nearest(std::span<const double> instants, double t)
+{
+    return nearestIndex(
+        instants.size(), [instants](std::size_t i) { return instants[i]; }, t);
+}
+
+QString errorText(const PlotFigure &figure, const ShownData &data, std::size_t index, std::size_t atReference)
+{
+    const ShownChannel &channel = data.channels[index];
+    const PlotSettings &settings = figure.settings();
+    if (settings.error == ErrorMeasure::Percent && channel.reference[atReference] == 0.0) {
+        return PlotFigure::tr("no percentage, the reference is 0");
+    }
+    double error = 0.0;
+    if (channel.modelAtReference[atReference] != channel.reference[atReference]) { // else it has no logarithm
+        error = channel.errors[atReference];
+        error = settings.logarithmicError ? std::pow(10.0, error) : error;
+    }
+    return valueText(error, figure.errorUnit(index), kErrorDigits);
+}
+
+/// Next to time t (s): model and reference, or the two errors; empty where it shows nothing.
+std::vector<InkedText> valuesAt(PlotFigure &figure, std::size_t plot, double t, Wording wording)
+{
+    const ShownData &data = figure.data();
+    std::vector<InkedText> values;
+    if (data.model.empty()) {
+        return values;
+    }
+    if (!isErrorPlot(plot)) {
+        const std::size_t index = channelOf(plot);
+        const ShownChannel &channel = data.channels[index];
+        values.push_back({channelText(data.model.value(index, data.model.nearest(t)), index, wording), Ink::Model});
+        if (!channel.reference.empty()) {
+            values.push_back(
+                {channelText(channel.reference[nearest(data.referenceTime, t)], index, wording), Ink::Reference});
+        }
+        return values;
+    }
+    for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
+        const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
+        if (!data.channels[index].reference.empty()) {
+            values.push_back({errorText(figure, data, index, nearest(data.referenceTime, t)),
+                              i == 0 ? Ink::Error : Ink::ErrorOther});
+        }
+    }
+    return values;
+}
+
+/// The differences of model and reference from one instant to another.
+std::vector<InkedText> changesBetween(PlotFigure &figure, std::size_t plot, double from, double to, Wording wording)
+{
+    const ShownData &data = figure.data();
+    std::vector<InkedText> changes;
+    if (isErrorPlot(plot) || data.model.empty()) {
+        return changes;
+    }
+    const std::size_t index = channelOf(plot);
+    const ShownChannel &channel = data.channels[index];
+    const double ofModel =
+        data.model.value(index, data.model.nearest(to)) - data.model.value(index, data.model.nearest(from));
+    changes.push_back({channelText(ofModel, index, wording), Ink::Model});
+    if (!channel.reference.empty()) {
+        const double inFile =
+            channel.reference[nearest(data.referenceTime, to)] - channel.reference[nearest(data.referenceTime, from)];
+        changes.push_back({channelText(inFile, index, wording), Ink::Reference});
+    }
+    return changes;
+}
+
+/// At length: the instant, the values with their names, the textbook's θ₃.
+std::vector<InkedRow> readout(PlotFigure &figure, std::size_t plot, double t, Wording wording)
+{
+    const ShownData &data = figure.data();
+    std::vector<InkedRow> rows;
+    if (data.model.empty() || (isErrorPlot(plot) && data.referenceTime.empty())) {
+        return rows;
+    }
+    const auto addRow = [&rows](const QString &text, Ink ink = Ink::Text) { rows.push_back({{text, ink}}); };
+    if (isErrorPlot(plot)) {
+        const std::size_t k = nearest(data.referenceTime, t);
+        addRow(instantText(figure, data.referenceTime[k]));
+        for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
+            const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
+            if (!data.channels[index].reference.empty()) {
+                addRow(PlotFigure::tr("error of %1: %2").arg(quantity(index), errorText(figure, data, index, k)),
+                       i == 0 ? Ink::Error : Ink::ErrorOther);
+            }
+        }
+        return rows;
+    }
+    const std::size_t index = channelOf(plot);
+    const ShownChannel &channel = data.channels[index];
+    const QString unit = channelUnit(index);
+    const std::size_t k = data.model.nearest(t);
+    const double value = data.model.value(index, k);
+    addRow(instantText(figure, data.model.instant(k)));
+    addRow(PlotFigure::tr("%1 = %2").arg(quantity(index), valueText(value, unit)), Ink::Model);
+    if (kPlottedChannels[index] == Channel{Theta3, Order::Position} && std::isfinite(value)) {
+        constexpr double kHalfTurn = 180.0;
+        const QString textbook = wording == Wording::Full ? PlotFigure::tr("textbook's θ₃ = θ³ + 180° = %1")
+                                                          : PlotFigure::tr("textbook's θ₃ = %1");
+        addRow(textbook.arg(valueText(value + kHalfTurn, unit)));
+    }
+    if (!channel.reference.empty()) {
+        const std::size_t r = nearest(data.referenceTime, t);
+        const double instant = data.referenceTime[r];
+        const double inFile = channel.reference[r];
+        if (instant == data.model.instant(k)) {
+            addRow(PlotFigure::tr("reference: %1").arg(valueText(inFile, unit)), Ink::Reference);
+        } else {
+            const QString when = wording == Wording::Full ? instantText(figure, instant)
+                                                          : valueText(instant, QStringLiteral("s"), kBriefDigits);
+            addRow(PlotFigure::tr("reference: %1 at %2").arg(channelText(inFile, index, wording), when),
+                   Ink::Reference);
+        }
+    }
+    return rows;
+}
+
+} // namespace
+
+std::vector<InkedRow> readingsOf(PlotFigure &figure, std::size_t plot, const ReadInstants &read, Wording wording)
+{
+    if (read.hovered == plot) {
+        return readout(figure, plot, read.hoverTime, wording);
+    }
+    std::vector<InkedRow> rows;
+    const auto addRow = [&rows](const QString &name, const std::vector<InkedText> &values) {
+        InkedRow row{{name}};
+        for (const InkedText &value : values) {
+            row.push_back({row.size() > 1 ? QStringLiteral("   ") + value.text : value.text, value.ink});
+        }
+        if (!values.empty()) {
+            rows.push_back(row);
+        }
+    };
+    if (read.hovered) {
+        addRow({}, valuesAt(figure, plot, read.hoverTime, wording));
+    } else if (read.measured) {
+        const auto [a, b] = *read.measured;
+        addRow(QStringLiteral("A  "), valuesAt(figure, plot, a, wording));
+        addRow(QStringLiteral("B  "), valuesAt(figure, plot, b, wording));
+        addRow(QStringLiteral("B − A  "), changesBetween(figure, plot, a, b, wording));
+    }
+    return rows;
+}
+
+QString measuredText(const PlotFigure &figure, const ReadInstants &read, const QFont &font, int room)
+{
+    if (!read.measured) {
+        return {};
+    }
+    const auto [a, b] = *read.measured;
+    QString change = PlotFigure::tr("B − A = %1 s", "the time between the measuring cursors")
+                         .arg(shortNumber(b - a, kDigits, QLocale()));
+    if (figure.result) {
+        const double turned = figure.result->mechanism.omega2() * (b - a) * kDegreesPerRadian;
+        change += QStringLiteral(" = %1°").arg(shortNumber(turned, kDigits, QLocale()));
+    }
+    const QString text =
+        PlotFigure::tr("A %1 s · B %2 s · %3", "instants of the measuring cursors, the time between them")
+            .arg(shortNumber(a, kDigits, QLocale()), shortNumber(b, kDigits, QLocale()), change);
+    return QFontMetrics(font).horizontalAdvance(text) <= room ? text : change;
+}
+
+} // namespace slidercrank
