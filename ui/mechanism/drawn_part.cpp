@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace slidercrank
 {
@@ -112,6 +113,26 @@ DrawnPart partAt(const MechanismDrawing &drawing, const MechanismProjection &on,
                         pixel.x() <= on.toPixels({rail.right, 0.0}).x() + kRailOverhang && below >= 0.0 &&
                         below <= kRailBelowLine + kHatchLength;
     return std::abs(below) <= kLine || onRail ? DrawnPart::Guide : DrawnPart::Background;
+}
+
+DrawnPart partAfter(const MechanismDrawing &drawing, DrawnPart part, int step)
+{
+    std::vector<DrawnPart> parts{DrawnPart::A,     DrawnPart::B,       DrawnPart::O2,
+                                 DrawnPart::Crank, DrawnPart::Coupler, DrawnPart::Guide};
+    const MotionLimits &limits = drawing.result->limits;
+    const auto addWhere = [&](bool isOnShow, DrawnPart other) {
+        if (isOnShow) {
+            parts.push_back(other);
+        }
+    };
+    addWhere(drawing.hasCentre(), DrawnPart::G3);
+    addWhere(limits.outer.has_value(), DrawnPart::OuterDeadCentre);
+    addWhere(limits.inner.has_value(), DrawnPart::InnerDeadCentre);
+    addWhere(!forbiddenRanges(limits).empty(), DrawnPart::ForbiddenArc);
+    const auto now = std::ranges::find(parts, part);
+    const auto count = static_cast<std::ptrdiff_t>(parts.size());
+    const std::ptrdiff_t at = now == parts.end() ? (step > 0 ? -1 : count) : now - parts.begin();
+    return parts[static_cast<std::size_t>((at + step + count) % count)];
 }
 
 } // namespace slidercrank

@@ -26,6 +26,21 @@ QPointF direction(QPointF from, QPointF to)
     return along.isNull() ? QPointF(1.0, 0.0) : unitVector(along);
 }
 
+/// For a pull along a line of that direction, y upwards.
+Qt::CursorShape cursorAlong(QPointF pull)
+{
+    constexpr double kSlanted = 0.41; // tangent of 22.5°
+    const double x = std::abs(pull.x());
+    const double y = std::abs(pull.y());
+    if (y <= kSlanted * x) {
+        return Qt::SizeHorCursor;
+    }
+    if (x <= kSlanted * y) {
+        return Qt::SizeVerCursor;
+    }
+    return pull.x() * pull.y() < 0.0 ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+}
+
 } // namespace
 
 std::optional<Parameter> lengthDraggedBy(DrawnPart part, bool withShift)
@@ -44,6 +59,28 @@ std::optional<Parameter> lengthDraggedBy(DrawnPart part, bool withShift)
     case DrawnPart::ForbiddenArc: break;
     }
     return std::nullopt;
+}
+
+std::optional<Qt::CursorShape> cursorOver(const MechanismDrawing &drawing, DrawnPart part, bool withShift)
+{
+    if (!drawing.result) {
+        return std::nullopt;
+    }
+    const bool pulls = lengthDraggedBy(part, withShift).has_value();
+    if (pulls && part == DrawnPart::Guide) {
+        return Qt::SizeVerCursor;
+    }
+    if (pulls && (part == DrawnPart::A || part == DrawnPart::Crank)) {
+        return cursorAlong(drawing.crankPin());
+    }
+    if (pulls && drawing.pins) {
+        return part == DrawnPart::B ? Qt::SizeHorCursor : cursorAlong(drawing.pins->B - drawing.pins->A);
+    }
+    if (part == DrawnPart::A || part == DrawnPart::B) {
+        return drawing.mechanism().omega2() != 0.0 ? Qt::OpenHandCursor : Qt::ArrowCursor;
+    }
+    const bool isDeadCentre = part == DrawnPart::OuterDeadCentre || part == DrawnPart::InnerDeadCentre;
+    return isDeadCentre ? std::optional(Qt::PointingHandCursor) : std::nullopt;
 }
 
 std::optional<MechanismDrag> MechanismDrag::begin(const MechanismDrawing &drawing, DrawnPart part, bool withShift,

@@ -29,6 +29,9 @@ using DragRequest = std::variant<std::monostate, CrankAngleRequest, LengthReques
 /// The length that a drag of the part changes; with Shift, that of the joints A and B too.
 std::optional<Parameter> lengthDraggedBy(DrawnPart part, bool withShift);
 
+/// What a pointer over the part looks like; none: as usual.
+std::optional<Qt::CursorShape> cursorOver(const MechanismDrawing &drawing, DrawnPart part, bool withShift);
+
 class MechanismDrag
 {
 public:

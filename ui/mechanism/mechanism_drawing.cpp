@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_drawing.h"
 
+#include "ui/mechanism/mechanism_frame.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace slidercrank
@@ -21,6 +24,20 @@ bool MechanismDrawing::hasCentre() const
 {
     const bool wanted = settings.velocity || settings.acceleration || settings.path || settings.names;
     return wanted && pins && pose.exists();
+}
+
+void MechanismDrawing::refreshCycle(const QRectF &frame)
+{
+    cycle.clear();
+    if (!result || !(settings.velocity || settings.acceleration || settings.path)) {
+        return;
+    }
+    constexpr double kLongest = 0.4; // of the mechanism's extent
+    const QRectF reach = reachOf(mechanism(), result->limits);
+    const double longest = kLongest * std::max(reach.width(), reach.height());
+    cycle = cycleOf(mechanism(), result->limits);
+    velocity = arrowScale(cycle, MotionKind::Velocity, mechanism(), frame, longest);
+    acceleration = arrowScale(cycle, MotionKind::Acceleration, mechanism(), frame, longest);
 }
 
 } // namespace slidercrank

@@ -57,6 +57,9 @@ struct MechanismDrawing {
     /// At the instant of the pose.
     LinkageMotion motion() const;
 
+    /// After another mechanism, other settings; `frame`: what arrows are to be within, mm.
+    void refreshCycle(const QRectF &frame);
+
     /// Whether G3 is on show.
     bool hasCentre() const;
 };

@@ -32,21 +32,6 @@ constexpr double kPanStep = 40.0;    // px
 constexpr double kStillAClick = 3.0; // px that a hand shakes
 constexpr int kNoteDelay = 250;      // ms: a pointer that only passes by is told nothing
 
-/// A cursor for a pull along a line of that direction on the screen.
-Qt::CursorShape cursorAlong(QPointF direction)
-{
-    constexpr double kSlanted = 0.41; // tangent of 22.5°
-    const double x = std::abs(direction.x());
-    const double y = std::abs(direction.y());
-    if (y <= kSlanted * x) {
-        return Qt::SizeHorCursor;
-    }
-    if (x <= kSlanted * y) {
-        return Qt::SizeVerCursor;
-    }
-    return direction.x() * direction.y() < 0.0 ? Qt::SizeBDiagCursor : Qt::SizeFDiagCursor;
-}
-
 } // namespace
 
 MechanismView::MechanismView(QWidget *parent)
@@ -128,7 +113,7 @@ void MechanismView::setSettings(const MechanismSettings &settings)
     for (std::size_t i = 0; i < on.size(); ++i) {
         m_choices[static_cast<qsizetype>(i)]->setChecked(on[i]);
     }
-    refreshCycle();
+    m_drawing.refreshCycle(m_frame.fitted());
     refreshScenery();
 }
 
@@ -166,7 +151,7 @@ void MechanismView::setResult(const std::shared_ptr<const Result> &result)
     if (!isPulled) { // else what is under the hand would move away from it
         changeFrame([this] { m_frame.follow(reach()); });
     }
-    refreshCycle();
+    m_drawing.refreshCycle(m_frame.fitted());
     m_scenery = QPixmap();
     update();
     const Mechanism &mechanism = m_drawing.mechanism();
@@ -261,31 +246,12 @@ void MechanismView::changeFrame(const std::function<void()> &change)
     const QRectF fitted = m_frame.fitted();
     change();
     if (m_frame.fitted() != fitted) {
-        refreshCycle();
+        m_drawing.refreshCycle(m_frame.fitted());
         refreshScenery();
     }
     if (projection() != before) {
         refreshScenery();
     }
-}
-
-/// The arrows' scale is one for all of a turn, and fits the frame.
-void MechanismView::refreshCycle()
-{
-    const MechanismSettings &settings = m_drawing.settings;
-    if (!m_drawing.result || !(settings.velocity || settings.acceleration || settings.path)) {
-        m_drawing.cycle.clear();
-        return;
-    }
-    constexpr double kLongest = 0.4; // of the mechanism's extent
-    const Mechanism &mechanism = m_drawing.mechanism();
-    const MotionLimits &limits = m_drawing.result->limits;
-    const QRectF reach = reachOf(mechanism, limits);
-    const double longest = kLongest * std::max(reach.width(), reach.height());
-    m_drawing.cycle = cycleOf(mechanism, limits);
-    m_drawing.velocity = arrowScale(m_drawing.cycle, MotionKind::Velocity, mechanism, m_frame.fitted(), longest);
-    m_drawing.acceleration =
-        arrowScale(m_drawing.cycle, MotionKind::Acceleration, mechanism, m_frame.fitted(), longest);
 }
 
 void MechanismView::refreshScenery()
@@ -564,22 +530,7 @@ void MechanismView::pointAtNext(int step)
     if (!m_drawing.result || m_hold) {
         return;
     }
-    std::vector<DrawnPart> parts{DrawnPart::A,     DrawnPart::B,       DrawnPart::O2,
-                                 DrawnPart::Crank, DrawnPart::Coupler, DrawnPart::Guide};
-    const MotionLimits &limits = m_drawing.result->limits;
-    const auto addWhere = [&](bool isOnShow, DrawnPart part) {
-        if (isOnShow) {
-            parts.push_back(part);
-        }
-    };
-    addWhere(m_drawing.hasCentre(), DrawnPart::G3);
-    addWhere(limits.outer.has_value(), DrawnPart::OuterDeadCentre);
-    addWhere(limits.inner.has_value(), DrawnPart::InnerDeadCentre);
-    addWhere(!forbiddenRanges(limits).empty(), DrawnPart::ForbiddenArc);
-    const auto now = std::ranges::find(parts, m_pointed);
-    const auto count = static_cast<std::ptrdiff_t>(parts.size());
-    const std::ptrdiff_t at = now == parts.end() ? (step > 0 ? -1 : count) : now - parts.begin();
-    pointAt(parts[static_cast<std::size_t>((at + step + count) % count)], false);
+    pointAt(partAfter(m_drawing, m_pointed, step), false);
     m_noteDelay->stop();
     updateNote();
 }
@@ -606,20 +557,8 @@ void MechanismView::updateCursor(bool withShift)
     if (m_hold && m_hold->drag && !m_hold->drag->length()) {
         return; // the closed hand
     }
-    const bool pulls = lengthDraggedBy(m_pointed, withShift).has_value();
-    const QPointF crank = m_drawing.result ? m_drawing.crankPin() : QPointF();
-    if (pulls && m_pointed == DrawnPart::Guide) {
-        setCursor(Qt::SizeVerCursor);
-    } else if (pulls && (m_pointed == DrawnPart::A || m_pointed == DrawnPart::Crank)) {
-        setCursor(cursorAlong({crank.x(), -crank.y()}));
-    } else if (pulls && m_drawing.pins) {
-        const QPointF along = m_drawing.pins->B - m_drawing.pins->A;
-        setCursor(m_pointed == DrawnPart::B ? Qt::SizeHorCursor : cursorAlong({along.x(), -along.y()}));
-    } else if (m_pointed == DrawnPart::A || m_pointed == DrawnPart::B) {
-        const bool moves = m_drawing.mechanism().omega2() != 0.0;
-        setCursor(moves ? Qt::OpenHandCursor : Qt::ArrowCursor);
-    } else if (m_pointed == DrawnPart::OuterDeadCentre || m_pointed == DrawnPart::InnerDeadCentre) {
-        setCursor(Qt::PointingHandCursor);
+    if (const std::optional<Qt::CursorShape> cursor = cursorOver(m_drawing, m_pointed, withShift)) {
+        setCursor(*cursor);
     } else {
         unsetCursor();
     }

@@ -113,7 +113,6 @@ private:
     QRectF visibleGhostReach() const;
     void makeChoices();
     void changeFrame(const std::function<void()> &change);
-    void refreshCycle();
     void refreshScenery();
     void updateArea(const QRectF &area);
     QRectF movingArea() const;
