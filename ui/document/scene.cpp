@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/scene.h"
 
-#include <QCoreApplication>
+#include "ui/document/scene_part.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -11,9 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
 namespace slidercrank
@@ -28,14 +26,7 @@ constexpr int kMostSteps = 1'000'000;
 constexpr int kMostIterations = 1000;
 constexpr int kMostColumns = 1'000'000;
 
-struct SceneText {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::SceneText)
-};
-
 // What the enumerators are called in a file.
-template <typename Value>
-using Word = std::pair<Value, const char *>;
-
 constexpr std::array<Word<Branch>, 2> kBranches{{{Branch::Open, "open"}, {Branch::Crossed, "crossed"}}};
 constexpr std::array<Word<Method>, 2> kMethods{{{Method::Newton, "newton"}, {Method::ClosedForm, "closed-form"}}};
 constexpr std::array<Word<ToleranceKind>, 2> kToleranceKinds{
@@ -161,225 +152,7 @@ QJsonObject merged(QJsonObject under, const QJsonObject &over)
 
 // Reading
 
-/// Takes checked values out of a file. The first fault is kept; after it the values mean nothing.
-class SceneReader
-{
-public:
-    explicit SceneReader(const QString &file)
-        : m_file(file)
-    {
-    }
-
-    const std::optional<QString> &fault() const { return m_fault; }
-
-    /// `must`: what the value at that place has to be.
-    void refuse(const QString &place, const QString &must)
-    {
-        if (!m_fault) {
-            m_fault = SceneText::tr("%1: \"%2\" must be %3. Correct it there, or open another scene.")
-                          .arg(m_file, place, must);
-        }
-    }
-
-    void refuseMissing(const QString &place)
-    {
-        if (!m_fault) {
-            m_fault = SceneText::tr("%1: \"%2\" is missing. Add it there, or open another scene.").arg(m_file, place);
-        }
-    }
-
-private:
-    QString m_file;
-    std::optional<QString> m_fault;
-};
-
-enum class Bound { None, Magnitude, Positive, NotNegative };
-
-/// One object of the file, and where it is.
-class Part
-{
-public:
-    Part(SceneReader &reader, const QJsonObject &object, const QString &place, bool mayLack = false)
-        : m_reader(reader)
-        , m_object(object)
-        , m_place(place)
-        , m_mayLack(mayLack)
-    {
-    }
-
-    QString placeOf(const QString &key) const { return m_place.isEmpty() ? key : m_place + u'.' + key; }
-
-    /// Nothing, or null: where it has to be there, refused.
-    std::optional<QJsonValue> value(const char *name) const
-    {
-        const QString key = QLatin1String(name);
-        const QJsonValue value = m_object.value(key);
-        if (!value.isUndefined() && !value.isNull()) {
-            return value;
-        }
-        if (!m_mayLack) {
-            m_reader.refuseMissing(placeOf(key));
-        }
-        return std::nullopt;
-    }
-
-    void refuse(const char *name, const QString &must) const { m_reader.refuse(placeOf(QLatin1String(name)), must); }
-
-    double number(const char *name, Bound bound, double otherwise = 0.0) const
-    {
-        const std::optional<QJsonValue> found = value(name);
-        if (!found) {
-            return otherwise;
-        }
-        const double number = found->toDouble(std::numeric_limits<double>::quiet_NaN());
-        const bool bounded = std::abs(number) <= kLargestParameter;
-        switch (bound) {
-        case Bound::None:
-            if (!std::isfinite(number)) {
-                refuse(name, SceneText::tr("a number"));
-            }
-            break;
-        case Bound::Magnitude:
-            if (!bounded) {
-                refuse(name, SceneText::tr("a number of a magnitude up to 1e12"));
-            }
-            break;
-        case Bound::Positive:
-            if (!(bounded && number > 0.0)) {
-                refuse(name, SceneText::tr("a number greater than 0 and at most 1e12"));
-            }
-            break;
-        case Bound::NotNegative:
-            if (!(number >= 0.0)) {
-                refuse(name, SceneText::tr("a number not less than 0"));
-            }
-            break;
-        }
-        return number;
-    }
-
-    int integer(const char *name, int largest) const
-    {
-        const std::optional<QJsonValue> found = value(name);
-        const double number = found ? found->toDouble() : 1.0;
-        if (!(number >= 1.0 && number <= largest && number == std::floor(number))) {
-            refuse(name, SceneText::tr("a whole number from 1 to %1").arg(largest));
-            return 1;
-        }
-        return static_cast<int>(number);
-    }
-
-    bool flag(const char *name, bool otherwise) const
-    {
-        const std::optional<QJsonValue> found = value(name);
-        if (found && !found->isBool()) {
-            refuse(name, SceneText::tr("true or false"));
-        }
-        return found ? found->toBool() : otherwise;
-    }
-
-    QString text(const char *name) const
-    {
-        const std::optional<QJsonValue> found = value(name);
-        if (found && !found->isString()) {
-            refuse(name, SceneText::tr("a text in quotation marks"));
-        }
-        return found ? found->toString() : QString();
-    }
-
-    template <typename Value, std::size_t count>
-    Value choice(const char *name, const std::array<Word<Value>, count> &words, Value otherwise = Value()) const
-    {
-        const std::optional<QJsonValue> found = value(name);
-        if (!found) {
-            return otherwise;
-        }
-        QStringList known;
-        for (const auto &[meaning, word] : words) {
-            if (*found == QJsonValue(QLatin1String(word))) {
-                return meaning;
-            }
-            known += u'"' + QLatin1String(word) + u'"';
-        }
-        refuse(name, SceneText::tr("one of %1").arg(known.join(QStringLiteral(", "))));
-        return otherwise;
-    }
-
-    Part part(const char *name, bool mayLack = false) const
-    {
-        const std::optional<QJsonValue> found = value(name);
-        if (found && !found->isObject()) {
-            refuse(name, SceneText::tr("an object in braces"));
-        }
-        return Part(m_reader, found ? found->toObject() : QJsonObject(), placeOf(QLatin1String(name)), mayLack);
-    }
-
-    /// An array of objects.
-    std::vector<Part> parts(const char *name) const
-    {
-        const QJsonArray array = list(name);
-        std::vector<Part> parts;
-        for (qsizetype i = 0; i < array.size(); ++i) {
-            const QString place = QStringLiteral("%1[%2]").arg(placeOf(QLatin1String(name))).arg(i);
-            if (!array[i].isObject()) {
-                m_reader.refuse(place, SceneText::tr("an object in braces"));
-            }
-            parts.emplace_back(m_reader, array[i].toObject(), place);
-        }
-        return parts;
-    }
-
-    QJsonArray list(const char *name) const
-    {
-        const std::optional<QJsonValue> found = value(name);
-        if (found && !found->isArray()) {
-            refuse(name, SceneText::tr("a list in brackets"));
-        }
-        return found ? found->toArray() : QJsonArray();
-    }
-
-    std::optional<Interval> interval(const char *name) const
-    {
-        const QJsonArray array = list(name);
-        if (array.isEmpty()) {
-            return std::nullopt;
-        }
-        const Interval interval{array[0].toDouble(), array.size() == 2 ? array[1].toDouble() : 0.0};
-        const bool numbers = array.size() == 2 && array[0].isDouble() && array[1].isDouble();
-        if (!numbers || !(interval.lower < interval.upper) || !std::isfinite(interval.length())) {
-            refuse(name, SceneText::tr("two numbers in brackets, the smaller one first"));
-        }
-        return interval;
-    }
-
-    std::optional<QRectF> frame(const char *name) const
-    {
-        const QJsonArray array = list(name);
-        if (array.isEmpty()) {
-            return std::nullopt;
-        }
-        const auto isLength = [](const QJsonValue &value) {
-            return value.isDouble() && std::abs(value.toDouble()) <= kLargestParameter;
-        };
-        const bool lengths = array.size() == 4 && std::all_of(array.begin(), array.end(), isLength);
-        const QRectF frame = lengths ? QRectF(QPointF(array[0].toDouble(), array[1].toDouble()),
-                                              QPointF(array[2].toDouble(), array[3].toDouble()))
-                                     : QRectF();
-        if (!(frame.width() > 0.0 && frame.height() > 0.0)) {
-            refuse(name,
-                   SceneText::tr("four numbers in brackets, left, lower, right and upper, the smaller ones first"));
-        }
-        return frame;
-    }
-
-private:
-    SceneReader &m_reader;
-    QJsonObject m_object;
-    QString m_place;
-    bool m_mayLack; ///< any of it
-};
-
-Parameters parametersOf(const Part &part)
+Parameters parametersOf(const ScenePart &part)
 {
     Parameters parameters;
     parameters.a = part.number("a", Bound::Positive);
@@ -391,7 +164,7 @@ Parameters parametersOf(const Part &part)
     return parameters;
 }
 
-Sampling samplingOf(const Part &part)
+Sampling samplingOf(const ScenePart &part)
 {
     Sampling sampling;
     sampling.start = part.number("start", Bound::Magnitude);
@@ -400,7 +173,7 @@ Sampling samplingOf(const Part &part)
     return sampling;
 }
 
-SolverSettings solverOf(const Part &part)
+SolverSettings solverOf(const ScenePart &part)
 {
     SolverSettings solver;
     solver.method = part.choice("method", kMethods);
@@ -412,7 +185,7 @@ SolverSettings solverOf(const Part &part)
     return solver;
 }
 
-ColumnChoice columnChoiceOf(const Part &part)
+ColumnChoice columnChoiceOf(const ScenePart &part)
 {
     ColumnChoice choice;
     choice.column = static_cast<std::size_t>(part.integer("column", kMostColumns)) - 1;
@@ -429,7 +202,7 @@ ColumnChoice columnChoiceOf(const Part &part)
     return choice;
 }
 
-Convention conventionOf(const Part &part)
+Convention conventionOf(const ScenePart &part)
 {
     Convention convention;
     convention.kind = part.choice("kind", kConventions);
@@ -451,7 +224,7 @@ Convention conventionOf(const Part &part)
     return convention;
 }
 
-ReferenceSource referenceOf(const Part &part, const QDir &folder)
+ReferenceSource referenceOf(const ScenePart &part, const QDir &folder)
 {
     ReferenceSource reference;
     const QString file = part.text("file");
@@ -459,16 +232,16 @@ ReferenceSource referenceOf(const Part &part, const QDir &folder)
         part.refuse("file", SceneText::tr("the name of a file"));
     }
     reference.path = file.startsWith(u':') ? file : QDir::cleanPath(folder.absoluteFilePath(file));
-    for (const Part &column : part.parts("columns")) {
+    for (const ScenePart &column : part.parts("columns")) {
         reference.columns.push_back(columnChoiceOf(column));
     }
-    for (const Part &convention : part.parts("conventions")) {
+    for (const ScenePart &convention : part.parts("conventions")) {
         reference.conventions.push_back(conventionOf(convention));
     }
     return reference;
 }
 
-void readView(const Part &view, Scene &scene)
+void readView(const ScenePart &view, Scene &scene)
 {
     const PlotSettings usual;
     scene.time = view.number("time", Bound::None, scene.sampling.start);
@@ -476,12 +249,12 @@ void readView(const Part &view, Scene &scene)
     scene.plots.logarithmicError = view.flag("logarithmicError", usual.logarithmicError);
     scene.plots.roundingBand = view.flag("roundingBand", usual.roundingBand);
     scene.plots.abscissa = view.choice("abscissa", kAbscissae, usual.abscissa);
-    const Part zoom = view.part("zoom", true);
+    const ScenePart zoom = view.part("zoom", true);
     scene.zoom.time = zoom.interval("time");
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
         scene.zoom.values[plot] = zoom.interval(plotName(plot).toLatin1().constData());
     }
-    const Part mechanism = view.part("mechanism", true);
+    const ScenePart mechanism = view.part("mechanism", true);
     scene.mechanism.velocity = mechanism.flag("velocity", false);
     scene.mechanism.acceleration = mechanism.flag("acceleration", false);
     scene.mechanism.path = mechanism.flag("path", false);
@@ -548,21 +321,21 @@ std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path
             tr("%1 was saved by a newer slidercrank (scene version %2, this one reads up to %3). Open it with that.")
                 .arg(shown, QString::number(version.toDouble()), QString::number(kVersion));
     }
-    SceneReader reader(shown);
-    const Part whole(reader, scene.asRead, QString());
+    SceneFault fault{shown, std::nullopt};
+    const ScenePart whole(fault, scene.asRead, QString());
     if (version.toDouble() != kVersion) {
         whole.refuse("version", QString::number(kVersion));
     }
     scene.parameters = parametersOf(whole.part("mechanism"));
     scene.sampling = samplingOf(whole.part("sampling"));
     scene.solver = solverOf(whole.part("solver"));
-    const Part extras(reader, scene.asRead, QString(), true);
+    const ScenePart extras(fault, scene.asRead, QString(), true);
     if (extras.value("reference")) {
         scene.reference = referenceOf(whole.part("reference"), QFileInfo(path).absoluteDir());
     }
     readView(extras.part("view", true), scene);
-    if (reader.fault()) {
-        return *reader.fault();
+    if (fault.sentence) {
+        return *fault.sentence;
     }
     return scene;
 }

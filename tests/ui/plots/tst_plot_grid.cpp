@@ -2,6 +2,7 @@
 #include "ui/plots/plot_grid.h"
 
 #include "tests/support/text_recorder.h"
+#include "ui/document/session.h"
 #include "ui/plots/plot_arrangement.h"
 #include "ui/words/theme.h"
 
