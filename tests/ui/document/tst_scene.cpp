@@ -4,6 +4,7 @@
 
 #include "tests/support/random_mechanisms.h"
 #include "ui/document/scene.h"
+#include "ui/document/session.h"
 
 #include <QFile>
 #include <QFileInfo>

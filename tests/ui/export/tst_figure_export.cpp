@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.h"
 #include "ui/export/figure_export.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/words/theme.h"

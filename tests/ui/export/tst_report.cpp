@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.h"
 #include "ui/export/report.h"
 #include "ui/export/report_pages.h"
 
