@@ -47,9 +47,8 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     connect(m_form, &SolverForm::edited, this, &NewtonPanel::edited);
     addPage(Settings, tr("Settings"), m_form, nullptr);
 
-    auto *equations = new NumberTable(equationColumns());
-    equations->setObjectName(QStringLiteral("equationTable"));
-    equations->setAccessibleName(tr("Equations, a row a constraint"));
+    auto *equations =
+        new NumberTable(QStringLiteral("equationTable"), tr("Equations, a row a constraint"), equationColumns());
     equations->setColumnText(0, longestConstraintName());
     equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ² + b/2 cos θ³ = 0"));
     equations->setColumnText(2, QStringLiteral("-0.000·10⁻¹⁰"));
@@ -62,9 +61,8 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     QWidget *iterations = createIterationPage();
     addPage(Iterations, tr("Iterations"), iterations, m_iterations);
 
-    auto *coordinates = new NumberTable(coordinateColumns());
-    coordinates->setObjectName(QStringLiteral("coordinateTable"));
-    coordinates->setAccessibleName(tr("Coordinates, a row each"));
+    auto *coordinates =
+        new NumberTable(QStringLiteral("coordinateTable"), tr("Coordinates, a row each"), coordinateColumns());
     coordinates->setColumnText(0, QStringLiteral("R_y¹"));
     coordinates->setColumnText(1, longestBodyName());
     for (const int column : {2, 3, 4}) {
@@ -129,9 +127,8 @@ void NewtonPanel::addPage(Page page, const QString &title, QWidget *widget, Numb
 
 QWidget *NewtonPanel::createJacobianPage()
 {
-    m_jacobian = new NumberTable(jacobianColumns());
-    m_jacobian->setObjectName(QStringLiteral("jacobianTable"));
-    m_jacobian->setAccessibleName(tr("Jacobian C_q, a row a constraint, a column a coordinate"));
+    m_jacobian = new NumberTable(QStringLiteral("jacobianTable"),
+                                 tr("Jacobian C_q, a row a constraint, a column a coordinate"), jacobianColumns());
     m_jacobian->setRuled(true);
     m_jacobian->setColumnText(0, longestConstraintName());
     m_jacobianNote = new QLabel;
@@ -153,9 +150,7 @@ QWidget *NewtonPanel::createJacobianPage()
 QWidget *NewtonPanel::createIterationPage()
 {
     m_plot = new IterationPlot;
-    m_iterations = new NumberTable(iterationColumns());
-    m_iterations->setObjectName(QStringLiteral("iterationTable"));
-    m_iterations->setAccessibleName(tr("Iterations, a row each"));
+    m_iterations = new NumberTable(QStringLiteral("iterationTable"), tr("Iterations, a row each"), iterationColumns());
     m_iterations->setColumnText(0, QStringLiteral("00"));
     for (const int column : {1, 3}) {
         m_iterations->setColumnText(column, QStringLiteral("0.00·10⁻¹⁰"));

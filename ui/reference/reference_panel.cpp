@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/reference_panel.h"
 
+#include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
 #include "ui/words/column_text.h"
 #include "ui/words/core_text.h"
@@ -17,7 +18,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -30,50 +30,39 @@ namespace slidercrank
 namespace
 {
 
-enum Fact { Heading, Unit, Meaning, RoundedTo, Values, Why };
-constexpr int kFactCount = 6;
+enum Column { Heading, Unit, Meaning, RoundedTo, Values, Why };
+constexpr int kAir = 6; // px, beside what a column holds
 
 /// What the left of the panel shows; the findings are beside it where there is room.
 enum View { ColumnsView, SkippedView, FindingsView };
 constexpr int kBesideEachOther = 800; // px of width: less is too narrow for two
-
-enum SkippedColumn { Line, Cell, Text, Reason };
-constexpr int kSkippedColumnCount = 4;
 
 QString countText(std::size_t count)
 {
     return QLocale().toString(static_cast<qulonglong>(count));
 }
 
-/// A table to read: rows are chosen, nothing is edited.
-QTableWidget *tableToRead(const QStringList &headers)
+/// A table to read; what does not fit into its last column is wrapped.
+NumberTable *tableToRead(const QString &name, const QString &title, std::vector<TableColumn> columns)
 {
-    auto *table = new QTableWidget(0, static_cast<int>(headers.size()));
-    table->setHorizontalHeaderLabels(headers);
-    for (int column = 0; column < table->columnCount(); ++column) {
-        table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    for (TableColumn &column : columns) {
+        column.isNumber = false;
     }
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setTabKeyNavigation(false);
-    table->setAlternatingRowColors(true);
-    table->setShowGrid(false);
-    table->setFrameShape(QFrame::NoFrame);
-    table->verticalHeader()->hide();
+    auto *table = new NumberTable(name, title, std::move(columns), TableLook::Striped);
+    table->setWordWrap(true);
     table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setStretchLastSection(true);
-    table->setMinimumHeight(0);
     return table;
 }
 
-QTableWidgetItem *setCell(QTableWidget *table, int row, int column, const QString &text)
+/// With the texts as tool tips, where a column is too narrow for them.
+TableRow rowOfTexts(const QStringList &texts)
 {
-    auto *item = new QTableWidgetItem(text);
-    item->setToolTip(text); // where the column is too narrow for it
-    table->setItem(row, column, item);
-    return item;
+    TableRow row;
+    for (const QString &text : texts) {
+        row.cells.push_back({.text = text, .explanation = text});
+    }
+    return row;
 }
 
 QLabel *wrappedText(const QString &text)
@@ -198,14 +187,15 @@ QWidget *ReferencePanel::createFilePage()
 
 QWidget *ReferencePanel::createTables()
 {
-    m_columns = tableToRead({tr("heading"), tr("unit"), tr("read as"), tr("rounded to"), tr("values"), tr("why")});
-    m_columns->setObjectName(QStringLiteral("columnTable"));
-    m_columns->setAccessibleName(tr("Columns of the file, a row a column"));
-    m_columns->horizontalHeaderItem(RoundedTo)->setToolTip(
-        tr("How the file rounded this column, inferred from all its values"));
-    m_skipped = tableToRead({tr("line"), tr("column"), tr("text"), tr("why it was left out")});
-    m_skipped->setObjectName(QStringLiteral("skippedTable"));
-    m_skipped->setAccessibleName(tr("Rows of the file that were left out"));
+    m_columns = tableToRead(QStringLiteral("columnTable"), tr("Columns of the file, a row a column"),
+                            {{tr("heading")},
+                             {tr("unit")},
+                             {tr("read as")},
+                             {tr("rounded to"), tr("How the file rounded this column, inferred from all its values")},
+                             {tr("values")},
+                             {tr("why")}});
+    m_skipped = tableToRead(QStringLiteral("skippedTable"), tr("Rows of the file that were left out"),
+                            {{tr("line")}, {tr("column")}, {tr("text")}, {tr("why it was left out")}});
     m_tables = new QStackedWidget;
     m_tables->addWidget(m_columns);
     m_tables->addWidget(m_skipped);
@@ -347,21 +337,13 @@ void ReferencePanel::fillColumns()
 {
     const ReferenceData &read = m_reference->data;
     const FileLayout &layout = read.layout;
-    const SeriesColours colours = seriesColours(palette());
-    m_columns->setRowCount(static_cast<int>(layout.columns.size()));
+    std::vector<TableRow> rows;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
-        const int row = static_cast<int>(i);
-        setCell(m_columns, row, Heading, headingText(layout, i));
-        setCell(m_columns, row, Unit, unitText(column));
-        QTableWidgetItem *meaning = setCell(m_columns, row, Meaning, meaningText(column));
-        QTableWidgetItem *why = setCell(m_columns, row, Why, shortReasonText(layout, i));
-        why->setToolTip(reasonText(layout, i));
         QString rounding = QStringLiteral("–");
         QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : QStringLiteral("–");
         const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
         if (series) {
-            meaning->setToolTip(columnNameOf(column.channel));
             rounding = roundingText(series->rounding);
             const auto empty = static_cast<std::size_t>(std::count_if(series->values.begin(), series->values.end(),
                                                                       [](double value) { return std::isnan(value); }));
@@ -370,44 +352,35 @@ void ReferencePanel::fillColumns()
                 values += empty == 1 ? tr(", 1 gap") : tr(", %1 gaps").arg(countText(empty));
             }
         }
-        setCell(m_columns, row, RoundedTo, rounding);
-        setCell(m_columns, row, Values, values);
-        for (int cell = 0; cell < kFactCount; ++cell) {
-            if (column.role == ColumnRole::Ignored) {
-                m_columns->item(row, cell)->setForeground(palette().color(QPalette::PlaceholderText));
-            }
+        TableRow row = rowOfTexts({headingText(layout, i), unitText(column), meaningText(column), rounding, values,
+                                   shortReasonText(layout, i)});
+        if (series) {
+            row.cells[Meaning].explanation = columnNameOf(column.channel);
         }
+        for (TableCell &cell : row.cells) {
+            cell.ink = column.role == ColumnRole::Ignored ? palette().color(QPalette::PlaceholderText) : QColor();
+        }
+        row.cells[Why].explanation = reasonText(layout, i);
         if (isGuess(column.reason)) {
-            why->setForeground(colours.reference);
+            row.cells[Why].ink = seriesColours(palette()).reference;
         }
+        rows.push_back(std::move(row));
     }
-    fitColumns(m_columns);
+    m_columns->setRows(std::move(rows));
+    m_columns->fitToContents(kAir, kAir);
 }
 
 void ReferencePanel::fillSkipped()
 {
-    const std::vector<SkippedRow> &skipped = m_reference->data.skipped;
+    const auto numberOf = [](std::size_t number) { return number == 0 ? QString() : QString::number(number); };
     m_choice->button(SkippedView)
         ->setText(tr("Rows left out (%1)").arg(countText(m_reference->data.skippedRowCount())));
-    m_skipped->setRowCount(static_cast<int>(skipped.size()));
-    for (std::size_t i = 0; i < skipped.size(); ++i) {
-        const int row = static_cast<int>(i);
-        const SkippedRow &of = skipped[i];
-        setCell(m_skipped, row, Line, of.line == 0 ? QString() : QString::number(of.line));
-        setCell(m_skipped, row, Cell, of.column == 0 ? QString() : QString::number(of.column));
-        setCell(m_skipped, row, Text, textOf(of.text));
-        setCell(m_skipped, row, Reason, coreText(of.reason));
+    std::vector<TableRow> rows;
+    for (const SkippedRow &row : m_reference->data.skipped) {
+        rows.push_back(rowOfTexts({numberOf(row.line), numberOf(row.column), textOf(row.text), coreText(row.reason)}));
     }
-    fitColumns(m_skipped);
-}
-
-void ReferencePanel::fitColumns(QTableWidget *table)
-{
-    constexpr int kAir = 6;
-    for (int column = 0; column + 1 < table->columnCount(); ++column) {
-        table->resizeColumnToContents(column);
-        table->setColumnWidth(column, table->columnWidth(column) + kAir);
-    }
+    m_skipped->setRows(std::move(rows));
+    m_skipped->fitToContents(kAir, kAir);
 }
 
 void ReferencePanel::fillFindings()

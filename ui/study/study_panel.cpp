@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/study_panel.h"
 
+#include "ui/controls/number_table.h"
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
 #include "ui/words/axis_scale.h"
@@ -12,7 +13,6 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
@@ -24,12 +24,10 @@
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QStringList>
-#include <QTableWidget>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -39,8 +37,6 @@ namespace slidercrank
 namespace
 {
 
-enum Column { Name, Tolerance, Time, Error, Bound, Iterations, Outcome };
-constexpr int kColumnCount = 7;
 constexpr QSize kExportSize(900, 600);
 constexpr int kProgressSteps = 200;
 
@@ -247,44 +243,23 @@ StudyPanel::StudyPanel(QWidget *parent)
     controls->addWidget(m_export);
 
     m_picture = new StudyPicture;
-    m_table = new QTableWidget(0, kColumnCount);
-    m_table->setObjectName(QStringLiteral("studyTable"));
-    m_table->setAccessibleName(tr("Methods, a row a method and tolerance"));
-    const std::array<std::pair<QString, QString>, kColumnCount> headers{{
-        {tr("method"), tr("How the motion is computed")},
-        {tr("tolerance"), tr("Of Newton-Raphson: absolute as in the report for its own way, relative for the others")},
-        {tr("ns"), tr("Time per state: median over interleaved rounds")},
-        {tr("error"),
-         tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants")},
-        {tr("κ·u"), tr("The error that rounding the given numbers makes by itself")},
-        {tr("iterations"), tr("Per state")},
-        {tr("instants"), tr("What the method says of them")},
-    }};
-    for (int column = 0; column < kColumnCount; ++column) {
-        const auto &[title, explanation] = headers[static_cast<std::size_t>(column)];
-        auto *item = new QTableWidgetItem(title);
-        item->setToolTip(explanation);
-        const bool isText = column == Name || column == Outcome;
-        item->setTextAlignment((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-        m_table->setHorizontalHeaderItem(column, item);
-    }
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
-    m_table->setAlternatingRowColors(true);
-    m_table->setShowGrid(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table = new NumberTable(
+        QStringLiteral("studyTable"), tr("Methods, a row a method and tolerance"),
+        {{tr("method"), tr("How the motion is computed"), {}, false},
+         {tr("tolerance"), tr("Of Newton-Raphson: absolute as in the report for its own way, relative for the others")},
+         {tr("ns"), tr("Time per state: median over interleaved rounds")},
+         {tr("error"),
+          tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants")},
+         {tr("κ·u"), tr("The error that rounding the given numbers makes by itself")},
+         {tr("iterations"), tr("Per state")},
+         {tr("instants"), tr("What the method says of them"), {}, false}},
+        TableLook::Striped);
     m_table->hide(); // until there is something in it
-    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
-        m_picture->mark(row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &now) {
+        m_picture->mark(now.isValid() ? std::optional(static_cast<std::size_t>(now.row())) : std::nullopt);
     });
     connect(m_picture, &StudyPicture::pointed, this,
-            [this](std::size_t row) { m_table->setCurrentCell(static_cast<int>(row), Name); });
+            [this](std::size_t row) { m_table->setCurrentIndex(m_table->model()->index(static_cast<int>(row), 0)); });
 
     auto *beside = new QSplitter(Qt::Horizontal);
     beside->setChildrenCollapsible(false);
@@ -409,33 +384,23 @@ void StudyPanel::showCase()
 
 void StudyPanel::fillTable(const CaseResult &which)
 {
-    const QSignalBlocker quiet(m_table);
-    const SeriesColours colours = seriesColours(palette());
-    m_table->setCurrentCell(-1, -1);
-    m_table->setRowCount(static_cast<int>(which.methods.size()));
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const MethodResult &method = which.methods[static_cast<std::size_t>(row)];
-        const QString description = descriptionOf(method);
-        const auto set = [&](Column column, const QString &text) {
-            auto *item = new QTableWidgetItem(text);
-            item->setToolTip(description);
-            const bool isText = column == Name || column == Outcome;
-            item->setTextAlignment((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-            m_table->setItem(row, column, item);
-            return item;
-        };
-        set(Name, titleOf(method));
-        set(Tolerance, method.tolerance ? numberText(*method.tolerance, 3) : QStringLiteral("–"));
-        set(Time, shownNumber(method.nsPerState));
-        set(Iterations, shownNumber(method.iterationsPerState));
-        set(Error, shownNumber(method.maxError));
-        set(Bound, shownNumber(method.errorBound));
-        QTableWidgetItem *outcome = set(Outcome, outcomeOf(method));
-        if (method.silentFailures.value_or(0) > 0) {
-            outcome->setForeground(colours.warning);
+    std::vector<TableRow> rows;
+    for (const MethodResult &method : which.methods) {
+        TableRow row;
+        for (const QString &text :
+             {titleOf(method), method.tolerance ? numberText(*method.tolerance, 3) : QStringLiteral("–"),
+              shownNumber(method.nsPerState), shownNumber(method.maxError), shownNumber(method.errorBound),
+              shownNumber(method.iterationsPerState), outcomeOf(method)}) {
+            row.cells.push_back({.text = text, .explanation = descriptionOf(method)});
         }
+        if (method.silentFailures.value_or(0) > 0) {
+            row.cells.back().ink = seriesColours(palette()).warning;
+        }
+        rows.push_back(std::move(row));
     }
-    m_table->resizeColumnsToContents();
+    m_table->setCurrentIndex({});
+    m_table->setRows(std::move(rows));
+    m_table->fitToContents();
 }
 
 void StudyPanel::showSummary()
