@@ -8,19 +8,17 @@
 #include "ui/document/scene.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
+#include "ui/words/finding_text.h"
 
 #include <QCommandLineParser>
 #include <QDir>
 #include <QFileInfo>
-#include <QLocale>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -218,33 +216,20 @@ private:
     std::optional<QString> m_sceneFault;
 };
 
-const char *optionOf(Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return "a";
-    case Parameter::B: return "b";
-    case Parameter::C: return "c";
-    case Parameter::Omega2: return "omega2";
-    case Parameter::Theta20: return "theta20";
-    }
-    return "";
-}
-
 Mechanism readMechanism(OptionReader &reader)
 {
     Parameters parameters = reader.scene().parameters;
-    parameters.a = reader.number("a", parameters.a);
-    parameters.b = reader.number("b", parameters.b);
-    parameters.c = reader.number("c", parameters.c);
-    parameters.omega2 = reader.number("omega2", parameters.omega2);
-    parameters.theta20 = reader.number("theta20", parameters.theta20);
+    for (const Parameter parameter : kParameters) {
+        double &value = valueOf(parameters, parameter);
+        value = reader.number(wordOf(parameter), value);
+    }
     parameters.branch =
         reader.choice("branch", parameters.branch, {{"open", Branch::Open}, {"crossed", Branch::Crossed}});
     const std::optional<ParameterFault> fault = findFault(parameters);
     if (!fault) {
         return Mechanism(parameters);
     }
-    const char *const name = optionOf(fault->parameter);
+    const char *const name = wordOf(fault->parameter);
     switch (fault->reason) {
     case ParameterFault::Reason::NotFinite: // number() refuses these itself
     case ParameterFault::Reason::TooLarge: reader.refuse(OptionReader::tooLarge(name)); break;
@@ -322,8 +307,7 @@ ChannelSet readChannels(OptionReader &reader)
         }
         QStringList names;
         for (std::size_t index = 0; index < kChannelCount; ++index) {
-            const std::string_view known = nameOf(channelAt(index));
-            names += QString::fromUtf8(known.data(), static_cast<qsizetype>(known.size()));
+            names += columnNameOf(channelAt(index));
         }
         const QStringList near = nearest(name, names);
         reader.refuse(near.isEmpty() ? CommandLine::tr("--channels: there is no channel \"%1\"; there are %2.")
@@ -461,7 +445,7 @@ void readSubject(OptionReader &reader, RenderOptions &options)
     QStringList plots;
     for (const Channel channel : kPlottedChannels) {
         const std::string_view name = nameOf(channel);
-        plots += QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+        plots += QString::fromUtf8(name);
     }
     plots += {QStringLiteral("error_position"), QStringLiteral("error_velocity"), QStringLiteral("error_acceleration")};
     if (what == u"figure") {
@@ -682,6 +666,18 @@ std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFor
 }
 
 } // namespace
+
+const char *wordOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return "a";
+    case Parameter::B: return "b";
+    case Parameter::C: return "c";
+    case Parameter::Omega2: return "omega2";
+    case Parameter::Theta20: return "theta20";
+    }
+    return "";
+}
 
 Command parseCommandLine(const QStringList &arguments)
 {

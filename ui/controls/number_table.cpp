@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/number_table.h"
 
+#include "ui/controls/named.h"
 #include "ui/words/theme.h"
 
 #include <QAbstractTableModel>
@@ -227,8 +228,7 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     , m_look(look)
     , m_rowAir(look == TableLook::Dense ? 0 : 4)
 {
-    setObjectName(name);
-    setAccessibleName(title);
+    named(name, this, title);
     setModel(m_model);
     setItemDelegate(m_delegate);
     setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -2,6 +2,7 @@
 #include "ui/limits/limits_panel.h"
 
 #include "core/limits/extremes.h"
+#include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
 #include "ui/words/motion_facts.h"
@@ -14,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 
 namespace slidercrank
 {
@@ -91,10 +91,8 @@ int neededWidth(const NumberTable &table)
 LimitsPanel::LimitsPanel(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("limitsPanel"));
-    setAccessibleName(tr("Motion limits"));
-    m_sentence = new Paragraph;
-    m_sentence->setObjectName(QStringLiteral("mobilityLabel"));
+    named("limitsPanel", this, tr("Motion limits"));
+    m_sentence = named("mobilityLabel", new Paragraph);
     m_sentence->setTextFormat(Qt::PlainText);
 
     const TableColumn value{tr("value"), tr("Positions are Rₓ⁴, those of the slider")};

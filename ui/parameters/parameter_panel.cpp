@@ -3,6 +3,7 @@
 
 #include "core/limits/mobility.h"
 #include "core/mechanism/turn.h"
+#include "ui/controls/named.h"
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_slider.h"
 #include "ui/words/theme.h"
@@ -198,8 +199,7 @@ ParameterPanel::ParameterPanel(QWidget *parent)
     : QWidget(parent)
     , m_rows{{{Parameter::A}, {Parameter::B}, {Parameter::C}, {Parameter::Omega2}, {Parameter::Theta20}}}
 {
-    setObjectName(QStringLiteral("parameterPanel"));
-    setAccessibleName(tr("Parameters of the mechanism"));
+    named("parameterPanel", this, tr("Parameters of the mechanism"));
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 4);
@@ -211,9 +211,7 @@ ParameterPanel::ParameterPanel(QWidget *parent)
     }
 
     auto *label = new QLabel(tr("assembly"));
-    m_branch = new QComboBox;
-    m_branch->setObjectName(QStringLiteral("branchBox"));
-    m_branch->setAccessibleName(tr("Assembly"));
+    m_branch = named("branchBox", new QComboBox, tr("Assembly"));
     m_branch->addItem(tr("open: slider to the right of A"));
     m_branch->addItem(tr("crossed: slider to the left of A"));
     m_branch->setToolTip(tr("The two ways to put the same parts together"));
@@ -242,9 +240,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     label->setToolTip(wording.explanation);
     grid->addWidget(label, line, 0);
 
-    row.slider = new ParameterSlider;
-    row.slider->setObjectName(QStringLiteral("slider_") + wording.key);
-    row.slider->setAccessibleName(tr("%1, slider").arg(name));
+    row.slider = named(u"slider_" + wording.key, new ParameterSlider, tr("%1, slider").arg(name));
     row.slider->setToolTip(wording.explanation);
     grid->addWidget(row.slider, line, 1);
     connect(row.slider, &QSlider::valueChanged, this,
@@ -252,9 +248,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     connect(row.slider, &QSlider::sliderPressed, this, &ParameterPanel::dragBegan);
     connect(row.slider, &QSlider::sliderReleased, this, &ParameterPanel::dragEnded);
 
-    row.box = new NumberBox;
-    row.box->setObjectName(QStringLiteral("box_") + wording.key);
-    row.box->setAccessibleName(name);
+    row.box = named(u"box_" + wording.key, new NumberBox, name);
     row.box->setToolTip(wording.explanation);
     label->setBuddy(row.box);
     connect(row.box, &NumberBox::edited, this, [this, &row](double value) { edit(row, fromUnitOf(row, value)); });
@@ -264,9 +258,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     } else {
         row.box->setWidestText(QStringLiteral("-000.00"));
         grid->addWidget(row.box, line, 2);
-        row.unit = new QComboBox;
-        row.unit->setObjectName(QStringLiteral("unit_") + wording.key);
-        row.unit->setAccessibleName(tr("Unit of %1").arg(wording.symbol));
+        row.unit = named(u"unit_" + wording.key, new QComboBox, tr("Unit of %1").arg(wording.symbol));
         row.unit->setToolTip(tr("Unit"));
         const bool speed = row.parameter == Parameter::Omega2;
         for (int i = 0; i < (speed ? 3 : 2); ++i) {
@@ -279,12 +271,10 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
         });
     }
 
-    row.reset = new QToolButton;
-    row.reset->setObjectName(QStringLiteral("reset_") + wording.key);
+    row.reset = named(u"reset_" + wording.key, new QToolButton, tr("Reset %1").arg(wording.symbol));
     row.reset->setText(QStringLiteral("↺"));
     row.reset->setAutoRaise(true);
     row.reset->setFixedSize(20, 22); // beside five sliders, which need the width more
-    row.reset->setAccessibleName(tr("Reset %1").arg(wording.symbol));
     row.reset->setToolTip(tr("Back to the report's Table 1"));
     grid->addWidget(row.reset, line, 4);
     connect(row.reset, &QToolButton::clicked, this, [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });

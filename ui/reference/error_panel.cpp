@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/error_panel.h"
 
+#include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
 #include "ui/document/diagnosis.h"
+#include "ui/reference/empty_page.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
@@ -31,26 +33,6 @@ constexpr int kErrorDigits = 3;
 
 /// Between two fillings while the parameters move: nobody reads faster, and a filling takes longer than nine plots.
 constexpr std::chrono::milliseconds kPause{100};
-
-QString dash()
-{
-    return QStringLiteral("–");
-}
-
-QString errorText(const std::optional<double> &value)
-{
-    return value ? shortNumber(*value, kErrorDigits, QLocale()) : dash();
-}
-
-QString stepText(const std::optional<double> &value)
-{
-    return value ? numberText(*value, kErrorDigits) : dash();
-}
-
-QString instantText(double seconds)
-{
-    return numberText(seconds, 6);
-}
 
 QString markOf(Verdict verdict)
 {
@@ -155,32 +137,34 @@ TableRow rowOf(const ChannelComparison &channel, const SeriesColours &colours)
                              ErrorPanel::tr("%1\n%2").arg(verdictText(channel), verdictFormula(channel)));
     outcome.shortText = markOf(channel.verdict) + shortVerdict(channel.verdict);
     outcome.ink = verdictColour(channel.verdict, colours);
-    TableCell percent =
-        cell(errorText(channel.maxPercent), ErrorPanel::tr("max |model − reference| / |reference| · 100"));
+    TableCell percent = cell(shortNumber(channel.maxPercent, kErrorDigits),
+                             ErrorPanel::tr("max |model − reference| / |reference| · 100"));
     if (channel.zeroReference > 0) {
         percent.explanation +=
             ErrorPanel::tr("\nInfinite at %1 instants where the reference is zero; they are left out")
                 .arg(channel.zeroReference);
         percent.text += ErrorPanel::tr(" (%1×∞)").arg(channel.zeroReference);
     }
-    TableCell percentAt = cell(channel.maxPercent ? instantText(channel.timeOfMaxPercent) : dash(),
+    TableCell percentAt = cell(channel.maxPercent ? numberText(channel.timeOfMaxPercent) : dash(),
                                ErrorPanel::tr("Click to go to the instant of the largest percentage"));
     if (channel.maxPercent) {
         percent.instant = percentAt.instant = channel.timeOfMaxPercent;
     }
     return {MechanismPart::None,
             {cell(ErrorPanel::tr("%1 [%2]").arg(symbolOf(channel.channel), unit), nameTip), outcome,
-             cell(errorText(channel.maxAbs), exists ? ErrorPanel::tr("max |model − reference| = %1\n%2")
-                                                          .arg(withUnit(errorText(channel.maxAbs)), goThere)
-                                                    : QString()),
-             cell(exists ? instantText(channel.timeOfMaxAbs) : dash(), goThere),
-             cell(errorText(channel.rms),
-                  ErrorPanel::tr("√( mean of (model − reference)² ) = %1").arg(withUnit(errorText(channel.rms)))),
+             cell(shortNumber(channel.maxAbs, kErrorDigits),
+                  exists ? ErrorPanel::tr("max |model − reference| = %1\n%2")
+                               .arg(withUnit(shortNumber(channel.maxAbs, kErrorDigits)), goThere)
+                         : QString()),
+             cell(exists ? numberText(channel.timeOfMaxAbs) : dash(), goThere),
+             cell(shortNumber(channel.rms, kErrorDigits), ErrorPanel::tr("√( mean of (model − reference)² ) = %1")
+                                                              .arg(withUnit(shortNumber(channel.rms, kErrorDigits)))),
              percent, percentAt,
-             cell(errorText(channel.percentOfPeak), ErrorPanel::tr("max |model − reference| / max |reference| · 100")),
-             cell(stepText(channel.roundingStep),
+             cell(shortNumber(channel.percentOfPeak, kErrorDigits),
+                  ErrorPanel::tr("max |model − reference| / max |reference| · 100")),
+             cell(numberText(channel.roundingStep, kErrorDigits),
                   channel.roundingStep ? ErrorPanel::tr("The file writes this channel in steps of %1 at most")
-                                             .arg(withUnit(stepText(channel.roundingStep)))
+                                             .arg(withUnit(numberText(channel.roundingStep, kErrorDigits)))
                                        : ErrorPanel::tr("The file does not show how it was rounded"))},
             exists ? std::optional(channel.timeOfMaxAbs) : std::nullopt};
 }
@@ -190,10 +174,12 @@ TableRow rowOf(const ChannelComparison &channel, const SeriesColours &colours)
 ErrorPanel::ErrorPanel(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("errorPanel"));
-    setAccessibleName(tr("Errors against the reference"));
+    named("errorPanel", this, tr("Errors against the reference"));
     m_pages = new QStackedWidget;
-    m_pages->addWidget(createEmptyPage());
+    m_pages->addWidget(
+        emptyPage(this, tr("Load a simulation's exported motion (CSV) to see how far it is from this mechanism: the "
+                           "largest error of each channel, where it is, and whether it is more than the file's own "
+                           "rounding.")));
     m_pages->addWidget(createTablePage());
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -208,41 +194,9 @@ ErrorPanel::ErrorPanel(QWidget *parent)
     });
 }
 
-QWidget *ErrorPanel::createEmptyPage()
-{
-    auto *purpose =
-        new Paragraph(tr("Load a simulation's exported motion (CSV) to see how far it is from this mechanism: the "
-                         "largest error of each channel, where it is, and whether it is more than the file's own "
-                         "rounding."));
-    purpose->setAlignment(Qt::AlignCenter);
-    auto *openReference = new QPushButton(tr("Open reference…"));
-    openReference->setObjectName(QStringLiteral("openReferenceButton"));
-    auto *openSample = new QPushButton(tr("Open the sample"));
-    openSample->setObjectName(QStringLiteral("openSampleButton"));
-    openSample->setToolTip(tr("The motion that the report's author exported from Inventor"));
-    connect(openReference, &QPushButton::clicked, this, &ErrorPanel::openReferenceRequested);
-    connect(openSample, &QPushButton::clicked, this, &ErrorPanel::openSampleRequested);
-
-    auto *buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(openReference);
-    buttons->addWidget(openSample);
-    buttons->addStretch(1);
-    auto *page = new QWidget;
-    auto *rows = new QVBoxLayout(page);
-    rows->addStretch(1);
-    rows->addWidget(purpose);
-    rows->addLayout(buttons);
-    rows->addStretch(1);
-    return page;
-}
-
 QWidget *ErrorPanel::createTablePage()
 {
-    m_verdict = new Paragraph;
-    m_verdict->setObjectName(QStringLiteral("verdictLabel"));
-    m_verdict->setTextFormat(Qt::PlainText);
-    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_verdict = named("verdictLabel", plainText());
 
     m_table = new NumberTable(
         QStringLiteral("errorTable"), tr("Errors, a row a channel"),
@@ -268,8 +222,7 @@ QWidget *ErrorPanel::createTablePage()
     m_findings = new FindingList;
     connect(m_findings, &FindingList::remedyRequested, this, &ErrorPanel::remedyRequested);
 
-    m_leftOut = new QLabel;
-    m_leftOut->setObjectName(QStringLiteral("leftOutLabel"));
+    m_leftOut = named("leftOutLabel", new QLabel);
     m_leftOut->setTextFormat(Qt::PlainText);
     m_leftOut->setWordWrap(true);
 
@@ -333,9 +286,7 @@ void ErrorPanel::fill()
     }
     const Verdict worst = worstOf(m_result->comparison);
     m_verdict->setText(tr("%1%2: %3").arg(markOf(worst), m_result->reference->name, summaryOf(m_result->comparison)));
-    QPalette verdictPalette = palette();
-    verdictPalette.setColor(QPalette::WindowText, verdictColour(worst, seriesColours(palette())));
-    m_verdict->setPalette(verdictPalette);
+    setInk(*m_verdict, verdictColour(worst, seriesColours(palette())));
     fillFindings();
 
     const LeftOut leftOut = leftOutOf(m_result->reference->data);

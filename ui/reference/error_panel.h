@@ -45,7 +45,6 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    QWidget *createEmptyPage();
     QWidget *createTablePage();
     void refresh(); ///< fills in, now or when the panel comes on show
     void fill();

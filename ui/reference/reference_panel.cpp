@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/reference_panel.h"
 
+#include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
+#include "ui/reference/empty_page.h"
 #include "ui/words/column_text.h"
 #include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QButtonGroup>
 #include <QDir>
@@ -37,11 +40,6 @@ constexpr int kAir = 6; // px, beside what a column holds
 enum View { ColumnsView, SkippedView, FindingsView };
 constexpr int kBesideEachOther = 800; // px of width: less is too narrow for two
 
-QString countText(std::size_t count)
-{
-    return QLocale().toString(static_cast<qulonglong>(count));
-}
-
 /// A table to read; what does not fit into its last column is wrapped.
 NumberTable *tableToRead(const QString &name, const QString &title, std::vector<TableColumn> columns)
 {
@@ -65,23 +63,6 @@ TableRow rowOfTexts(const QStringList &texts)
     return row;
 }
 
-QLabel *wrappedText(const QString &text)
-{
-    auto *label = new Paragraph(text);
-    label->setTextFormat(Qt::PlainText);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
-QLabel *title(const QString &text)
-{
-    auto *label = new QLabel(text);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    return label;
-}
-
 /// A text with a button beside it.
 QLayout *rowOf(QLabel *text, QPushButton *button)
 {
@@ -96,10 +77,12 @@ QLayout *rowOf(QLabel *text, QPushButton *button)
 ReferencePanel::ReferencePanel(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("referencePanel"));
-    setAccessibleName(tr("Reference: what was read, and how"));
+    named("referencePanel", this, tr("Reference: what was read, and how"));
     m_pages = new QStackedWidget;
-    m_pages->addWidget(createEmptyPage());
+    m_pages->addWidget(
+        emptyPage(this, tr("Load a simulation's exported motion (CSV): here it says what was read from the file "
+                           "and how, which mechanism the motion belongs to, and by which other reading it would "
+                           "come nearer. A file can also be dropped anywhere in the window.")));
     m_pages->addWidget(createFilePage());
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -111,47 +94,15 @@ QSize ReferencePanel::minimumSizeHint() const
     return {300, 120}; // the rest scrolls
 }
 
-QWidget *ReferencePanel::createEmptyPage()
-{
-    auto *purpose =
-        new Paragraph(tr("Load a simulation's exported motion (CSV): here it says what was read from the file "
-                         "and how, which mechanism the motion belongs to, and by which other reading it would "
-                         "come nearer. A file can also be dropped anywhere in the window."));
-    purpose->setAlignment(Qt::AlignCenter);
-    auto *openReference = new QPushButton(tr("Open reference…"));
-    openReference->setObjectName(QStringLiteral("openReferenceButton"));
-    auto *openSample = new QPushButton(tr("Open the sample"));
-    openSample->setObjectName(QStringLiteral("openSampleButton"));
-    openSample->setToolTip(tr("The motion that the report's author exported from Inventor"));
-    connect(openReference, &QPushButton::clicked, this, &ReferencePanel::openReferenceRequested);
-    connect(openSample, &QPushButton::clicked, this, &ReferencePanel::openSampleRequested);
-
-    auto *buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(openReference);
-    buttons->addWidget(openSample);
-    buttons->addStretch(1);
-    auto *page = new QWidget;
-    auto *rows = new QVBoxLayout(page);
-    rows->addStretch(1);
-    rows->addWidget(purpose);
-    rows->addLayout(buttons);
-    rows->addStretch(1);
-    return page;
-}
-
 QWidget *ReferencePanel::createFilePage()
 {
-    m_name = title({});
-    m_name->setObjectName(QStringLiteral("fileLabel"));
+    m_name = named("fileLabel", boldLabel({}));
     m_name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_name->installEventFilter(this);
-    auto *columns = new QPushButton(tr("Choose columns…"));
-    columns->setObjectName(QStringLiteral("columnsButton"));
+    auto *columns = named("columnsButton", new QPushButton(tr("Choose columns…")));
     columns->setToolTip(tr("Say what the columns of the file are"));
     connect(columns, &QPushButton::clicked, this, &ReferencePanel::columnsRequested);
-    m_form = wrappedText({});
-    m_form->setObjectName(QStringLiteral("formLabel"));
+    m_form = named("formLabel", plainText());
 
     QWidget *tables = createTables();
     auto *head = new QHBoxLayout;
@@ -169,9 +120,7 @@ QWidget *ReferencePanel::createFilePage()
     auto *room = new QWidget;
     m_findingsRoom = new QVBoxLayout(room);
     m_findingsRoom->setContentsMargins(8, 0, 4, 0);
-    m_findingsArea = new QScrollArea;
-    m_findingsArea->setObjectName(QStringLiteral("findings"));
-    m_findingsArea->setAccessibleName(tr("Whose motion the file is, and how else it may be read"));
+    m_findingsArea = named("findings", new QScrollArea, tr("Whose motion the file is, and how else it may be read"));
     m_findingsArea->setWidgetResizable(true);
     m_findingsArea->setFrameShape(QFrame::NoFrame);
     m_findingsArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -201,11 +150,9 @@ QWidget *ReferencePanel::createTables()
     m_tables->addWidget(m_skipped);
 
     m_choice = new QButtonGroup(this);
-    for (const auto &[name, text] :
-         {std::pair{QStringLiteral("showColumns"), tr("Columns")}, std::pair{QStringLiteral("showSkipped"), QString()},
-          std::pair{QStringLiteral("showFindings"), tr("Whose motion")}}) {
-        auto *button = new QToolButton;
-        button->setObjectName(name);
+    for (const auto &[name, text] : {std::pair{"showColumns", tr("Columns")}, std::pair{"showSkipped", QString()},
+                                     std::pair{"showFindings", tr("Whose motion")}}) {
+        auto *button = named(name, new QToolButton);
         button->setText(text);
         button->setCheckable(true);
         button->setAutoRaise(true);
@@ -340,8 +287,8 @@ void ReferencePanel::fillColumns()
     std::vector<TableRow> rows;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
-        QString rounding = QStringLiteral("–");
-        QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : QStringLiteral("–");
+        QString rounding = dash();
+        QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : dash();
         const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
         if (series) {
             rounding = roundingText(series->rounding);
@@ -394,40 +341,34 @@ void ReferencePanel::fillFindings()
     if (!m_reference) {
         return;
     }
-    const auto button = [](const QString &text, const QString &name) {
-        auto *made = new QPushButton(text);
-        made->setObjectName(name);
-        return made;
-    };
-
     const auto later = Qt::QueuedConnection; // what follows a click makes all of this anew, the button too
 
     if (!m_reference->conventions.empty()) {
-        rows->addWidget(title(tr("Read otherwise than printed")));
+        rows->addWidget(boldLabel(tr("Read otherwise than printed")));
         QStringList sentences;
         for (const Convention &convention : m_reference->conventions) {
             sentences << explanationOf(convention);
         }
-        QPushButton *asPrinted = button(tr("Read as printed again"), QStringLiteral("asPrintedButton"));
+        auto *asPrinted = named("asPrintedButton", new QPushButton(tr("Read as printed again")));
         connect(asPrinted, &QPushButton::clicked, this, &ReferencePanel::readAsPrintedRequested, later);
-        rows->addLayout(rowOf(wrappedText(sentences.join(QLatin1Char('\n'))), asPrinted));
+        rows->addLayout(rowOf(plainText(sentences.join(QLatin1Char('\n'))), asPrinted));
     }
     const bool known = m_diagnosis && m_diagnosis->reference == m_reference;
     if (known && !m_diagnosis->found.conventions.empty()) {
-        rows->addWidget(title(tr("How else it may be read")));
+        rows->addWidget(boldLabel(tr("How else it may be read")));
         for (const ConventionFinding &finding : m_diagnosis->found.conventions) {
-            QPushButton *apply = button(tr("Apply"), QStringLiteral("applyButton"));
+            auto *apply = named("applyButton", new QPushButton(tr("Apply")));
             apply->setAccessibleName(tr("Apply: %1").arg(explanationOf(finding.convention)));
             connect(
                 apply, &QPushButton::clicked, this,
                 [this, convention = finding.convention] { emit applyRequested(convention); }, later);
             rows->addLayout(
-                rowOf(wrappedText(explanationOf(finding.convention) + QLatin1Char('\n') + effectOf(finding)), apply));
+                rowOf(plainText(explanationOf(finding.convention) + QLatin1Char('\n') + effectOf(finding)), apply));
         }
     }
-    rows->addWidget(title(tr("Whose motion it is")));
+    rows->addWidget(boldLabel(tr("Whose motion it is")));
     if (!known) {
-        rows->addWidget(wrappedText(tr("Being found out…")));
+        rows->addWidget(plainText(tr("Being found out…")));
     } else {
         QString summary = summaryOf(m_diagnosis->found.identification);
         if (const QString rounded = roundNumbersText(m_diagnosis->found); !rounded.isEmpty()) {
@@ -437,10 +378,9 @@ void ReferencePanel::fillFindings()
             const QString part = QString::fromUtf8(inOneLine);
             summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
         }
-        QLabel *mechanism = wrappedText(summary);
-        mechanism->setObjectName(QStringLiteral("identificationLabel"));
+        QLabel *mechanism = named("identificationLabel", plainText(summary));
         if (m_diagnosis->found.identification.status == Identification::Status::Found) {
-            QPushButton *takeOver = button(tr("Take over"), QStringLiteral("takeOverButton"));
+            auto *takeOver = named("takeOverButton", new QPushButton(tr("Take over")));
             takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
             takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);

@@ -51,7 +51,6 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    QWidget *createEmptyPage();
     QWidget *createFilePage();
     QWidget *createTables();
     void arrange();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/study_panel.h"
 
+#include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/core_text.h"
+#include "ui/words/finding_text.h"
 #include "ui/words/written_number.h"
 
 #include <QComboBox>
@@ -39,11 +41,7 @@ namespace
 
 constexpr QSize kExportSize(900, 600);
 constexpr int kProgressSteps = 200;
-
-QString shownNumber(std::optional<double> value)
-{
-    return value ? shortNumber(*value, 3, QLocale()) : QStringLiteral("–");
-}
+constexpr int kDigits = 3;
 
 QString statusText(Status status)
 {
@@ -90,8 +88,7 @@ QString lengthsOf(const Parameters &p)
 {
     const auto number = [](double value) { return QLocale().toString(value, 'g', 9); };
     return StudyPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6")
-        .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
-             p.branch == Branch::Open ? StudyPanel::tr("open") : StudyPanel::tr("crossed"));
+        .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20), assemblyText(p.branch));
 }
 
 } // namespace
@@ -105,8 +102,7 @@ public:
     explicit StudyPicture(QWidget *parent = nullptr)
         : QWidget(parent)
     {
-        setObjectName(QStringLiteral("studyPicture"));
-        setAccessibleName(tr("Error against time per state"));
+        named("studyPicture", this, tr("Error against time per state"));
         setMouseTracking(true);
         setMinimumSize(220, 120);
     }
@@ -190,36 +186,27 @@ StudyPanel::StudyPanel(QWidget *parent)
     : QWidget(parent)
     , m_study(new WorkAside(WorkAside::Kind::Lasting, this))
 {
-    setObjectName(QStringLiteral("studyPanel"));
-    setAccessibleName(tr("Speed and accuracy of the methods"));
+    named("studyPanel", this, tr("Speed and accuracy of the methods"));
 
-    m_runThis = new QPushButton(tr("Run (this mechanism)"));
-    m_runThis->setObjectName(QStringLiteral("runThisButton"));
+    m_runThis = named("runThisButton", new QPushButton(tr("Run (this mechanism)")));
     m_runThis->setToolTip(tr("Times every method on one turn of this mechanism"));
     connect(m_runThis, &QPushButton::clicked, this, &StudyPanel::runThisMechanism);
-    m_runHard = new QPushButton(tr("Run hard cases"));
-    m_runHard->setObjectName(QStringLiteral("runHardButton"));
+    m_runHard = named("runHardButton", new QPushButton(tr("Run hard cases")));
     m_runHard->setToolTip(tr("Toggles, rockers, other scales, far times: takes some ten seconds"));
     connect(m_runHard, &QPushButton::clicked, this, &StudyPanel::runHardCases);
-    m_cancel = new QPushButton(tr("Cancel"));
-    m_cancel->setObjectName(QStringLiteral("cancelStudyButton"));
+    m_cancel = named("cancelStudyButton", new QPushButton(tr("Cancel")));
     connect(m_cancel, &QPushButton::clicked, this, &StudyPanel::cancel);
-    m_progress = new QProgressBar;
-    m_progress->setObjectName(QStringLiteral("studyProgress"));
-    m_progress->setAccessibleName(tr("Progress of the study"));
+    m_progress = named("studyProgress", new QProgressBar, tr("Progress of the study"));
     m_progress->setRange(0, kProgressSteps);
     m_progress->setMaximumWidth(140);
 
-    m_cases = new QComboBox;
-    m_cases->setObjectName(QStringLiteral("caseBox"));
-    m_cases->setAccessibleName(tr("Case on show"));
+    m_cases = named("caseBox", new QComboBox, tr("Case on show"));
     m_cases->setToolTip(tr("Case on show"));
     m_cases->setMinimumContentsLength(12);
     m_cases->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(m_cases, &QComboBox::currentIndexChanged, this, &StudyPanel::showCase);
 
-    m_export = new QToolButton;
-    m_export->setObjectName(QStringLiteral("exportStudyButton"));
+    m_export = named("exportStudyButton", new QToolButton);
     m_export->setText(tr("Export"));
     m_export->setToolTip(tr("The picture as PNG, SVG or PDF, the numbers as CSV or JSON"));
     m_export->setPopupMode(QToolButton::InstantPopup);
@@ -228,8 +215,7 @@ StudyPanel::StudyPanel(QWidget *parent)
     menu->addAction(tr("Numbers…"), this, &StudyPanel::chooseNumbers);
     m_export->setMenu(menu);
 
-    m_summary = new QLabel;
-    m_summary->setObjectName(QStringLiteral("studySummary"));
+    m_summary = named("studySummary", new QLabel);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
@@ -388,9 +374,9 @@ void StudyPanel::fillTable(const CaseResult &which)
     for (const MethodResult &method : which.methods) {
         TableRow row;
         for (const QString &text :
-             {titleOf(method), method.tolerance ? numberText(*method.tolerance, 3) : QStringLiteral("–"),
-              shownNumber(method.nsPerState), shownNumber(method.maxError), shownNumber(method.errorBound),
-              shownNumber(method.iterationsPerState), outcomeOf(method)}) {
+             {titleOf(method), numberText(method.tolerance, kDigits), shortNumber(method.nsPerState, kDigits),
+              shortNumber(method.maxError, kDigits), shortNumber(method.errorBound, kDigits),
+              shortNumber(method.iterationsPerState, kDigits), outcomeOf(method)}) {
             row.cells.push_back({.text = text, .explanation = descriptionOf(method)});
         }
         if (method.silentFailures.value_or(0) > 0) {
