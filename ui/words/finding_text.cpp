@@ -52,6 +52,11 @@ QString unitBehind(Parameter parameter)
     return {};
 }
 
+QString withNoun(Branch branch)
+{
+    return FindingText::tr("%1 assembly").arg(assemblyText(branch));
+}
+
 /// "x", "x and y", "x, y and z".
 QString listed(const QStringList &words)
 {
@@ -278,7 +283,7 @@ QString mechanismText(const Mechanism &mechanism, int digits)
         parts << FindingText::tr("%1 = %2").arg(
             symbolOf(parameter), parameterText(parameter, valueOf(mechanism.parameters(), parameter), digits));
     }
-    return (parts << FindingText::tr("%1 assembly").arg(assemblyText(mechanism.branch()))).join(FindingText::tr(", "));
+    return (parts << withNoun(mechanism.branch())).join(FindingText::tr(", "));
 }
 
 QString measuredText(double value, double standardError, double scale)
@@ -368,7 +373,7 @@ QString summaryOf(const Identification &identification)
         return FindingText::tr("No slider-crank moves as these data do: check which column is which, and their units.");
     case Identification::Status::Stopped: return FindingText::tr("The search was stopped.");
     }
-    const QStringList parts = foundAndKept(identification).found << assemblyText(identification.parameters.branch);
+    const QStringList parts = foundAndKept(identification).found << withNoun(identification.parameters.branch);
     const QString caveats = caveatsOf(identification);
     return parts.join(FindingText::tr(", ")) + (caveats.isEmpty() ? QStringLiteral(".") : QStringLiteral(". ")) +
            caveats;
