@@ -667,18 +667,6 @@ std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFor
 
 } // namespace
 
-const char *wordOf(Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return "a";
-    case Parameter::B: return "b";
-    case Parameter::C: return "c";
-    case Parameter::Omega2: return "omega2";
-    case Parameter::Theta20: return "theta20";
-    }
-    return "";
-}
-
 Command parseCommandLine(const QStringList &arguments)
 {
     Subcommand subcommand = Subcommand::Window;

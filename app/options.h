@@ -105,9 +105,6 @@ struct UnreadableScene {
 using Command = std::variant<WindowOptions, SolveOptions, CompareOptions, IdentifyOptions, StudyOptions, RenderOptions,
                              ResetSettings, Answer, WrongCommandLine, UnreadableScene>;
 
-/// As options and JSON name it.
-const char *wordOf(Parameter parameter);
-
 /// `arguments` as QCoreApplication::arguments() gives them, the program's name first.
 Command parseCommandLine(const QStringList &arguments);
 

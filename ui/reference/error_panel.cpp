@@ -117,7 +117,7 @@ LeftOut leftOutOf(const ReferenceData &data)
     return {parts.join(ErrorPanel::tr("; ")) + ErrorPanel::tr("."), details.join(QStringLiteral("<br>"))};
 }
 
-TableRow rowOf(const ChannelComparison &channel, const SeriesColours &colours)
+TableRow errorRowOf(const ChannelComparison &channel, const SeriesColours &colours)
 {
     const QString unit = unitOf(channel.channel);
     const auto withUnit = [&unit](const QString &text) {
@@ -319,7 +319,7 @@ void ErrorPanel::fillTable()
     const SeriesColours colours = seriesColours(palette());
     std::vector<TableRow> rows;
     for (const ChannelComparison &channel : m_result->comparison) {
-        rows.push_back(rowOf(channel, colours));
+        rows.push_back(errorRowOf(channel, colours));
     }
     m_table->setRows(std::move(rows));
     if (!isOnTheMove()) { // else the columns stay as wide as they are

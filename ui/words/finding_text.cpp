@@ -266,6 +266,18 @@ QString symbolOf(Parameter parameter)
     return {};
 }
 
+const char *wordOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return "a";
+    case Parameter::B: return "b";
+    case Parameter::C: return "c";
+    case Parameter::Omega2: return "omega2";
+    case Parameter::Theta20: return "theta20";
+    }
+    return "";
+}
+
 QString assemblyText(Branch branch)
 {
     return branch == Branch::Open ? FindingText::tr("open") : FindingText::tr("crossed");

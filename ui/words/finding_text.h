@@ -33,6 +33,9 @@ QString symbolOf(Parameter parameter);
 inline constexpr std::array kParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2,
                                         Parameter::Theta20};
 
+/// In options and JSON: "a", "omega2".
+const char *wordOf(Parameter parameter);
+
 /// "open", "crossed".
 QString assemblyText(Branch branch);
 
