@@ -237,7 +237,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     label->setToolTip(explanation);
     grid->addWidget(label, line, 0);
 
-    row.slider = named(u"slider_" + key, new ParameterSlider, tr("%1, slider").arg(name));
+    row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
     row.slider->setToolTip(explanation);
     grid->addWidget(row.slider, line, 1);
     connect(row.slider, &QSlider::valueChanged, this,
@@ -245,7 +245,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     connect(row.slider, &QSlider::sliderPressed, this, &ParameterPanel::dragBegan);
     connect(row.slider, &QSlider::sliderReleased, this, &ParameterPanel::dragEnded);
 
-    row.box = named(u"box_" + key, new NumberBox, name);
+    row.box = named(QStringLiteral("box_") + key, new NumberBox, name);
     row.box->setToolTip(explanation);
     label->setBuddy(row.box);
     connect(row.box, &NumberBox::edited, this, [this, &row](double value) { edit(row, fromUnitOf(row, value)); });
@@ -255,7 +255,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     } else {
         row.box->setWidestText(QStringLiteral("-000.00"));
         grid->addWidget(row.box, line, 2);
-        row.unit = named(u"unit_" + key, new QComboBox, tr("Unit of %1").arg(symbol));
+        row.unit = named(QStringLiteral("unit_") + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
         const bool speed = row.parameter == Parameter::Omega2;
         for (int i = 0; i < (speed ? 3 : 2); ++i) {
@@ -268,7 +268,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
         });
     }
 
-    row.reset = named(u"reset_" + key, new QToolButton, tr("Reset %1").arg(symbol));
+    row.reset = named(QStringLiteral("reset_") + key, new QToolButton, tr("Reset %1").arg(symbol));
     row.reset->setText(QStringLiteral("↺"));
     row.reset->setAutoRaise(true);
     row.reset->setFixedSize(20, 22); // beside five sliders, which need the width more
