@@ -81,8 +81,7 @@ QString textOf(const Compared &compared, const Mechanism &mechanism)
     QString text = headlineOf(compared.file, compared.reference->data);
     text += CommandLine::tr("Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6")
                 .arg(number(mechanism.a()), number(mechanism.b()), number(mechanism.c()), number(mechanism.omega2()),
-                     number(mechanism.theta20()),
-                     mechanism.branch() == Branch::Open ? CommandLine::tr("open") : CommandLine::tr("crossed")) +
+                     number(mechanism.theta20()), assemblyText(mechanism.branch())) +
             QStringLiteral("\n\n");
     text += tableOf(compared.channels) + u'\n' + summaryOf(compared.channels) + u'\n';
     return compared.differs() ? text + explanationOf(compared.reference->data, mechanism) : text;
@@ -180,8 +179,7 @@ ExitStatus compareFiles(const CompareOptions &options)
 
         // Opened late: where no file can be read, none is written.
         if (!isOpen) {
-            if (const std::optional<QString> sentence = output.open()) {
-                say(*sentence);
+            if (!output.open()) {
                 return ExitStatus::FileFailed;
             }
             output.write(frame.head);
@@ -211,11 +209,7 @@ ExitStatus compareFiles(const CompareOptions &options)
     if (several && options.format == Format::Text) {
         output.write('\n' + tally.sentence().toUtf8() + '\n');
     }
-    if (const std::optional<QString> sentence = output.finish()) {
-        say(*sentence);
-        return ExitStatus::FileFailed;
-    }
-    return status;
+    return graver(status, output.finish());
 }
 
 } // namespace slidercrank

@@ -11,7 +11,6 @@
 #include <QDir>
 #include <QLocale>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -21,9 +20,6 @@ namespace slidercrank
 
 namespace
 {
-
-/// The parameters' names in options and in JSON, by indexOf(Parameter).
-constexpr std::array<const char *, kParameterCount> kParameterWords{"a", "b", "c", "omega2", "theta20"};
 
 /// As JSON names it, in every language.
 const char *wordOf(Convention::Kind kind)
@@ -55,8 +51,9 @@ QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
     const bool found = isFound(interpretation);
     QByteArrayList errors;
     QByteArrayList identifiable;
-    for (std::size_t i = 0; i < kParameterCount; ++i) {
-        const QByteArray name = '"' + QByteArray(kParameterWords[i]) + "\":";
+    for (const Parameter parameter : kParameters) {
+        const std::size_t i = indexOf(parameter);
+        const QByteArray name = '"' + QByteArray(wordOf(parameter)) + "\":";
         const bool isFixed = found && identification.identifiable[i];
         errors += name + jsonNumber(isFixed ? std::optional(identification.standardError[i]) : std::nullopt);
         identifiable += name + (isFixed ? "true" : "false");
@@ -80,12 +77,11 @@ QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
 /// "--a 20 --b …": to go on with.
 QString optionsFor(const Parameters &parameters)
 {
-    const std::array values{parameters.a, parameters.b, parameters.c, parameters.omega2, parameters.theta20};
     QString text;
-    for (std::size_t i = 0; i < kParameterCount; ++i) {
+    for (const Parameter parameter : kParameters) {
         text += QStringLiteral("--%1 %2 ")
-                    .arg(QLatin1String(kParameterWords[i]),
-                         QString::number(values[i], 'g', QLocale::FloatingPointShortest));
+                    .arg(QLatin1String(wordOf(parameter)),
+                         QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest));
     }
     return text +
            (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
@@ -124,15 +120,9 @@ ExitStatus identifyFile(const IdentifyOptions &options)
 
     // Without a mechanism there is nothing for a person to read but the sentence that says so.
     if (isFound(interpretation) || options.format == Format::Json) {
-        Output output(options.output);
-        std::optional<QString> sentence = output.open();
-        if (!sentence) {
-            output.write(options.format == Format::Json ? jsonOf(options.file, interpretation)
-                                                        : textOf(options.file, data, interpretation).toUtf8());
-            sentence = output.finish();
-        }
-        if (sentence) {
-            say(*sentence);
+        const QByteArray bytes = options.format == Format::Json ? jsonOf(options.file, interpretation)
+                                                                : textOf(options.file, data, interpretation).toUtf8();
+        if (writeAll(options.output, bytes) != ExitStatus::Done) {
             return ExitStatus::FileFailed;
         }
     }

@@ -33,21 +33,6 @@ void introduceApplication()
     QCoreApplication::setApplicationVersion(QStringLiteral(SLIDERCRANK_VERSION));
 }
 
-ExitStatus print(const QString &text)
-{
-    Output output{QString()};
-    std::optional<QString> sentence = output.open();
-    if (!sentence) {
-        output.write(text.toUtf8());
-        sentence = output.finish();
-    }
-    if (sentence) {
-        say(*sentence);
-        return ExitStatus::FileFailed;
-    }
-    return ExitStatus::Done;
-}
-
 ExitStatus resetSettings()
 {
     QSettings settings;
@@ -57,7 +42,8 @@ ExitStatus resetSettings()
         say(CommandLine::tr("The settings in %1 cannot be written: remove them there.").arg(settings.fileName()));
         return ExitStatus::FileFailed;
     }
-    return print(CommandLine::tr("Forgotten: layout, recent files, language, theme, choices of columns.") + u'\n');
+    return writeAll(
+        {}, CommandLine::tr("Forgotten: layout, recent files, language, theme, choices of columns.").toUtf8() + '\n');
 }
 
 /// None for what needs more than a QCoreApplication.
@@ -79,7 +65,7 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
         return resetSettings();
     }
     if (const Answer *answer = std::get_if<Answer>(&command)) {
-        return print(answer->text);
+        return writeAll({}, answer->text.toUtf8());
     }
     if (const SolveOptions *options = std::get_if<SolveOptions>(&command)) {
         return solve(*options);

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/options.h"
 
-#include "app/command_line.h"
 #include "app/help.h"
+#include "app/option_reader.h"
 #include "core/run/crank_instant.h"
 #include "core/study/study.h"
-#include "ui/document/scene.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
+#include "ui/words/finding_text.h"
 
-#include <QCommandLineParser>
 #include <QDir>
 #include <QFileInfo>
-#include <QLocale>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,219 +26,20 @@ namespace
 
 constexpr int kMostSteps = 100'000'000;
 
-/// The whole text as a number, with a decimal point.
-template <typename Number>
-std::optional<Number> parsed(const QString &text)
-{
-    const QByteArray bytes = text.toUtf8();
-    const char *first = bytes.constData();
-    const char *const last = first + bytes.size();
-    if (last - first > 1 && *first == '+' && first[1] != '-') {
-        ++first; // from_chars knows no plus sign
-    }
-    Number number{};
-    const std::from_chars_result result = std::from_chars(first, last, number);
-    return result.ec == std::errc() && result.ptr == last ? std::optional(number) : std::nullopt;
-}
-
-/// How many letters must be inserted, removed or replaced to make one word the other (Levenshtein), whatever their
-/// case.
-qsizetype distance(const QString &from, const QString &to)
-{
-    std::vector<qsizetype> row(static_cast<std::size_t>(to.size()) + 1);
-    for (std::size_t j = 0; j < row.size(); ++j) {
-        row[j] = static_cast<qsizetype>(j);
-    }
-    for (qsizetype i = 0; i < from.size(); ++i) {
-        qsizetype diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 1; j < row.size(); ++j) {
-            const bool same = from[i].toLower() == to[static_cast<qsizetype>(j) - 1].toLower();
-            const qsizetype replaced = diagonal + (same ? 0 : 1);
-            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
-        }
-    }
-    return row.back();
-}
-
-/// The names that are nearest to a word or begin with it, at most four; none farther than a third of its letters.
-QStringList nearest(const QString &word, const QStringList &names)
-{
-    qsizetype least = (word.size() + 1) / 3;
-    QStringList near;
-    for (const QString &name : names) {
-        const bool begun = word.size() > 1 && name.startsWith(word, Qt::CaseInsensitive);
-        const qsizetype far = begun ? std::min<qsizetype>(1, distance(word, name)) : distance(word, name);
-        if (far < least) {
-            near.clear();
-            least = far;
-        }
-        if (far == least) {
-            near += name;
-        }
-    }
-    return near.first(std::min<qsizetype>(near.size(), 4));
-}
-
-/// "x", "x or y", "x, y or z".
-QString alternatives(const QStringList &names)
-{
-    if (names.size() < 2) {
-        return names.join(QString());
-    }
-    return CommandLine::tr("%1 or %2").arg(names.first(names.size() - 1).join(QStringLiteral(", ")), names.last());
-}
-
-QString helpHint(Subcommand subcommand)
-{
-    return subcommand == Subcommand::Window
-               ? CommandLine::tr("\"slidercrank --help\" lists them.")
-               : CommandLine::tr("\"slidercrank %1 --help\" lists them.").arg(wordOf(subcommand));
-}
-
-/// Takes checked values from what was parsed. The first fault is kept; after it the values mean nothing.
-class OptionReader
-{
-public:
-    explicit OptionReader(const QCommandLineParser &parser)
-        : m_parser(parser)
-    {
-        // The report's iterates, an order of magnitude sooner.
-        m_scene.solver.newton.elimination = Elimination::Structured;
-    }
-
-    const std::optional<QString> &fault() const { return m_fault; }
-    const std::optional<QString> &sceneFault() const { return m_sceneFault; }
-
-    /// What holds where no option says otherwise.
-    const Scene &scene() const { return m_scene; }
-
-    void takeScene(const QString &path)
-    {
-        const std::variant<Scene, QString> outcome = readScene(path);
-        if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            m_sceneFault = *sentence;
-        } else {
-            m_scene = std::get<Scene>(outcome);
-        }
-    }
-
-    void refuse(const QString &sentence)
-    {
-        if (!m_fault) {
-            m_fault = sentence;
-        }
-    }
-
-    bool has(const char *name) const { return m_parser.isSet(QLatin1String(name)); }
-    QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
-
-    double number(const char *name, double otherwise)
-    {
-        if (!has(name)) {
-            return otherwise;
-        }
-        const std::optional<double> number = parsed<double>(text(name));
-        if (!number || !std::isfinite(*number)) {
-            refuse(CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
-                       .arg(QLatin1String(name), text(name)));
-            return otherwise;
-        }
-        return *number;
-    }
-
-    /// Of a magnitude that every computation bears.
-    double boundedNumber(const char *name, double otherwise)
-    {
-        const double value = number(name, otherwise);
-        if (std::abs(value) > kLargestParameter) {
-            refuse(tooLarge(name));
-        }
-        return value;
-    }
-
-    int integer(const char *name, int otherwise, int smallest, int largest)
-    {
-        if (!has(name)) {
-            return otherwise;
-        }
-        const std::optional<int> number = parsed<int>(text(name));
-        if (!number || *number < smallest || *number > largest) {
-            refuse(CommandLine::tr("--%1 must be a whole number from %2 to %3, not \"%4\".")
-                       .arg(QLatin1String(name))
-                       .arg(smallest)
-                       .arg(largest)
-                       .arg(text(name)));
-            return otherwise;
-        }
-        return *number;
-    }
-
-    template <typename Choice>
-    Choice choice(const char *name, Choice otherwise, std::initializer_list<std::pair<const char *, Choice>> choices)
-    {
-        if (!has(name)) {
-            return otherwise;
-        }
-        QStringList words;
-        for (const auto &[word, meaning] : choices) {
-            if (text(name) == QLatin1String(word)) {
-                return meaning;
-            }
-            words += QLatin1String(word);
-        }
-        refuse(
-            CommandLine::tr("--%1 must be %2, not \"%3\".").arg(QLatin1String(name), alternatives(words), text(name)));
-        return otherwise;
-    }
-
-    /// Empty when not given.
-    QString file(const char *name)
-    {
-        if (has(name) && text(name).isEmpty()) {
-            refuse(CommandLine::tr("--%1 needs the name of a file.").arg(QLatin1String(name)));
-        }
-        return text(name);
-    }
-
-    static QString tooLarge(const char *name)
-    {
-        return CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(QLatin1String(name));
-    }
-
-private:
-    const QCommandLineParser &m_parser;
-    Scene m_scene;
-    std::optional<QString> m_fault;
-    std::optional<QString> m_sceneFault;
-};
-
-const char *optionOf(Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return "a";
-    case Parameter::B: return "b";
-    case Parameter::C: return "c";
-    case Parameter::Omega2: return "omega2";
-    case Parameter::Theta20: return "theta20";
-    }
-    return "";
-}
-
 Mechanism readMechanism(OptionReader &reader)
 {
     Parameters parameters = reader.scene().parameters;
-    parameters.a = reader.number("a", parameters.a);
-    parameters.b = reader.number("b", parameters.b);
-    parameters.c = reader.number("c", parameters.c);
-    parameters.omega2 = reader.number("omega2", parameters.omega2);
-    parameters.theta20 = reader.number("theta20", parameters.theta20);
+    for (const Parameter parameter : kParameters) {
+        double &value = valueOf(parameters, parameter);
+        value = reader.number(wordOf(parameter), value);
+    }
     parameters.branch =
         reader.choice("branch", parameters.branch, {{"open", Branch::Open}, {"crossed", Branch::Crossed}});
     const std::optional<ParameterFault> fault = findFault(parameters);
     if (!fault) {
         return Mechanism(parameters);
     }
-    const char *const name = optionOf(fault->parameter);
+    const char *const name = wordOf(fault->parameter);
     switch (fault->reason) {
     case ParameterFault::Reason::NotFinite: // number() refuses these itself
     case ParameterFault::Reason::TooLarge: reader.refuse(OptionReader::tooLarge(name)); break;
@@ -322,8 +117,7 @@ ChannelSet readChannels(OptionReader &reader)
         }
         QStringList names;
         for (std::size_t index = 0; index < kChannelCount; ++index) {
-            const std::string_view known = nameOf(channelAt(index));
-            names += QString::fromUtf8(known.data(), static_cast<qsizetype>(known.size()));
+            names += columnNameOf(channelAt(index));
         }
         const QStringList near = nearest(name, names);
         reader.refuse(near.isEmpty() ? CommandLine::tr("--channels: there is no channel \"%1\"; there are %2.")
@@ -449,8 +243,8 @@ std::optional<QSize> parsedSize(const QString &text)
     if (sides.size() != 2) {
         return std::nullopt;
     }
-    const std::optional<int> width = parsed<int>(sides[0]);
-    const std::optional<int> height = parsed<int>(sides[1]);
+    const std::optional<int> width = parsedInteger(sides[0]);
+    const std::optional<int> height = parsedInteger(sides[1]);
     return width && height ? std::optional(QSize(*width, *height)) : std::nullopt;
 }
 
@@ -460,8 +254,7 @@ void readSubject(OptionReader &reader, RenderOptions &options)
     const QString what = reader.has("what") ? reader.text("what") : QStringLiteral("figure");
     QStringList plots;
     for (const Channel channel : kPlottedChannels) {
-        const std::string_view name = nameOf(channel);
-        plots += QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+        plots += columnNameOf(channel);
     }
     plots += {QStringLiteral("error_position"), QStringLiteral("error_velocity"), QStringLiteral("error_acceleration")};
     if (what == u"figure") {
@@ -642,6 +435,13 @@ Command readWindow(OptionReader &reader, const QStringList &positional)
         reader.takeScene(options.scene); // to know before there is a window whether it is one
     }
     return options;
+}
+
+QString helpHint(Subcommand subcommand)
+{
+    return subcommand == Subcommand::Window
+               ? CommandLine::tr("\"slidercrank --help\" lists them.")
+               : CommandLine::tr("\"slidercrank %1 --help\" lists them.").arg(wordOf(subcommand));
 }
 
 /// What is wrong with the shape of the line: unknown, repeated or unfinished options.

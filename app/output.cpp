@@ -35,22 +35,20 @@ QFileDevice &Output::device()
     return m_isStream ? static_cast<QFileDevice &>(m_stream) : m_file;
 }
 
-QString Output::failure()
+bool Output::fail()
 {
-    return m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(device().errorString())
-                            : CommandLine::tr("%1 cannot be written: %2. Choose another file or folder with --output.")
-                                  .arg(QDir::toNativeSeparators(m_path), device().errorString());
+    m_failed = true;
+    say(m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(device().errorString())
+                         : CommandLine::tr("%1 cannot be written: %2. Choose another file or folder with --output.")
+                               .arg(QDir::toNativeSeparators(m_path), device().errorString()));
+    return false;
 }
 
-std::optional<QString> Output::open()
+bool Output::open()
 {
     const bool open =
         m_path.isEmpty() ? m_stream.open(stdout, QIODevice::WriteOnly) : device().open(QIODevice::WriteOnly);
-    if (!open) {
-        m_failed = true;
-        return failure();
-    }
-    return std::nullopt;
+    return open || fail();
 }
 
 bool Output::write(const QByteArray &bytes)
@@ -61,15 +59,20 @@ bool Output::write(const QByteArray &bytes)
     return !m_failed;
 }
 
-std::optional<QString> Output::finish()
+ExitStatus Output::finish()
 {
-    if (!m_failed) {
-        m_failed = m_isStream ? !m_stream.flush() : !m_file.commit();
+    const bool written = !m_failed && (m_isStream ? m_stream.flush() : m_file.commit());
+    return written || fail() ? ExitStatus::Done : ExitStatus::FileFailed;
+}
+
+ExitStatus writeAll(const QString &path, const QByteArray &bytes)
+{
+    Output output(path);
+    if (!output.open()) {
+        return ExitStatus::FileFailed;
     }
-    if (m_failed) {
-        return failure();
-    }
-    return std::nullopt;
+    output.write(bytes);
+    return output.finish();
 }
 
 } // namespace slidercrank

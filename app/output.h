@@ -8,8 +8,6 @@
 #include <QSaveFile>
 #include <QString>
 
-#include <optional>
-
 namespace slidercrank
 {
 
@@ -19,18 +17,18 @@ public:
     /// An empty path stands for standard output.
     explicit Output(const QString &path);
 
-    /// One sentence when it cannot be written to.
-    std::optional<QString> open();
+    /// False when it cannot be written to; why is said on standard error, here and below.
+    bool open();
 
     /// After a failure nothing more is written; false then, so that a long run can end early.
     bool write(const QByteArray &bytes);
 
-    /// One sentence when anything failed; then a file of that name is as it was before.
-    std::optional<QString> finish();
+    /// When anything failed a file of that name is as it was before.
+    ExitStatus finish();
 
 private:
     QFileDevice &device();
-    QString failure();
+    bool fail();
 
     QString m_path;
     bool m_isStream; ///< written as it comes: a QSaveFile would put a plain file in the place of a pipe
@@ -38,5 +36,8 @@ private:
     QSaveFile m_file;
     bool m_failed = false;
 };
+
+/// All of it at once.
+ExitStatus writeAll(const QString &path, const QByteArray &bytes);
 
 } // namespace slidercrank

@@ -60,8 +60,7 @@ void writeJson(const Trajectory &trajectory, const std::vector<Channel> &channel
 ExitStatus solve(const SolveOptions &options)
 {
     Output output(options.output);
-    if (const std::optional<QString> sentence = output.open()) {
-        say(*sentence);
+    if (!output.open()) {
         return ExitStatus::FileFailed;
     }
     const std::vector<Channel> channels = listed(options.channels);
@@ -85,8 +84,7 @@ ExitStatus solve(const SolveOptions &options)
     } else {
         sampleInPieces(options.mechanism, options.sampling, options.channels, options.solver, take);
     }
-    if (const std::optional<QString> sentence = output.finish()) {
-        say(*sentence);
+    if (output.finish() != ExitStatus::Done) {
         return ExitStatus::FileFailed;
     }
     if (shortfall.exitStatus() != ExitStatus::Done) {

@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "core/study/study.h"
 #include "ui/words/core_text.h"
+#include "ui/words/finding_text.h"
 
 #include <QStringList>
 
@@ -14,11 +15,6 @@ namespace slidercrank
 
 namespace
 {
-
-QString toQString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 /// "solved", or "190 solved, 11 singular".
 QString outcomeOf(const MethodResult &row, std::size_t instants)
@@ -51,12 +47,10 @@ QString tableOf(const CaseResult &which)
 {
     const Parameters &p = which.parameters;
     const auto number = [](double value) { return QString::number(value, 'g', 9); };
-    QString text =
-        CommandLine::tr("%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants")
-            .arg(coreNames(which.name), number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
-                 p.branch == Branch::Open ? CommandLine::tr("open") : CommandLine::tr("crossed"),
-                 QString::number(which.instants)) +
-        u'\n';
+    QString text = CommandLine::tr("%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants")
+                       .arg(coreNames(which.name), number(p.a), number(p.b), number(p.c), number(p.omega2),
+                            number(p.theta20), assemblyText(p.branch), QString::number(which.instants)) +
+                   u'\n';
     text += lineOf({CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
                     CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),
                     CommandLine::tr("error"), CommandLine::tr("bound κu"), CommandLine::tr("outcome")});
@@ -69,7 +63,7 @@ QString tableOf(const CaseResult &which)
         if (row.silentFailures.value_or(0) > 0) {
             outcome += CommandLine::tr(", %1 of them silently wrong").arg(*row.silentFailures);
         }
-        text += lineOf({toQString(row.method), rounded(row.tolerance), QString::number(row.channels),
+        text += lineOf({QString::fromUtf8(row.method), rounded(row.tolerance), QString::number(row.channels),
                         rounded(row.nsPerState, 4), rounded(row.spread), rounded(row.iterationsPerState),
                         rounded(row.maxError), rounded(row.errorBound), outcome});
     }
@@ -99,8 +93,7 @@ QString textOf(const StudyResult &result)
 ExitStatus study(const StudyOptions &options)
 {
     Output output(options.output);
-    if (const std::optional<QString> sentence = output.open()) {
-        say(*sentence);
+    if (!output.open()) {
         return ExitStatus::FileFailed;
     }
     StudyRequest request;
@@ -111,11 +104,7 @@ ExitStatus study(const StudyOptions &options)
     case Format::Csv: output.write(QByteArray::fromStdString(studyCsv(result))); break;
     case Format::Json: output.write(QByteArray::fromStdString(studyJson(result))); break;
     }
-    if (const std::optional<QString> sentence = output.finish()) {
-        say(*sentence);
-        return ExitStatus::FileFailed;
-    }
-    return ExitStatus::Done;
+    return output.finish();
 }
 
 } // namespace slidercrank

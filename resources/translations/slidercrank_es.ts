@@ -366,14 +366,6 @@
         <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
     </message>
     <message>
-        <source>open</source>
-        <translation>abierta</translation>
-    </message>
-    <message>
-        <source>crossed</source>
-        <translation>cruzada</translation>
-    </message>
-    <message>
         <source>%1 files: %2 agree, %3 come close, %4 differ</source>
         <translation>%1 archivos: %2 coinciden, %3 se aproximan, %4 difieren</translation>
     </message>
@@ -1346,6 +1338,21 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
     </message>
 </context>
 <context>
+    <name>slidercrank::EmptyPage</name>
+    <message>
+        <source>Open reference…</source>
+        <translation>Abrir referencia…</translation>
+    </message>
+    <message>
+        <source>Open the sample</source>
+        <translation>Abrir el ejemplo</translation>
+    </message>
+    <message>
+        <source>The motion that the report&apos;s author exported from Inventor</source>
+        <translation>El movimiento que el autor del informe exportó de Inventor</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ErrorPanel</name>
     <message>
         <source>agrees</source>
@@ -1406,18 +1413,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
     <message>
         <source>Load a simulation&apos;s exported motion (CSV) to see how far it is from this mechanism: the largest error of each channel, where it is, and whether it is more than the file&apos;s own rounding.</source>
         <translation>Cargue el movimiento exportado de una simulación (CSV) para ver cuánto se aparta de este mecanismo: el error máximo de cada canal, dónde está, y si es más que el redondeo del propio archivo.</translation>
-    </message>
-    <message>
-        <source>Open reference…</source>
-        <translation>Abrir referencia…</translation>
-    </message>
-    <message>
-        <source>Open the sample</source>
-        <translation>Abrir el ejemplo</translation>
-    </message>
-    <message>
-        <source>The motion that the report&apos;s author exported from Inventor</source>
-        <translation>El movimiento que el autor del informe exportó de Inventor</translation>
     </message>
     <message>
         <source>channel</source>
@@ -1592,14 +1587,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>se conserva</translation>
     </message>
     <message>
-        <source>open</source>
-        <translation>abierta</translation>
-    </message>
-    <message>
-        <source>crossed</source>
-        <translation>cruzada</translation>
-    </message>
-    <message>
         <source>assembly</source>
         <translation>configuración</translation>
     </message>
@@ -1653,14 +1640,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>open assembly</source>
-        <translation>configuración abierta</translation>
-    </message>
-    <message>
-        <source>crossed assembly</source>
-        <translation>configuración cruzada</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -2009,6 +1988,18 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Round numbers come as near to the data: %1.</source>
         <translation>Unos números redondos se acercan igual de bien a los datos: %1.</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>abierta</translation>
+    </message>
+    <message>
+        <source>crossed</source>
+        <translation>cruzada</translation>
+    </message>
+    <message>
+        <source>%1 assembly</source>
+        <translation>configuración %1</translation>
     </message>
 </context>
 <context>
@@ -3879,18 +3870,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Cargue el movimiento exportado de una simulación (CSV): aquí se dice qué se leyó del archivo y cómo, a qué mecanismo pertenece el movimiento, y con qué otra lectura se acercaría más. También se puede soltar un archivo en cualquier parte de la ventana.</translation>
     </message>
     <message>
-        <source>Open reference…</source>
-        <translation>Abrir referencia…</translation>
-    </message>
-    <message>
-        <source>Open the sample</source>
-        <translation>Abrir el ejemplo</translation>
-    </message>
-    <message>
-        <source>The motion that the report&apos;s author exported from Inventor</source>
-        <translation>El movimiento que el autor del informe exportó de Inventor</translation>
-    </message>
-    <message>
         <source>Choose columns…</source>
         <translation>Elegir columnas…</translation>
     </message>
@@ -4025,14 +4004,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
 </context>
 <context>
     <name>slidercrank::Report</name>
-    <message>
-        <source>open</source>
-        <translation>abierta</translation>
-    </message>
-    <message>
-        <source>crossed</source>
-        <translation>cruzada</translation>
-    </message>
     <message>
         <source>crank</source>
         <translation>manivela</translation>
@@ -4477,10 +4448,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>ninguna: la forma cerrada no las necesita</translation>
     </message>
     <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
         <source>all %1 solved</source>
         <translation>los %1 resueltos</translation>
     </message>
@@ -4621,14 +4588,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6</source>
         <translation>a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>abierta</translation>
-    </message>
-    <message>
-        <source>crossed</source>
-        <translation>cruzada</translation>
     </message>
     <message>
         <source>Speed and accuracy of the methods</source>

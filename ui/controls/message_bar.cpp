@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/message_bar.h"
 
+#include "ui/controls/named.h"
 #include "ui/controls/paragraph.h"
 #include "ui/words/theme.h"
 
@@ -15,18 +16,15 @@ namespace slidercrank
 MessageBar::MessageBar(QWidget *parent)
     : QFrame(parent)
     , m_symbol(new QLabel(this))
-    , m_text(new Paragraph({}, this))
-    , m_remedyButton(new QPushButton(this))
+    , m_text(named("messageText", new Paragraph({}, this)))
+    , m_remedyButton(named("messageRemedy", new QPushButton(this)))
 {
     setObjectName(QStringLiteral("messageBar"));
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
-    m_text->setObjectName(QStringLiteral("messageText"));
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_remedyButton->setObjectName(QStringLiteral("messageRemedy"));
-    auto *dismiss = new QPushButton(tr("Dismiss"), this);
-    dismiss->setObjectName(QStringLiteral("messageDismiss"));
+    auto *dismiss = named("messageDismiss", new QPushButton(tr("Dismiss"), this));
 
     for (QPushButton *button : {m_remedyButton, dismiss}) {
         button->setFocusPolicy(Qt::TabFocus); // they vanish when pressed: a click must not leave the focus to chance
@@ -80,11 +78,7 @@ void MessageBar::recolour()
     const SeriesColours colours = seriesColours(palette());
     const QColor accent = m_kind == Kind::Problem ? colours.warning : colours.model;
     m_symbol->setText(m_kind == Kind::Problem ? QStringLiteral("⚠") : QStringLiteral("ℹ"));
-    QPalette symbolPalette = m_symbol->palette();
-    if (symbolPalette.color(QPalette::WindowText) != accent) {
-        symbolPalette.setColor(QPalette::WindowText, accent);
-        m_symbol->setPalette(symbolPalette);
-    }
+    setInk(*m_symbol, accent);
 }
 
 } // namespace slidercrank

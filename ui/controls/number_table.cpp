@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/number_table.h"
 
+#include "ui/controls/named.h"
 #include "ui/words/theme.h"
 
 #include <QAbstractTableModel>
 #include <QApplication>
 #include <QClipboard>
-#include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
@@ -22,8 +22,9 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMargin = 4; // px, beside a text in its cell
-constexpr int kTintRole = Qt::UserRole;
+constexpr int kMargin = 3; // px, beside a text in its cell, as the style has it
+constexpr int kAir = 12;   // px, about the longest text of a column
+constexpr int kInstantRole = Qt::UserRole;
 constexpr int kShortTextRole = Qt::UserRole + 1;
 
 QColor mixed(const QColor &one, const QColor &other, double part)
@@ -67,7 +68,10 @@ public:
 
     void setRows(std::vector<TableRow> rows)
     {
-        if (rows.size() != m_rows.size()) {
+        const auto sameName = [](const TableRow &one, const TableRow &other) {
+            return one.cells[0].text == other.cells[0].text;
+        };
+        if (!std::ranges::equal(rows, m_rows, sameName)) {
             beginResetModel();
             m_rows = std::move(rows);
             endResetModel();
@@ -79,7 +83,7 @@ public:
             for (int column = 0; column < columnCount(); ++column) {
                 const TableCell &was = before[static_cast<std::size_t>(column)];
                 const TableCell &is = cell(row, column);
-                if (was.text != is.text || was.tint != is.tint) {
+                if (was.text != is.text || was.tint != is.tint || was.ink != is.ink) {
                     emit dataChanged(index(row, column), index(row, column));
                 }
             }
@@ -88,10 +92,13 @@ public:
 
     const std::vector<TableColumn> &columns() const { return m_columns; }
     const std::vector<TableRow> &rows() const { return m_rows; }
+    const TableRow &row(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
+    const TableCell &cell(int row, int column) const { return this->row(row).cells[static_cast<std::size_t>(column)]; }
 
-    const TableCell &cell(int row, int column) const
+    std::optional<double> instantOf(const QModelIndex &index) const
     {
-        return m_rows[static_cast<std::size_t>(row)].cells[static_cast<std::size_t>(column)];
+        const std::optional<double> &own = cell(index.row(), index.column()).instant;
+        return own ? own : row(index.row()).instant;
     }
 
     Qt::Alignment alignmentOf(int column) const
@@ -116,7 +123,8 @@ public:
         switch (role) {
         case Qt::DisplayRole: return shown.text;
         case Qt::ToolTipRole: return shown.explanation;
-        case kTintRole: return shown.tint;
+        case Qt::AccessibleTextRole: return shown.spoken.isEmpty() ? QVariant() : shown.spoken;
+        case kInstantRole: return instantOf(index) ? QVariant(*instantOf(index)) : QVariant();
         case kShortTextRole: return shown.shortText;
         default: return {};
         }
@@ -141,11 +149,8 @@ private:
     std::vector<TableRow> m_rows;
 };
 
-namespace
-{
-
-/// A line of text on its tint, and no more: the cells are painted while the mechanism plays, and the general delegate
-/// takes ten times as long.
+/// A text on its tint, and no more: the cells are painted while the mechanism plays, and the general delegate takes ten
+/// times as long.
 class CellDelegate : public QStyledItemDelegate
 {
 public:
@@ -162,17 +167,15 @@ public:
             painter->setPen(seriesColours(option.palette).grid);
             painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
         }
-        const bool selected = option.state.testFlag(QStyle::State_Selected);
-        QColor ink = option.palette.color(QPalette::Text);
+        QColor ink = cell.ink.isValid() ? cell.ink : option.palette.color(QPalette::Text);
         if (cell.tint != 0.0) {
             const QColor background = tintColour(cell.tint, option.palette);
             painter->fillRect(option.rect.adjusted(0, 0, -1, -1), background);
             ink = inkOn(background);
-        }
-        if (selected && cell.tint == 0.0) {
+        } else if (option.state.testFlag(QStyle::State_Selected)) {
             painter->fillRect(option.rect, option.palette.brush(QPalette::Highlight));
             ink = option.palette.color(QPalette::HighlightedText);
-        } else if (index.row() == m_pointed && cell.tint == 0.0) {
+        } else if (index.row() == m_pointed) {
             QColor light = option.palette.color(QPalette::Highlight);
             light.setAlpha(40);
             painter->fillRect(option.rect, light);
@@ -184,44 +187,68 @@ public:
         if (cell.text.isEmpty()) {
             return;
         }
-        const QRect room = option.rect.adjusted(kMargin, 0, -kMargin, 0);
-        const bool fits = cell.shortText.isEmpty() || option.fontMetrics.horizontalAdvance(cell.text) <= room.width();
-        painter->drawText(room, static_cast<int>(m_model.alignmentOf(index.column())) | Qt::TextSingleLine,
-                          fits ? cell.text : cell.shortText);
+        const bool wraps = option.features.testFlag(QStyleOptionViewItem::WrapText);
+        painter->drawText(option.rect.adjusted(kMargin, 0, -kMargin, 0),
+                          static_cast<int>(m_model.alignmentOf(index.column())) |
+                              static_cast<int>(wraps ? Qt::TextWordWrap : Qt::TextSingleLine),
+                          wraps ? cell.text : shownText(cell, option.rect, option.fontMetrics));
+    }
+
+    static QString shownText(const TableCell &cell, const QRect &place, const QFontMetrics &metrics)
+    {
+        const int room = place.width() - 2 * kMargin;
+        const bool fits = cell.shortText.isEmpty() || metrics.horizontalAdvance(cell.text) <= room;
+        return metrics.elidedText(fits ? cell.text : cell.shortText, Qt::ElideRight, room);
     }
 
     void setPointed(int row) { m_pointed = row; }
     void setRuled(bool ruled) { m_ruled = ruled; }
+    void setShort(bool isShort) { m_short = isShort; }
+
+protected:
+    /// For the size that a cell asks for.
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (const QString &text = m_model.cell(index.row(), index.column()).shortText; m_short && !text.isEmpty()) {
+            option->text = text;
+        }
+    }
 
 private:
     const NumberTableModel &m_model;
     int m_pointed = -1;
     bool m_ruled = false;
+    bool m_short = false;
 };
 
-} // namespace
-
-NumberTable::NumberTable(std::vector<TableColumn> columns, QWidget *parent)
-    : QTableView(parent)
-    , m_model(new NumberTableModel(std::move(columns), this))
-    , m_longest(m_model->columns().size())
+NumberTable::NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns, TableLook look)
+    : m_model(new NumberTableModel(std::move(columns), this))
+    , m_delegate(new CellDelegate(*m_model, this))
+    , m_look(look)
+    , m_rowAir(look == TableLook::Dense ? 0 : 4)
 {
+    named(name, this, title);
     setModel(m_model);
-    setItemDelegate(new CellDelegate(*m_model, this));
+    setItemDelegate(m_delegate);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setTabKeyNavigation(false);
     setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
     setWordWrap(false);
-    setMouseTracking(true);
-    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setMinimumSectionSize(1);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    if (look == TableLook::Dense) {
+        setMouseTracking(true);
+        setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+        setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+        setMinimumSize(1, 1);
+    } else {
+        setAlternatingRowColors(true);
+    }
+    connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) { goTo(m_model->instantOf(index)); });
     setHeights();
 }
 
@@ -261,44 +288,89 @@ void NumberTable::copy() const
 
 void NumberTable::setColumnText(int column, const QString &longest)
 {
-    m_longest[static_cast<std::size_t>(column)] = longest;
-    fitColumns();
+    m_longest.resize(m_model->columns().size());
+    QString &kept = m_longest[static_cast<std::size_t>(column)];
+    if (kept != longest) {
+        kept = longest;
+        horizontalHeader()->setMinimumSectionSize(1);
+        horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+        fitColumns();
+    }
+}
+
+int NumberTable::widthFor(const QString &text) const
+{
+    return fontMetrics().horizontalAdvance(text) + kAir;
+}
+
+void NumberTable::fitToContents(int leastAir, int mostAir)
+{
+    m_leastAir = leastAir;
+    m_mostAir = mostAir;
+    const int columns = m_model->columnCount() - (horizontalHeader()->stretchLastSection() ? 1 : 0);
+    const auto neededWidth = [this, columns](bool ofShortTexts) {
+        m_delegate->setShort(ofShortTexts);
+        int width = 0;
+        for (int column = 0; column < columns; ++column) {
+            resizeColumnToContents(column);
+            width += columnWidth(column);
+        }
+        return width;
+    };
+    const int room = viewport()->width();
+    int needed = neededWidth(false);
+    if (needed > room) {
+        needed = neededWidth(true);
+    }
+    const int air = std::clamp((room - needed) / columns, leastAir, mostAir);
+    for (int column = 0; column < columns; ++column) {
+        setColumnWidth(column, columnWidth(column) + air);
+    }
+}
+
+QString NumberTable::shownText(const QModelIndex &index) const
+{
+    return CellDelegate::shownText(m_model->cell(index.row(), index.column()), visualRect(index), fontMetrics());
 }
 
 void NumberTable::setRuled(bool ruled)
 {
-    static_cast<CellDelegate *>(itemDelegate())->setRuled(ruled);
+    m_delegate->setRuled(ruled);
+}
+
+void NumberTable::setRowAir(int pixels)
+{
+    m_rowAir = pixels;
+    setHeights();
 }
 
 void NumberTable::setHeights()
 {
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height());
-    horizontalHeader()->setFixedHeight(fontMetrics().height() + 4);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + m_rowAir);
+    if (m_look == TableLook::Dense) {
+        horizontalHeader()->setFixedHeight(fontMetrics().height() + 4);
+    }
 }
 
 void NumberTable::fitColumns()
 {
+    if (m_longest.empty() && m_leastAir < m_mostAir) {
+        fitToContents(m_leastAir, m_mostAir);
+    }
     std::vector<int> widths;
     int needed = 0;
     int stretching = 0;
     for (std::size_t column = 0; column < m_longest.size(); ++column) {
         const QString &text = m_longest[column];
-        const QString &title = m_model->columns()[column].title;
-        const int width =
-            text.isNull() ? 0
-                          : std::max(fontMetrics().horizontalAdvance(text), fontMetrics().horizontalAdvance(title)) +
-                                2 * kMargin + 4;
-        widths.push_back(width);
-        needed += width;
+        const int title = widthFor(m_model->columns()[column].title);
+        widths.push_back(text.isNull() ? title : std::max(title, widthFor(text)));
+        needed += text.isNull() ? 0 : widths.back();
         stretching += text.isNull() ? 1 : 0;
     }
     const int room = viewport()->width();
     for (std::size_t column = 0; column < widths.size(); ++column) {
-        int width = widths[column];
-        if (stretching > 0 && m_longest[column].isNull()) {
-            const int title = fontMetrics().horizontalAdvance(m_model->columns()[column].title) + 2 * kMargin;
-            width = std::max(title, (room - needed) / stretching); // else it is scrolled
-        }
+        const bool stretches = m_longest[column].isNull(); // no further than its title: else it is scrolled
+        const int width = stretches ? std::max(widths[column], (room - needed) / stretching) : widths[column];
         setColumnWidth(static_cast<int>(column), width);
     }
 }
@@ -327,26 +399,45 @@ void NumberTable::hideEvent(QHideEvent *event)
 /// The window copies its figure by the same key; with the focus here it is the table that is meant.
 bool NumberTable::event(QEvent *event)
 {
-    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
+    if (event->type() == QEvent::ShortcutOverride && copies(static_cast<QKeyEvent *>(event))) {
         event->accept();
         return true;
     }
     return QTableView::event(event);
 }
 
+void NumberTable::goTo(std::optional<double> instant)
+{
+    if (instant) {
+        emit instantRequested(*instant);
+    }
+}
+
+bool NumberTable::copies(QKeyEvent *event) const
+{
+    return event->matches(QKeySequence::Copy) && !m_model->columns().front().csvName.isEmpty();
+}
+
 void NumberTable::keyPressEvent(QKeyEvent *event)
 {
-    if (event->matches(QKeySequence::Copy)) {
+    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (copies(event)) {
         copy();
-        return;
+    } else if (enters && currentIndex().isValid()) {
+        goTo(m_model->row(currentIndex().row()).instant);
+    } else {
+        QTableView::keyPressEvent(event);
     }
-    QTableView::keyPressEvent(event);
 }
 
 bool NumberTable::viewportEvent(QEvent *event)
 {
     switch (event->type()) {
-    case QEvent::MouseMove: point(indexAt(static_cast<QMouseEvent *>(event)->pos()).row()); break;
+    case QEvent::MouseMove:
+        if (m_look == TableLook::Dense) {
+            point(indexAt(static_cast<QMouseEvent *>(event)->pos()).row());
+        }
+        break;
     case QEvent::Leave: point(-1); break;
     default: break;
     }
@@ -359,7 +450,7 @@ void NumberTable::point(int row)
         return;
     }
     m_pointed = row;
-    static_cast<CellDelegate *>(itemDelegate())->setPointed(row);
+    m_delegate->setPointed(row);
     viewport()->update();
     tell();
 }
@@ -386,7 +477,7 @@ void NumberTable::tell()
 {
     const int row = m_pointed >= 0 ? m_pointed : hasFocus() ? currentIndex().row() : -1;
     const bool exists = row >= 0 && row < m_model->rowCount();
-    const MechanismPart part = exists ? m_model->rows()[static_cast<std::size_t>(row)].part : MechanismPart::None;
+    const MechanismPart part = exists ? m_model->row(row).part : MechanismPart::None;
     if (part != m_told) {
         m_told = part;
         emit partHovered(part);

@@ -25,4 +25,21 @@ int Paragraph::heightForWidth(int width) const
     return *height;
 }
 
+Paragraph *plainText(const QString &text)
+{
+    auto *paragraph = new Paragraph(text);
+    paragraph->setTextFormat(Qt::PlainText);
+    paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return paragraph;
+}
+
+QLabel *boldLabel(const QString &text)
+{
+    auto *label = new QLabel(text);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
 } // namespace slidercrank

@@ -8,8 +8,8 @@
 namespace slidercrank
 {
 
-/// A label that breaks its text into lines. Layouts ask such a label for its height dozens of times, and QLabel sets the
-/// whole text anew each time; this one remembers.
+/// A label that breaks its text into lines. Layouts ask such a label for its height dozens of times, and QLabel sets
+/// the whole text anew each time; this one remembers.
 class Paragraph : public QLabel
 {
     Q_OBJECT
@@ -25,5 +25,11 @@ private:
     mutable QFont m_font;
     mutable QHash<int, int> m_heights; ///< by width, px
 };
+
+/// A paragraph that can be marked and copied.
+Paragraph *plainText(const QString &text = {});
+
+/// In bold.
+QLabel *boldLabel(const QString &text);
 
 } // namespace slidercrank

@@ -11,7 +11,6 @@
 #include <QString>
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>

@@ -10,7 +10,6 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
 
 namespace slidercrank
 {
@@ -25,21 +24,6 @@ struct Report {
 using Kind = ReportBlock::Kind;
 
 constexpr int kErrorDigits = 3; // as in the Errors tab
-
-QString dash()
-{
-    return QStringLiteral("–");
-}
-
-QString errorText(const std::optional<double> &value)
-{
-    return value ? shortNumber(*value, kErrorDigits, QLocale()) : dash();
-}
-
-QString count(std::size_t number)
-{
-    return QLocale().toString(static_cast<qulonglong>(number));
-}
 
 ReportBlock heading(const QString &text)
 {
@@ -61,11 +45,6 @@ bool differs(const std::vector<ChannelComparison> &channels)
     return channels.empty() || std::any_of(channels.begin(), channels.end(), [](const ChannelComparison &channel) {
                return channel.verdict == Verdict::Differs;
            });
-}
-
-QString assemblyText(Branch branch)
-{
-    return branch == Branch::Open ? Report::tr("open") : Report::tr("crossed");
 }
 
 QString nounOf(Parameter parameter)
@@ -93,10 +72,9 @@ ReportBlock mechanismBlock(const ReportContent &content)
         block.table.header << Report::tr("the file's own");
         block.table.numeric += u'n';
     }
-    for (const Parameter parameter :
-         {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
+    for (const Parameter parameter : kParameters) {
         QStringList row{QStringLiteral("%1, %2").arg(symbolOf(parameter), nounOf(parameter)),
-                        parameterText(parameter, valueOf(parameter, model))};
+                        parameterText(parameter, valueOf(model, parameter))};
         if (isFound(content)) {
             row << measuredText(parameter, found);
         }
@@ -114,7 +92,7 @@ QString fileText(const Reference &reference)
 {
     const std::vector<double> &time = reference.data.time;
     return Report::tr("Reference: %1, t = %2 s to %3 s, %4 instants.")
-        .arg(reference.name, numberText(time.front()), numberText(time.back()), count(time.size()));
+        .arg(reference.name, numberText(time.front()), numberText(time.back()), countText(time.size()));
 }
 
 /// What was not used of the file; empty where all was.
@@ -123,7 +101,7 @@ QString leftOutText(const ReferenceData &data)
     QStringList parts;
     if (!data.skipped.empty()) {
         parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
-                     .arg(count(data.skippedRowCount()), count(data.skipped.front().line),
+                     .arg(countText(data.skippedRowCount()), countText(data.skipped.front().line),
                           QString::fromStdString(data.skipped.front().text), coreText(data.skipped.front().reason));
     }
     if (!data.ignoredColumns.empty()) {
@@ -144,12 +122,13 @@ ReportTable errorTable(const std::vector<ChannelComparison> &channels)
                       {},
                       QStringLiteral("tnnnnnnnt")};
     for (const ChannelComparison &channel : channels) {
-        table.rows.push_back(
-            {QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
-             errorText(channel.maxAbs), channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
-             errorText(channel.rms), errorText(channel.maxPercent),
-             channel.maxPercent ? numberText(channel.timeOfMaxPercent) : dash(), errorText(channel.percentOfPeak),
-             channel.roundingStep ? numberText(*channel.roundingStep, kErrorDigits) : dash(), verdictText(channel)});
+        table.rows.push_back({QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
+                              shortNumber(channel.maxAbs, kErrorDigits),
+                              channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
+                              shortNumber(channel.rms, kErrorDigits), shortNumber(channel.maxPercent, kErrorDigits),
+                              channel.maxPercent ? numberText(channel.timeOfMaxPercent) : dash(),
+                              shortNumber(channel.percentOfPeak, kErrorDigits),
+                              numberText(channel.roundingStep, kErrorDigits), verdictText(channel)});
     }
     return table;
 }
@@ -160,7 +139,7 @@ QString methodText(const Result &result)
     const Sampling &run = result.sampling;
     const QString instants =
         Report::tr("%1 instants from t = %2 s to %3 s.")
-            .arg(count(result.summary.instants), numberText(run.start), numberText(run.start + run.duration));
+            .arg(countText(result.summary.instants), numberText(run.start), numberText(run.start + run.duration));
     if (result.solver.method == Method::ClosedForm) {
         return Report::tr("Closed form, exact to rounding. ") + instants;
     }
@@ -178,7 +157,7 @@ QString methodText(const Result &result)
                  numberText(result.summary.largestResidual, 2));
     const std::size_t solved = result.summary.count(Status::Solved);
     if (solved < result.summary.instants) {
-        text += Report::tr(" %1 of %2 instants are solved.").arg(count(solved), count(result.summary.instants));
+        text += Report::tr(" %1 of %2 instants are solved.").arg(countText(solved), countText(result.summary.instants));
     }
     return text;
 }
@@ -220,7 +199,7 @@ void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &co
     QString note = Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
                               "%2); ± is one standard deviation.")
                        .arg(found.identification.iterations)
-                       .arg(shortNumber(found.identification.conditionNumber, 3, QLocale()));
+                       .arg(shortNumber(found.identification.conditionNumber, 3));
     if (!found.conventions.empty()) {
         note += u' ' + Report::tr("The file was read with the conventions named above.");
     }

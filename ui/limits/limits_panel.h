@@ -9,16 +9,17 @@
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 class QBoxLayout;
 class QLabel;
 class QScrollArea;
-class QTableView;
 
 namespace slidercrank
 {
 
-class FactModel;
+class NumberTable;
+struct TableColumn;
 
 class LimitsPanel : public QWidget
 {
@@ -40,7 +41,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QTableView *createTable(FactModel *model, const QString &name, const QString &title);
+    NumberTable *createTable(const QString &name, const QString &title, std::vector<TableColumn> columns);
     void showLater(); ///< m_result, at once where the panel is on show
     void fill();
     void arrange(); ///< the tables side by side where there is room, else one above the other
@@ -50,10 +51,8 @@ private:
     QLabel *m_sentence = nullptr;
     QScrollArea *m_scroll = nullptr;
     QBoxLayout *m_tables = nullptr;
-    FactModel *m_positions = nullptr;
-    FactModel *m_peaks = nullptr;
-    QTableView *m_positionTable = nullptr;
-    QTableView *m_peakTable = nullptr;
+    NumberTable *m_positions = nullptr;
+    NumberTable *m_peaks = nullptr;
 };
 
 } // namespace slidercrank

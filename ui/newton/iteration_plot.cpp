@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/newton/iteration_plot.h"
 
+#include "ui/controls/named.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
 #include "ui/words/written_number.h"
@@ -42,7 +43,7 @@ void paintMark(QPainter &painter, const QPointF &at, Mark mark, const QColor &co
 
 QString digitsOf(double residual)
 {
-    return shortNumber(residual, 2, QLocale());
+    return shortNumber(residual, 2);
 }
 
 } // namespace
@@ -62,8 +63,7 @@ struct IterationPlot::Axes {
 IterationPlot::IterationPlot(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("iterationPlot"));
-    setAccessibleName(tr("Residual ‖C‖ over the iterations"));
+    named("iterationPlot", this, tr("Residual ‖C‖ over the iterations"));
     setToolTip(tr("Near the answer each step doubles the right digits: on this axis the line bends down"));
 }
 
@@ -158,7 +158,7 @@ void IterationPlot::paintAxes(QPainter &painter, const Axes &axes, const SeriesC
         painter.setPen(QPen(colours.warning, 1.0, Qt::DashLine));
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
         painter.drawText(QRectF(area.left(), y, area.width() - 4.0, lineHeight), Qt::AlignRight | Qt::AlignTop,
-                         tr("tolerance %1").arg(shortNumber(m_options.tolerance, 2, QLocale())));
+                         tr("tolerance %1").arg(shortNumber(m_options.tolerance, 2)));
     }
 }
 

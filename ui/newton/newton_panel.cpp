@@ -2,11 +2,13 @@
 #include "ui/newton/newton_panel.h"
 
 #include "core/newton/iteration_history.h"
+#include "ui/controls/named.h"
 #include "ui/newton/iteration_plot.h"
 #include "ui/newton/newton_tables.h"
 #include "ui/newton/solver_form.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QBoxLayout>
 #include <QButtonGroup>
@@ -35,8 +37,7 @@ constexpr int kWide = 760;           // px: from here on there is room for the s
 NewtonPanel::NewtonPanel(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("newtonPanel"));
-    setAccessibleName(tr("Newton-Raphson"));
+    named("newtonPanel", this, tr("Newton-Raphson"));
 
     m_buttons = new QButtonGroup(this);
     m_segments = new QBoxLayout(QBoxLayout::TopToBottom);
@@ -47,9 +48,8 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     connect(m_form, &SolverForm::edited, this, &NewtonPanel::edited);
     addPage(Settings, tr("Settings"), m_form, nullptr);
 
-    auto *equations = new NumberTable(equationColumns());
-    equations->setObjectName(QStringLiteral("equationTable"));
-    equations->setAccessibleName(tr("Equations, a row a constraint"));
+    auto *equations =
+        new NumberTable(QStringLiteral("equationTable"), tr("Equations, a row a constraint"), equationColumns());
     equations->setColumnText(0, longestConstraintName());
     equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ² + b/2 cos θ³ = 0"));
     equations->setColumnText(2, QStringLiteral("-0.000·10⁻¹⁰"));
@@ -62,9 +62,8 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     QWidget *iterations = createIterationPage();
     addPage(Iterations, tr("Iterations"), iterations, m_iterations);
 
-    auto *coordinates = new NumberTable(coordinateColumns());
-    coordinates->setObjectName(QStringLiteral("coordinateTable"));
-    coordinates->setAccessibleName(tr("Coordinates, a row each"));
+    auto *coordinates =
+        new NumberTable(QStringLiteral("coordinateTable"), tr("Coordinates, a row each"), coordinateColumns());
     coordinates->setColumnText(0, QStringLiteral("R_y¹"));
     coordinates->setColumnText(1, longestBodyName());
     for (const int column : {2, 3, 4}) {
@@ -72,8 +71,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     }
     addPage(Coordinates, tr("Coordinates"), coordinates, coordinates);
 
-    m_copy = new QToolButton;
-    m_copy->setObjectName(QStringLiteral("copyTableButton"));
+    m_copy = named("copyTableButton", new QToolButton);
     m_copy->setText(tr("Copy as CSV"));
     m_copy->setToolTip(tr("The table with every digit (Ctrl+C in the table)"));
     connect(m_copy, &QToolButton::clicked, this, [this] {
@@ -84,8 +82,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     m_segments->addStretch(1);
     m_segments->addWidget(m_copy);
 
-    m_remark = new QLabel;
-    m_remark->setObjectName(QStringLiteral("instantRemark"));
+    m_remark = named("instantRemark", new QLabel);
     m_remark->setWordWrap(true);
     m_remark->hide();
 
@@ -112,8 +109,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
 
 void NewtonPanel::addPage(Page page, const QString &title, QWidget *widget, NumberTable *table)
 {
-    auto *button = new QToolButton;
-    button->setObjectName(QStringLiteral("segment%1").arg(page));
+    auto *button = named(QStringLiteral("segment%1").arg(page), new QToolButton);
     button->setText(title);
     button->setCheckable(true);
     button->setAutoRaise(true);
@@ -129,13 +125,11 @@ void NewtonPanel::addPage(Page page, const QString &title, QWidget *widget, Numb
 
 QWidget *NewtonPanel::createJacobianPage()
 {
-    m_jacobian = new NumberTable(jacobianColumns());
-    m_jacobian->setObjectName(QStringLiteral("jacobianTable"));
-    m_jacobian->setAccessibleName(tr("Jacobian C_q, a row a constraint, a column a coordinate"));
+    m_jacobian = new NumberTable(QStringLiteral("jacobianTable"),
+                                 tr("Jacobian C_q, a row a constraint, a column a coordinate"), jacobianColumns());
     m_jacobian->setRuled(true);
     m_jacobian->setColumnText(0, longestConstraintName());
-    m_jacobianNote = new QLabel;
-    m_jacobianNote->setObjectName(QStringLiteral("jacobianNote"));
+    m_jacobianNote = named("jacobianNote", new QLabel);
     m_jacobianNote->setTextFormat(Qt::RichText);
     m_jacobianNote->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_jacobianNote->setToolTip(
@@ -153,9 +147,7 @@ QWidget *NewtonPanel::createJacobianPage()
 QWidget *NewtonPanel::createIterationPage()
 {
     m_plot = new IterationPlot;
-    m_iterations = new NumberTable(iterationColumns());
-    m_iterations->setObjectName(QStringLiteral("iterationTable"));
-    m_iterations->setAccessibleName(tr("Iterations, a row each"));
+    m_iterations = new NumberTable(QStringLiteral("iterationTable"), tr("Iterations, a row each"), iterationColumns());
     m_iterations->setColumnText(0, QStringLiteral("00"));
     for (const int column : {1, 3}) {
         m_iterations->setColumnText(column, QStringLiteral("0.00·10⁻¹⁰"));
@@ -253,14 +245,10 @@ void NewtonPanel::fill()
     case Equations: table->setRows(equationRows(equations)); break;
     case Jacobian: {
         table->setRows(jacobianRows(mechanism, equations));
-        const QLocale locale;
         const bool exists = equations.hasPosition();
         const double condition = exists ? conditionNumber(equations.Cq) : std::numeric_limits<double>::quiet_NaN();
-        const QString kappa = std::isinf(condition) ? QStringLiteral("∞")
-                              : exists              ? shortNumber(condition, 4, locale)
-                                                    : QStringLiteral("–");
-        const QString determinant =
-            exists ? tr("%1 mm").arg(shortNumber(equations.Cq.determinant(), 4, locale)) : QStringLiteral("–");
+        const QString kappa = std::isinf(condition) ? QStringLiteral("∞") : exists ? shortNumber(condition, 4) : dash();
+        const QString determinant = exists ? tr("%1 mm").arg(shortNumber(equations.Cq.determinant(), 4)) : dash();
         const auto swatch = [this](double tint) { return tintColour(tint, palette()).name(); };
         m_jacobianNote->setText(tr("κ(C_q) = %1<br>det C_q = −b cos θ³<br>= %2<br><br><span style='color:%3'>■</span> "
                                    "positive<br><span style='color:%4'>■</span> negative<br>in mm below θ")
@@ -303,9 +291,7 @@ void NewtonPanel::explain(Status status)
     case Status::NotAssemblable: text = tr("It cannot be assembled here: the coupler is too short."); break;
     case Status::NotFinite: text = tr("No finite number comes out here: the numbers are too large."); break;
     }
-    QPalette warning = palette();
-    warning.setColor(QPalette::WindowText, seriesColours(warning).warning);
-    m_remark->setPalette(warning);
+    setInk(*m_remark, seriesColours(palette()).warning);
     m_remark->setText(text.isEmpty() ? text : tr("⚠ %1").arg(text));
     m_remark->setVisible(!text.isEmpty());
 }

@@ -4,9 +4,9 @@
 #include "core/mechanism/channel.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -25,18 +25,6 @@ struct NewtonTables {
 QString symbolOf(Coordinate coordinate)
 {
     return symbolOf(Channel{coordinate, Order::Position});
-}
-
-QLocale plainLocale()
-{
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale;
-}
-
-QString dash()
-{
-    return QStringLiteral("–");
 }
 
 bool isAngle(Constraint row)
@@ -98,7 +86,7 @@ QString unitText(bool angle, int perSecond)
 /// Every digit there is, for the tool tip.
 QString everyDigit(double value)
 {
-    return plainLocale().toString(value, 'g', QLocale::FloatingPointShortest);
+    return localeWithoutGroups().toString(value, 'g', QLocale::FloatingPointShortest);
 }
 
 TableCell numberCell(double value, const QString &text, const QString &meaning, const QString &unit)
@@ -120,12 +108,12 @@ TableCell numberCell(double value, const QString &text, const QString &meaning, 
 QString steadyText(double value, double size)
 {
     constexpr int kDigits = 7;
-    const QLocale locale = plainLocale();
+    const QLocale locale = localeWithoutGroups();
     if (value == 0.0 || !std::isfinite(value)) {
         return locale.toString(0);
     }
     if (!(size >= 1e-3 && size < 1e6)) {
-        return shortNumber(value, kDigits, locale);
+        return shortNumber(value, kDigits);
     }
     const int decimals = std::max(0, kDigits - 1 - static_cast<int>(std::floor(std::log10(size))));
     const double least = 0.5 * std::pow(10.0, -decimals);
@@ -198,10 +186,7 @@ std::vector<TableColumn> equationColumns()
 std::vector<TableRow> equationRows(const InstantEquations &equations)
 {
     constexpr int kDigits = 4;
-    const QLocale locale = plainLocale();
-    const auto text = [&locale](double value) {
-        return std::isfinite(value) ? shortNumber(value, kDigits, locale) : dash();
-    };
+    const auto text = [](double value) { return std::isfinite(value) ? shortNumber(value, kDigits) : dash(); };
     std::vector<TableRow> rows;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
@@ -240,7 +225,7 @@ std::vector<TableRow> jacobianRows(const Mechanism &mechanism, const InstantEqua
 {
     constexpr double kUnity = 0.4; // the tint of ±1, beside that of lengths, which are coloured by their size
     constexpr double kFaintest = 0.1;
-    const QLocale locale = plainLocale();
+    const QLocale locale = localeWithoutGroups();
     const double largest = 0.5 * std::max(mechanism.a(), mechanism.b());
     std::vector<TableRow> rows;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
@@ -261,7 +246,7 @@ std::vector<TableRow> jacobianRows(const Mechanism &mechanism, const InstantEqua
                 const double strength =
                     isLength ? kFaintest + (1.0 - kFaintest) * std::min(1.0, std::abs(value) / largest) : kUnity;
                 cell.tint = std::copysign(strength, value);
-                cell.shortText = isLength ? shortNumber(value, 2, locale) : text;
+                cell.shortText = isLength ? shortNumber(value, 2) : text;
             }
             shown.cells.push_back(std::move(cell));
         }
@@ -324,7 +309,7 @@ std::vector<TableColumn> iterationColumns()
 std::vector<TableRow> iterationRows(const IterationHistory &fromAfar, const IterationHistory &fromBefore)
 {
     constexpr int kDecimals = 10;
-    const QLocale locale = plainLocale();
+    const QLocale locale = localeWithoutGroups();
     std::vector<TableRow> rows;
     for (std::size_t k = 0; k < std::max(fromAfar.iterations.size(), fromBefore.iterations.size()); ++k) {
         TableCell step = textCell(QString::number(k));
@@ -337,10 +322,9 @@ std::vector<TableRow> iterationRows(const IterationHistory &fromAfar, const Iter
             }
             const Iteration &iteration = history->iterations[k];
             const double degrees = kDegreesPerRadian * iteration.q[Theta3];
-            row.cells.push_back(
-                numberCell(iteration.residual,
-                           std::isfinite(iteration.residual) ? shortNumber(iteration.residual, 3, locale) : dash(),
-                           NewtonTables::tr("‖C‖"), QString()));
+            row.cells.push_back(numberCell(
+                iteration.residual, std::isfinite(iteration.residual) ? shortNumber(iteration.residual, 3) : dash(),
+                NewtonTables::tr("‖C‖"), QString()));
             row.cells.push_back(numberCell(degrees, locale.toString(degrees, 'f', kDecimals), QStringLiteral("θ³"),
                                            QStringLiteral("°")));
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/newton/solver_form.h"
 
+#include "ui/controls/named.h"
 #include "ui/controls/number_box.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
@@ -36,11 +37,9 @@ constexpr int kWideInLetters = 115; // from here on what came out has room besid
 SolverForm::SolverForm(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("solverForm"));
-    setAccessibleName(tr("Settings and outcome"));
+    named("solverForm", this, tr("Settings and outcome"));
 
-    m_method = new QComboBox;
-    m_method->setObjectName(QStringLiteral("methodBox"));
+    m_method = named("methodBox", new QComboBox);
     m_method->addItem(tr("Newton-Raphson"), static_cast<int>(Method::Newton));
     m_method->addItem(tr("closed form, exact"), static_cast<int>(Method::ClosedForm));
     m_method->setToolTip(tr("How the curves are computed"));
@@ -50,8 +49,7 @@ SolverForm::SolverForm(QWidget *parent)
         edit(m_sampling, solver);
     });
 
-    m_steps = new QSpinBox;
-    m_steps->setObjectName(QStringLiteral("stepsBox"));
+    m_steps = named("stepsBox", new QSpinBox);
     m_steps->setRange(1, kMostSteps);
     m_steps->setKeyboardTracking(false);
     m_steps->setAlignment(Qt::AlignRight);
@@ -62,8 +60,7 @@ SolverForm::SolverForm(QWidget *parent)
         edit(sampling, m_solver);
     });
 
-    m_duration = new NumberBox;
-    m_duration->setObjectName(QStringLiteral("durationBox"));
+    m_duration = named("durationBox", new NumberBox);
     m_duration->setSuffix(tr(" s"));
     m_duration->setToolTip(tr("From the first instant to the last"));
     connect(m_duration, &NumberBox::edited, this, [this](double seconds) {
@@ -72,8 +69,7 @@ SolverForm::SolverForm(QWidget *parent)
         edit(sampling, m_solver);
     });
 
-    m_start = new NumberBox;
-    m_start->setObjectName(QStringLiteral("startBox"));
+    m_start = named("startBox", new NumberBox);
     m_start->setSuffix(tr(" s"));
     m_start->setToolTip(tr("The first instant"));
     connect(m_start, &NumberBox::edited, this, [this](double seconds) {
@@ -82,14 +78,12 @@ SolverForm::SolverForm(QWidget *parent)
         edit(sampling, m_solver);
     });
 
-    m_tolerance = new QLineEdit;
-    m_tolerance->setObjectName(QStringLiteral("toleranceBox"));
+    m_tolerance = named("toleranceBox", new QLineEdit);
     m_tolerance->setAlignment(Qt::AlignRight);
     m_tolerance->setToolTip(tr("Iterates until ‖C‖ is at most this; 0: until it no longer falls"));
     connect(m_tolerance, &QLineEdit::editingFinished, this, &SolverForm::editTolerance);
 
-    m_toleranceKind = new QComboBox;
-    m_toleranceKind->setObjectName(QStringLiteral("toleranceKindBox"));
+    m_toleranceKind = named("toleranceKindBox", new QComboBox);
     m_toleranceKind->addItem(tr("absolute"), static_cast<int>(ToleranceKind::Absolute));
     m_toleranceKind->addItem(tr("relative"), static_cast<int>(ToleranceKind::Relative));
     m_toleranceKind->setToolTip(
@@ -101,8 +95,7 @@ SolverForm::SolverForm(QWidget *parent)
         edit(m_sampling, solver);
     });
 
-    m_iterations = new QSpinBox;
-    m_iterations->setObjectName(QStringLiteral("iterationsBox"));
+    m_iterations = named("iterationsBox", new QSpinBox);
     m_iterations->setRange(1, kMostIterations);
     m_iterations->setKeyboardTracking(false);
     m_iterations->setAlignment(Qt::AlignRight);
@@ -132,14 +125,10 @@ SolverForm::SolverForm(QWidget *parent)
     add(tr("Duration"), m_duration, 1, 1);
     add(tr("Start"), m_start, 2, 1);
 
-    m_iterationsDone = new QLabel;
-    m_iterationsDone->setObjectName(QStringLiteral("iterationsLabel"));
-    m_residual = new QLabel;
-    m_residual->setObjectName(QStringLiteral("residualLabel"));
-    m_instants = new QLabel;
-    m_instants->setObjectName(QStringLiteral("instantsLabel"));
-    m_explanation = new QLabel;
-    m_explanation->setObjectName(QStringLiteral("explanationLabel"));
+    m_iterationsDone = named("iterationsLabel", new QLabel);
+    m_residual = named("residualLabel", new QLabel);
+    m_instants = named("instantsLabel", new QLabel);
+    m_explanation = named("explanationLabel", new QLabel);
     auto *outcome = new QFormLayout;
     outcome->setHorizontalSpacing(8);
     outcome->setVerticalSpacing(4);
@@ -183,25 +172,21 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
     if (newton) {
         m_iterationsDone->setText(tr("%1 in all, at most %2 an instant")
                                       .arg(locale.toString(run.iterations), locale.toString(run.mostIterations)));
-        m_residual->setText(shortNumber(run.largestResidual, 3, locale));
+        m_residual->setText(shortNumber(run.largestResidual, 3));
     } else {
         m_iterationsDone->setText(tr("none: the closed form needs none"));
-        m_residual->setText(tr("–"));
+        m_residual->setText(dash());
     }
 
-    const auto countOf = [&run](Status status) { return run.count(status); };
-    const std::size_t solved = countOf(Status::Solved);
-    m_instants->setText(solved == instants ? tr("all %1 solved").arg(locale.toString(static_cast<qulonglong>(instants)))
-                                           : tr("%1 of %2 solved")
-                                                 .arg(locale.toString(static_cast<qulonglong>(solved)),
-                                                      locale.toString(static_cast<qulonglong>(instants))));
+    const std::size_t solved = run.count(Status::Solved);
+    m_instants->setText(solved == instants ? tr("all %1 solved").arg(countText(instants))
+                                           : tr("%1 of %2 solved").arg(countText(solved), countText(instants)));
 
     QStringList sentences;
     const auto tell = [&](Status status, const QString &sentence) {
-        const std::size_t count = countOf(status);
+        const std::size_t count = run.count(status);
         if (count > 0) {
-            sentences << sentence.arg(locale.toString(static_cast<qulonglong>(count)),
-                                      locale.toString(static_cast<qulonglong>(instants)));
+            sentences << sentence.arg(countText(count), countText(instants));
         }
     };
     tell(Status::IterationLimit,
@@ -239,9 +224,7 @@ void SolverForm::changeEvent(QEvent *event)
 
 void SolverForm::colourExplanation()
 {
-    QPalette warning = palette();
-    warning.setColor(QPalette::WindowText, seriesColours(warning).warning);
-    m_explanation->setPalette(warning);
+    setInk(*m_explanation, seriesColours(palette()).warning);
 }
 
 void SolverForm::showSettings()

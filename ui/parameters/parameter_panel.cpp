@@ -3,8 +3,10 @@
 
 #include "core/limits/mobility.h"
 #include "core/mechanism/turn.h"
+#include "ui/controls/named.h"
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_slider.h"
+#include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
 #include "ui/words/written_number.h"
 
@@ -70,32 +72,26 @@ bool isLength(Parameter parameter)
     return parameter == Parameter::A || parameter == Parameter::B || parameter == Parameter::C;
 }
 
-/// What is written about a parameter, and the names by which it is found.
-struct Wording {
-    QString key; ///< ends the object names
-    QString symbol;
-    QString noun;
-    QString explanation;
-};
-
-Wording wordingOf(Parameter parameter)
+QString nounOf(Parameter parameter)
 {
     switch (parameter) {
-    case Parameter::A:
-        return {QStringLiteral("a"), QStringLiteral("a"), ParameterPanel::tr("crank"),
-                ParameterPanel::tr("Length of the crank, O₂ to A")};
-    case Parameter::B:
-        return {QStringLiteral("b"), QStringLiteral("b"), ParameterPanel::tr("coupler"),
-                ParameterPanel::tr("Length of the coupler, A to B")};
-    case Parameter::C:
-        return {QStringLiteral("c"), QStringLiteral("c"), ParameterPanel::tr("offset"),
-                ParameterPanel::tr("Height of the slider's line above O₂; may be negative")};
-    case Parameter::Omega2:
-        return {QStringLiteral("omega2"), QStringLiteral("ω₂"), ParameterPanel::tr("speed"),
-                ParameterPanel::tr("Speed of the crank, counter-clockwise positive")};
-    case Parameter::Theta20:
-        return {QStringLiteral("theta20"), QStringLiteral("θ₂₀"), ParameterPanel::tr("start"),
-                ParameterPanel::tr("Angle of the crank at t = 0")};
+    case Parameter::A: return ParameterPanel::tr("crank");
+    case Parameter::B: return ParameterPanel::tr("coupler");
+    case Parameter::C: return ParameterPanel::tr("offset");
+    case Parameter::Omega2: return ParameterPanel::tr("speed");
+    case Parameter::Theta20: return ParameterPanel::tr("start");
+    }
+    return {};
+}
+
+QString explanationOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return ParameterPanel::tr("Length of the crank, O₂ to A");
+    case Parameter::B: return ParameterPanel::tr("Length of the coupler, A to B");
+    case Parameter::C: return ParameterPanel::tr("Height of the slider's line above O₂; may be negative");
+    case Parameter::Omega2: return ParameterPanel::tr("Speed of the crank, counter-clockwise positive");
+    case Parameter::Theta20: return ParameterPanel::tr("Angle of the crank at t = 0");
     }
     return {};
 }
@@ -198,8 +194,7 @@ ParameterPanel::ParameterPanel(QWidget *parent)
     : QWidget(parent)
     , m_rows{{{Parameter::A}, {Parameter::B}, {Parameter::C}, {Parameter::Omega2}, {Parameter::Theta20}}}
 {
-    setObjectName(QStringLiteral("parameterPanel"));
-    setAccessibleName(tr("Parameters of the mechanism"));
+    named("parameterPanel", this, tr("Parameters of the mechanism"));
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 4);
@@ -211,9 +206,7 @@ ParameterPanel::ParameterPanel(QWidget *parent)
     }
 
     auto *label = new QLabel(tr("assembly"));
-    m_branch = new QComboBox;
-    m_branch->setObjectName(QStringLiteral("branchBox"));
-    m_branch->setAccessibleName(tr("Assembly"));
+    m_branch = named("branchBox", new QComboBox, tr("Assembly"));
     m_branch->addItem(tr("open: slider to the right of A"));
     m_branch->addItem(tr("crossed: slider to the left of A"));
     m_branch->setToolTip(tr("The two ways to put the same parts together"));
@@ -234,28 +227,26 @@ ParameterPanel::ParameterPanel(QWidget *parent)
 
 void ParameterPanel::addRow(QGridLayout *grid, Row &row)
 {
-    const Wording wording = wordingOf(row.parameter);
+    const QLatin1String key(wordOf(row.parameter));
+    const QString symbol = symbolOf(row.parameter);
+    const QString explanation = explanationOf(row.parameter);
     const int line = static_cast<int>(&row - m_rows.data());
-    const QString name = tr("%1 (%2)").arg(wording.explanation, wording.symbol);
+    const QString name = tr("%1 (%2)").arg(explanation, symbol);
 
-    auto *label = new QLabel(tr("<b>%1</b> %2").arg(wording.symbol, wording.noun));
-    label->setToolTip(wording.explanation);
+    auto *label = new QLabel(tr("<b>%1</b> %2").arg(symbol, nounOf(row.parameter)));
+    label->setToolTip(explanation);
     grid->addWidget(label, line, 0);
 
-    row.slider = new ParameterSlider;
-    row.slider->setObjectName(QStringLiteral("slider_") + wording.key);
-    row.slider->setAccessibleName(tr("%1, slider").arg(name));
-    row.slider->setToolTip(wording.explanation);
+    row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
+    row.slider->setToolTip(explanation);
     grid->addWidget(row.slider, line, 1);
     connect(row.slider, &QSlider::valueChanged, this,
             [this, &row] { edit(row, fromUnitOf(row, row.slider->number())); });
     connect(row.slider, &QSlider::sliderPressed, this, &ParameterPanel::dragBegan);
     connect(row.slider, &QSlider::sliderReleased, this, &ParameterPanel::dragEnded);
 
-    row.box = new NumberBox;
-    row.box->setObjectName(QStringLiteral("box_") + wording.key);
-    row.box->setAccessibleName(name);
-    row.box->setToolTip(wording.explanation);
+    row.box = named(QStringLiteral("box_") + key, new NumberBox, name);
+    row.box->setToolTip(explanation);
     label->setBuddy(row.box);
     connect(row.box, &NumberBox::edited, this, [this, &row](double value) { edit(row, fromUnitOf(row, value)); });
     if (isLength(row.parameter)) {
@@ -264,9 +255,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     } else {
         row.box->setWidestText(QStringLiteral("-000.00"));
         grid->addWidget(row.box, line, 2);
-        row.unit = new QComboBox;
-        row.unit->setObjectName(QStringLiteral("unit_") + wording.key);
-        row.unit->setAccessibleName(tr("Unit of %1").arg(wording.symbol));
+        row.unit = named(QStringLiteral("unit_") + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
         const bool speed = row.parameter == Parameter::Omega2;
         for (int i = 0; i < (speed ? 3 : 2); ++i) {
@@ -279,12 +268,10 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
         });
     }
 
-    row.reset = new QToolButton;
-    row.reset->setObjectName(QStringLiteral("reset_") + wording.key);
+    row.reset = named(QStringLiteral("reset_") + key, new QToolButton, tr("Reset %1").arg(symbol));
     row.reset->setText(QStringLiteral("↺"));
     row.reset->setAutoRaise(true);
     row.reset->setFixedSize(20, 22); // beside five sliders, which need the width more
-    row.reset->setAccessibleName(tr("Reset %1").arg(wording.symbol));
     row.reset->setToolTip(tr("Back to the report's Table 1"));
     grid->addWidget(row.reset, line, 4);
     connect(row.reset, &QToolButton::clicked, this, [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
@@ -381,7 +368,7 @@ void ParameterPanel::shadeForbidden()
 {
     const Mechanism mechanism(m_parameters);
     for (const Row &row : m_rows) {
-        const QString explanation = wordingOf(row.parameter).explanation;
+        const QString explanation = explanationOf(row.parameter);
         const auto limitText = [](double limit) { return tr("%1 mm").arg(numberText(limit)); };
         switch (row.parameter) {
         case Parameter::A: {

@@ -3,6 +3,7 @@
 
 #include "core/mechanism/turn.h"
 #include "core/run/crank_instant.h"
+#include "ui/controls/named.h"
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_slider.h"
 #include "ui/words/written_number.h"
@@ -13,9 +14,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
-#include <QPainterPath>
 #include <QSignalBlocker>
-#include <QStyleOptionToolButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -128,15 +127,12 @@ private:
 Timeline::Timeline(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("timeline"));
-    setAccessibleName(tr("Timeline"));
+    named("timeline", this, tr("Timeline"));
     m_frames.setInterval(16);
     m_frames.setTimerType(Qt::PreciseTimer);
     connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
 
-    m_timeBox = new NumberBox;
-    m_timeBox->setObjectName(QStringLiteral("timeBox"));
-    m_timeBox->setAccessibleName(tr("Instant in seconds"));
+    m_timeBox = named("timeBox", new NumberBox, tr("Instant in seconds"));
     m_timeBox->setToolTip(tr("Instant"));
     m_timeBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_timeBox->setSuffix(tr(" s"));
@@ -145,9 +141,7 @@ Timeline::Timeline(QWidget *parent)
         showTime();
     });
 
-    m_angleBox = new NumberBox;
-    m_angleBox->setObjectName(QStringLiteral("angleBox"));
-    m_angleBox->setAccessibleName(tr("Crank angle in degrees"));
+    m_angleBox = named("angleBox", new NumberBox, tr("Crank angle in degrees"));
     m_angleBox->setToolTip(tr("Crank angle: type one to go where the crank first passes it"));
     m_angleBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_angleBox->setSuffix(tr("°"));
@@ -155,10 +149,8 @@ Timeline::Timeline(QWidget *parent)
     m_angleBox->setStep(1.0);
     connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
 
-    m_slider = new NumberSlider;
+    m_slider = named("timeSlider", new NumberSlider, tr("Instant, slider"));
     m_slider->setSuffix(tr(" s"));
-    m_slider->setObjectName(QStringLiteral("timeSlider"));
-    m_slider->setAccessibleName(tr("Instant, slider"));
     m_slider->setMinimumWidth(60);
     connect(m_slider, &NumberSlider::valueChanged, this,
             [this](int step) { emit timeRequested(m_sampling.instant(step)); });
@@ -177,19 +169,13 @@ Timeline::Timeline(QWidget *parent)
     scrubbing->addWidget(m_angleBox);
 
     using Sign = PlaybackButton::Sign;
-    auto *start = new PlaybackButton(Sign::Start, tr("To the start"), tr("Home"));
-    auto *back = new PlaybackButton(Sign::Back, tr("One step back"), tr("Left"));
-    m_play = new PlaybackButton(Sign::Play, tr("Play"), QString());
-    auto *forward = new PlaybackButton(Sign::Forward, tr("One step forward"), tr("Right"));
-    auto *end = new PlaybackButton(Sign::End, tr("To the end"), tr("End"));
-    m_loop = new PlaybackButton(Sign::Loop, tr("Loop"), QString());
-    start->setObjectName(QStringLiteral("startButton"));
-    back->setObjectName(QStringLiteral("backButton"));
-    m_play->setObjectName(QStringLiteral("playButton"));
+    auto *start = named("startButton", new PlaybackButton(Sign::Start, tr("To the start"), tr("Home")));
+    auto *back = named("backButton", new PlaybackButton(Sign::Back, tr("One step back"), tr("Left")));
+    m_play = named("playButton", new PlaybackButton(Sign::Play, tr("Play"), QString()));
+    auto *forward = named("forwardButton", new PlaybackButton(Sign::Forward, tr("One step forward"), tr("Right")));
+    auto *end = named("endButton", new PlaybackButton(Sign::End, tr("To the end"), tr("End")));
+    m_loop = named("loopButton", new PlaybackButton(Sign::Loop, tr("Loop"), QString()));
     m_play->setToolTip(tr("Play or pause (Space)"));
-    forward->setObjectName(QStringLiteral("forwardButton"));
-    end->setObjectName(QStringLiteral("endButton"));
-    m_loop->setObjectName(QStringLiteral("loopButton"));
     m_loop->setToolTip(tr("Start again at the end"));
     m_loop->setCheckable(true);
     m_loop->setChecked(true);
@@ -202,9 +188,7 @@ Timeline::Timeline(QWidget *parent)
     connect(forward, &QToolButton::clicked, this, &Timeline::stepForward);
     connect(end, &QToolButton::clicked, this, &Timeline::toEnd);
 
-    m_speedBox = new QComboBox;
-    m_speedBox->setObjectName(QStringLiteral("speedBox"));
-    m_speedBox->setAccessibleName(tr("Playing speed"));
+    m_speedBox = named("speedBox", new QComboBox, tr("Playing speed"));
     m_speedBox->setToolTip(tr("Playing speed"));
     for (const double speed : kSpeeds) {
         m_speedBox->addItem(speedText(speed), speed);

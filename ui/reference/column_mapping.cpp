@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/column_mapping.h"
 
+#include "ui/controls/named.h"
+#include "ui/controls/paragraph.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/column_text.h"
@@ -206,23 +208,17 @@ ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, Q
     auto *purpose = new QLabel(tr("Say what the columns are; the choice is remembered for files with the same "
                                   "headings. Below is what would be read from the chosen column."));
     purpose->setWordWrap(true);
-    m_caption = new QLabel;
-    m_caption->setObjectName(QStringLiteral("previewCaption"));
+    m_caption = named("previewCaption", new QLabel);
     m_caption->setTextFormat(Qt::PlainText);
-    m_preview = new ColumnPreview;
-    m_preview->setObjectName(QStringLiteral("preview"));
-    m_preview->setAccessibleName(tr("Preview of the chosen column"));
-    m_problem = new QLabel;
-    m_problem->setObjectName(QStringLiteral("mappingProblem"));
+    m_preview = named("preview", new ColumnPreview, tr("Preview of the chosen column"));
+    m_problem = named("mappingProblem", new QLabel);
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
 
     auto *buttons = new QDialogButtonBox;
-    m_use = buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole);
-    m_use->setObjectName(QStringLiteral("useButton"));
+    m_use = named("useButton", buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole));
     m_use->setDefault(true);
-    QPushButton *guess = buttons->addButton(tr("Guess anew"), QDialogButtonBox::ResetRole);
-    guess->setObjectName(QStringLiteral("guessButton"));
+    QPushButton *guess = named("guessButton", buttons->addButton(tr("Guess anew"), QDialogButtonBox::ResetRole));
     guess->setToolTip(tr("Forgets what was chosen for files with these headings"));
     guess->setAutoDefault(false);
     buttons->addButton(QDialogButtonBox::Cancel);
@@ -269,30 +265,21 @@ QWidget *ColumnMapping::createRows()
     grid->setHorizontalSpacing(14);
     const QStringList headers{tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("why")};
     for (int column = 0; column < headers.size(); ++column) {
-        auto *header = new QLabel(headers[column]);
-        QFont bold = header->font();
-        bold.setBold(true);
-        header->setFont(bold);
-        grid->addWidget(header, 0, column);
+        grid->addWidget(boldLabel(headers[column]), 0, column);
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const QString heading = headingText(m_layout, i);
         Row &row = m_rows[i];
-        row.meaning = new QComboBox;
-        row.meaning->setObjectName(QStringLiteral("meaning%1").arg(i));
-        row.meaning->setAccessibleName(tr("%1 is read as").arg(heading));
+        row.meaning = named(QStringLiteral("meaning%1").arg(i), new QComboBox, tr("%1 is read as").arg(heading));
         fillMeanings(*row.meaning);
-        row.unit = new QComboBox;
-        row.unit->setObjectName(QStringLiteral("unit%1").arg(i));
-        row.unit->setAccessibleName(tr("Unit of %1").arg(heading));
+        row.unit = named(QStringLiteral("unit%1").arg(i), new QComboBox, tr("Unit of %1").arg(heading));
         row.unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         for (QComboBox *combo : {row.meaning, row.unit}) {
             combo->setFocusPolicy(Qt::StrongFocus);
             combo->installEventFilter(this);
             connect(combo, &QComboBox::currentIndexChanged, this, [this, i] { choose(i); });
         }
-        row.why = new QLabel;
-        row.why->setObjectName(QStringLiteral("why%1").arg(i));
+        row.why = named(QStringLiteral("why%1").arg(i), new QLabel);
         auto *name = new QLabel(heading);
         auto *values = new QLabel(firstValues(m_layout, i));
         for (QLabel *label : {name, values, row.why}) {
@@ -394,9 +381,7 @@ void ColumnMapping::showPreview()
     m_preview->setCurve({}, {});
     if (error) {
         m_problem->setText(sentenceOf(*error, QFileInfo(m_path).fileName()));
-        QPalette warning = palette();
-        warning.setColor(QPalette::WindowText, seriesColours(palette()).warning);
-        m_problem->setPalette(warning);
+        setInk(*m_problem, seriesColours(palette()).warning);
         return;
     }
     if (m_current >= m_rows.size()) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/error_panel.h"
 
+#include "ui/controls/named.h"
+#include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
 #include "ui/document/diagnosis.h"
+#include "ui/reference/empty_page.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
@@ -11,18 +14,13 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QStackedWidget>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 
 namespace slidercrank
@@ -31,42 +29,10 @@ namespace slidercrank
 namespace
 {
 
-enum ErrorColumn {
-    Name,
-    Outcome,
-    LargestError,
-    LargestErrorAt,
-    Rms,
-    LargestPercent,
-    LargestPercentAt,
-    PercentOfPeak,
-    RoundingStep
-};
-constexpr int kErrorColumnCount = 9;
 constexpr int kErrorDigits = 3;
 
 /// Between two fillings while the parameters move: nobody reads faster, and a filling takes longer than nine plots.
 constexpr std::chrono::milliseconds kPause{100};
-
-QString dash()
-{
-    return QStringLiteral("–");
-}
-
-QString errorText(const std::optional<double> &value)
-{
-    return value ? shortNumber(*value, kErrorDigits, QLocale()) : dash();
-}
-
-QString stepText(const std::optional<double> &value)
-{
-    return value ? numberText(*value, kErrorDigits) : dash();
-}
-
-QString instantText(double seconds)
-{
-    return numberText(seconds, 6);
-}
 
 QString markOf(Verdict verdict)
 {
@@ -151,15 +117,69 @@ LeftOut leftOutOf(const ReferenceData &data)
     return {parts.join(ErrorPanel::tr("; ")) + ErrorPanel::tr("."), details.join(QStringLiteral("<br>"))};
 }
 
+TableRow errorRowOf(const ChannelComparison &channel, const SeriesColours &colours)
+{
+    const QString unit = unitOf(channel.channel);
+    const auto withUnit = [&unit](const QString &text) {
+        return text == dash() ? text : text + QLatin1Char(' ') + unit;
+    };
+    const auto cell = [](const QString &text, const QString &explanation) {
+        return TableCell{.text = text, .explanation = explanation};
+    };
+    const bool exists = channel.maxAbs.has_value();
+    const QString goThere = ErrorPanel::tr("Click to go to the instant of the largest error");
+    QString nameTip =
+        ErrorPanel::tr("%1 in the file, %2 instants").arg(columnNameOf(channel.channel)).arg(channel.count);
+    if (channel.missingModel > 0) {
+        nameTip += ErrorPanel::tr("; at %1 more there is no motion to compare with").arg(channel.missingModel);
+    }
+    TableCell outcome = cell(markOf(channel.verdict) + verdictText(channel),
+                             ErrorPanel::tr("%1\n%2").arg(verdictText(channel), verdictFormula(channel)));
+    outcome.shortText = markOf(channel.verdict) + shortVerdict(channel.verdict);
+    outcome.ink = verdictColour(channel.verdict, colours);
+    TableCell percent = cell(shortNumber(channel.maxPercent, kErrorDigits),
+                             ErrorPanel::tr("max |model − reference| / |reference| · 100"));
+    if (channel.zeroReference > 0) {
+        percent.explanation +=
+            ErrorPanel::tr("\nInfinite at %1 instants where the reference is zero; they are left out")
+                .arg(channel.zeroReference);
+        percent.text += ErrorPanel::tr(" (%1×∞)").arg(channel.zeroReference);
+    }
+    TableCell percentAt = cell(channel.maxPercent ? numberText(channel.timeOfMaxPercent) : dash(),
+                               ErrorPanel::tr("Click to go to the instant of the largest percentage"));
+    if (channel.maxPercent) {
+        percent.instant = percentAt.instant = channel.timeOfMaxPercent;
+    }
+    return {MechanismPart::None,
+            {cell(ErrorPanel::tr("%1 [%2]").arg(symbolOf(channel.channel), unit), nameTip), outcome,
+             cell(shortNumber(channel.maxAbs, kErrorDigits),
+                  exists ? ErrorPanel::tr("max |model − reference| = %1\n%2")
+                               .arg(withUnit(shortNumber(channel.maxAbs, kErrorDigits)), goThere)
+                         : QString()),
+             cell(exists ? numberText(channel.timeOfMaxAbs) : dash(), goThere),
+             cell(shortNumber(channel.rms, kErrorDigits), ErrorPanel::tr("√( mean of (model − reference)² ) = %1")
+                                                              .arg(withUnit(shortNumber(channel.rms, kErrorDigits)))),
+             percent, percentAt,
+             cell(shortNumber(channel.percentOfPeak, kErrorDigits),
+                  ErrorPanel::tr("max |model − reference| / max |reference| · 100")),
+             cell(numberText(channel.roundingStep, kErrorDigits),
+                  channel.roundingStep ? ErrorPanel::tr("The file writes this channel in steps of %1 at most")
+                                             .arg(withUnit(numberText(channel.roundingStep, kErrorDigits)))
+                                       : ErrorPanel::tr("The file does not show how it was rounded"))},
+            exists ? std::optional(channel.timeOfMaxAbs) : std::nullopt};
+}
+
 } // namespace
 
 ErrorPanel::ErrorPanel(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("errorPanel"));
-    setAccessibleName(tr("Errors against the reference"));
+    named("errorPanel", this, tr("Errors against the reference"));
     m_pages = new QStackedWidget;
-    m_pages->addWidget(createEmptyPage());
+    m_pages->addWidget(
+        emptyPage(this, tr("Load a simulation's exported motion (CSV) to see how far it is from this mechanism: the "
+                           "largest error of each channel, where it is, and whether it is more than the file's own "
+                           "rounding.")));
     m_pages->addWidget(createTablePage());
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -174,93 +194,35 @@ ErrorPanel::ErrorPanel(QWidget *parent)
     });
 }
 
-QWidget *ErrorPanel::createEmptyPage()
-{
-    auto *purpose =
-        new Paragraph(tr("Load a simulation's exported motion (CSV) to see how far it is from this mechanism: the "
-                         "largest error of each channel, where it is, and whether it is more than the file's own "
-                         "rounding."));
-    purpose->setAlignment(Qt::AlignCenter);
-    auto *openReference = new QPushButton(tr("Open reference…"));
-    openReference->setObjectName(QStringLiteral("openReferenceButton"));
-    auto *openSample = new QPushButton(tr("Open the sample"));
-    openSample->setObjectName(QStringLiteral("openSampleButton"));
-    openSample->setToolTip(tr("The motion that the report's author exported from Inventor"));
-    connect(openReference, &QPushButton::clicked, this, &ErrorPanel::openReferenceRequested);
-    connect(openSample, &QPushButton::clicked, this, &ErrorPanel::openSampleRequested);
-
-    auto *buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(openReference);
-    buttons->addWidget(openSample);
-    buttons->addStretch(1);
-    auto *page = new QWidget;
-    auto *rows = new QVBoxLayout(page);
-    rows->addStretch(1);
-    rows->addWidget(purpose);
-    rows->addLayout(buttons);
-    rows->addStretch(1);
-    return page;
-}
-
 QWidget *ErrorPanel::createTablePage()
 {
-    m_verdict = new Paragraph;
-    m_verdict->setObjectName(QStringLiteral("verdictLabel"));
-    m_verdict->setTextFormat(Qt::PlainText);
-    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_verdict = named("verdictLabel", plainText());
 
-    struct Header {
-        QString title;
-        QString explanation;
-    };
-    const std::array<Header, kErrorColumnCount> headers{{
-        {tr("channel"), tr("What is compared, and its unit")},
-        {tr("verdict"),
-         tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
-            "close: none beyond a hundred halves\n"
-            "differs: anything else")},
-        {tr("max error"), tr("max |model − reference|, in the channel's unit")},
-        {tr("at [s]"), tr("Instant of the largest error")},
-        {tr("rms"), tr("√( mean of (model − reference)² ), in the channel's unit")},
-        {tr("max %"), tr("max |model − reference| / |reference| · 100, as in the report, over the instants where the "
-                         "reference is not zero")},
-        {tr("at [s]"), tr("Instant of the largest percentage")},
-        {tr("% of peak"), tr("max |model − reference| / max |reference| · 100")},
-        {tr("step"), tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
-                        "channel's unit. Rounding alone makes an error of half of it.")},
-    }};
-    m_table = new QTableWidget(0, kErrorColumnCount);
-    m_table->setObjectName(QStringLiteral("errorTable"));
-    m_table->setAccessibleName(tr("Errors, a row a channel"));
-    for (int column = 0; column < kErrorColumnCount; ++column) {
-        const Header &header = headers[static_cast<std::size_t>(column)];
-        auto *item = new QTableWidgetItem(header.title);
-        item->setToolTip(header.explanation);
-        item->setTextAlignment(column == Name || column == Outcome ? Qt::AlignLeft | Qt::AlignVCenter
-                                                                   : Qt::AlignRight | Qt::AlignVCenter);
-        m_table->setHorizontalHeaderItem(column, item);
-    }
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
-    m_table->setAlternatingRowColors(true);
-    m_table->setShowGrid(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // one line each, all as high
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->installEventFilter(this);
-    m_table->viewport()->installEventFilter(this);
-    connect(m_table, &QTableWidget::cellClicked, this, &ErrorPanel::goToError);
+    m_table = new NumberTable(
+        QStringLiteral("errorTable"), tr("Errors, a row a channel"),
+        {{tr("channel"), tr("What is compared, and its unit"), {}, false},
+         {tr("verdict"),
+          tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
+             "close: none beyond a hundred halves\n"
+             "differs: anything else"),
+          {},
+          false},
+         {tr("max error"), tr("max |model − reference|, in the channel's unit")},
+         {tr("at [s]"), tr("Instant of the largest error")},
+         {tr("rms"), tr("√( mean of (model − reference)² ), in the channel's unit")},
+         {tr("max %"), tr("max |model − reference| / |reference| · 100, as in the report, over the instants where the "
+                          "reference is not zero")},
+         {tr("at [s]"), tr("Instant of the largest percentage")},
+         {tr("% of peak"), tr("max |model − reference| / max |reference| · 100")},
+         {tr("step"), tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
+                         "channel's unit. Rounding alone makes an error of half of it.")}},
+        TableLook::Striped);
+    connect(m_table, &NumberTable::instantRequested, this, &ErrorPanel::timeRequested);
 
     m_findings = new FindingList;
     connect(m_findings, &FindingList::remedyRequested, this, &ErrorPanel::remedyRequested);
 
-    m_leftOut = new QLabel;
-    m_leftOut->setObjectName(QStringLiteral("leftOutLabel"));
+    m_leftOut = named("leftOutLabel", new QLabel);
     m_leftOut->setTextFormat(Qt::PlainText);
     m_leftOut->setWordWrap(true);
 
@@ -313,61 +275,6 @@ void ErrorPanel::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
 }
 
-bool ErrorPanel::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == m_table && event->type() == QEvent::KeyPress) {
-        const int key = static_cast<QKeyEvent *>(event)->key();
-        if ((key == Qt::Key_Return || key == Qt::Key_Enter) && m_table->currentRow() >= 0) {
-            goToError(m_table->currentRow(), LargestError);
-            return true;
-        }
-    }
-    if (watched == m_table->viewport() && event->type() == QEvent::Resize) {
-        fitColumns();
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-void ErrorPanel::fitColumns()
-{
-    if (!m_result || m_table->rowCount() != static_cast<int>(m_result->comparison.size())) {
-        return; // laid out while it comes on show, with what is not filled in yet
-    }
-    constexpr int kMostAir = 28;
-    const auto widthNeeded = [this] {
-        int width = 0;
-        for (int column = 0; column < kErrorColumnCount; ++column) {
-            m_table->resizeColumnToContents(column);
-            width += m_table->columnWidth(column);
-        }
-        return width;
-    };
-    const int room = m_table->viewport()->width();
-    m_shortVerdicts = false;
-    wordVerdicts();
-    int needed = widthNeeded();
-    if (needed > room) {
-        m_shortVerdicts = true;
-        wordVerdicts();
-        needed = widthNeeded();
-    }
-    const int air = std::clamp((room - needed) / kErrorColumnCount, 0, kMostAir);
-    for (int column = 0; column < kErrorColumnCount; ++column) {
-        m_table->setColumnWidth(column, m_table->columnWidth(column) + air);
-    }
-}
-
-void ErrorPanel::wordVerdicts()
-{
-    const QSignalBlocker oneByOne(m_table->model());
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const ChannelComparison &channel = m_result->comparison[static_cast<std::size_t>(row)];
-        m_table->item(row, Outcome)
-            ->setText(markOf(channel.verdict) +
-                      (m_shortVerdicts ? shortVerdict(channel.verdict) : verdictText(channel)));
-    }
-}
-
 void ErrorPanel::fill()
 {
     m_stale = false;
@@ -379,9 +286,7 @@ void ErrorPanel::fill()
     }
     const Verdict worst = worstOf(m_result->comparison);
     m_verdict->setText(tr("%1%2: %3").arg(markOf(worst), m_result->reference->name, summaryOf(m_result->comparison)));
-    QPalette verdictPalette = palette();
-    verdictPalette.setColor(QPalette::WindowText, verdictColour(worst, seriesColours(palette())));
-    m_verdict->setPalette(verdictPalette);
+    setInk(*m_verdict, verdictColour(worst, seriesColours(palette())));
     fillFindings();
 
     const LeftOut leftOut = leftOutOf(m_result->reference->data);
@@ -410,76 +315,15 @@ void ErrorPanel::fillFindings()
 
 void ErrorPanel::fillTable()
 {
+    constexpr int kMostAir = 28; // px
     const SeriesColours colours = seriesColours(palette());
-    const std::vector<ChannelComparison> &comparison = m_result->comparison;
-    m_table->setRowCount(static_cast<int>(comparison.size()));
-    m_table->verticalHeader()->setDefaultSectionSize(m_table->verticalHeader()->minimumSectionSize());
-    const QSignalBlocker oneByOne(m_table->model()); // each item would be painted, measured and laid out by itself
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const ChannelComparison &channel = comparison[static_cast<std::size_t>(row)];
-        const QString unit = unitOf(channel.channel);
-        const auto set = [this, row](int column, const QString &text, const QString &tip = QString()) {
-            QTableWidgetItem *item = m_table->item(row, column);
-            if (!item) {
-                item = new QTableWidgetItem;
-                item->setTextAlignment(column == Name || column == Outcome ? Qt::AlignLeft | Qt::AlignVCenter
-                                                                           : Qt::AlignRight | Qt::AlignVCenter);
-                m_table->setItem(row, column, item);
-            }
-            item->setText(text);
-            item->setToolTip(tip);
-            return item;
-        };
-        const bool exists = channel.maxAbs.has_value();
-        const auto withUnit = [&unit](const QString &text) {
-            return text == dash() ? text : text + QLatin1Char(' ') + unit;
-        };
-        const QString goThere = tr("Click to go to the instant of the largest error");
-        QString nameTip = tr("%1 in the file, %2 instants").arg(columnNameOf(channel.channel)).arg(channel.count);
-        if (channel.missingModel > 0) {
-            nameTip += tr("; at %1 more there is no motion to compare with").arg(channel.missingModel);
-        }
-        set(Name, tr("%1 [%2]").arg(symbolOf(channel.channel), unit), nameTip);
-        set(LargestError, errorText(channel.maxAbs),
-            exists ? tr("max |model − reference| = %1\n%2").arg(withUnit(errorText(channel.maxAbs)), goThere)
-                   : QString());
-        set(LargestErrorAt, exists ? instantText(channel.timeOfMaxAbs) : dash(), goThere);
-        set(Rms, errorText(channel.rms),
-            tr("√( mean of (model − reference)² ) = %1").arg(withUnit(errorText(channel.rms))));
-        QString percent = errorText(channel.maxPercent);
-        QString percentTip = tr("max |model − reference| / |reference| · 100");
-        if (channel.zeroReference > 0) {
-            percentTip += tr("\nInfinite at %1 instants where the reference is zero; they are left out")
-                              .arg(channel.zeroReference);
-            percent += tr(" (%1×∞)").arg(channel.zeroReference);
-        }
-        set(LargestPercent, percent, percentTip);
-        set(LargestPercentAt, channel.maxPercent ? instantText(channel.timeOfMaxPercent) : dash(),
-            tr("Click to go to the instant of the largest percentage"));
-        set(PercentOfPeak, errorText(channel.percentOfPeak), tr("max |model − reference| / max |reference| · 100"));
-        set(RoundingStep, stepText(channel.roundingStep),
-            channel.roundingStep ? tr("The file writes this channel in steps of %1 at most")
-                                       .arg(withUnit(stepText(channel.roundingStep)))
-                                 : tr("The file does not show how it was rounded"));
-        QTableWidgetItem *outcome = set(Outcome, {}, tr("%1\n%2").arg(verdictText(channel), verdictFormula(channel)));
-        outcome->setForeground(verdictColour(channel.verdict, colours));
+    std::vector<TableRow> rows;
+    for (const ChannelComparison &channel : m_result->comparison) {
+        rows.push_back(errorRowOf(channel, colours));
     }
-    if (isOnTheMove()) {
-        wordVerdicts(); // the columns stay as wide as they are
-    } else {
-        fitColumns();
-    }
-    m_table->viewport()->update();
-}
-
-void ErrorPanel::goToError(int row, int column)
-{
-    const ChannelComparison &channel = m_result->comparison[static_cast<std::size_t>(row)];
-    const bool percent = column == LargestPercent || column == LargestPercentAt;
-    if (percent && channel.maxPercent) {
-        emit timeRequested(channel.timeOfMaxPercent);
-    } else if (channel.maxAbs) {
-        emit timeRequested(channel.timeOfMaxAbs);
+    m_table->setRows(std::move(rows));
+    if (!isOnTheMove()) { // else the columns stay as wide as they are
+        m_table->fitToContents(0, kMostAir);
     }
 }
 

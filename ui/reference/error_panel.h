@@ -14,10 +14,11 @@
 
 class QLabel;
 class QStackedWidget;
-class QTableWidget;
 
 namespace slidercrank
 {
+
+class NumberTable;
 
 class ErrorPanel : public QWidget
 {
@@ -42,30 +43,24 @@ signals:
 protected:
     void showEvent(QShowEvent *event) override;
     void changeEvent(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    QWidget *createEmptyPage();
     QWidget *createTablePage();
     void refresh(); ///< fills in, now or when the panel comes on show
     void fill();
     bool isOnTheMove() const; ///< the parameters are, and nothing was found out for these yet
     void fillFindings();
     void fillTable();
-    void fitColumns(); ///< shares spare width out among them, or says verdicts in short
-    void wordVerdicts();
-    void goToError(int row, int column);
 
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const Diagnosis> m_diagnosis;
-    bool m_stale = false;         ///< these are not on show yet
-    QTimer m_pause;               ///< runs for a while after each filling
-    bool m_shortVerdicts = false; ///< there is no room for whole ones
+    bool m_stale = false; ///< these are not on show yet
+    QTimer m_pause;       ///< runs for a while after each filling
     QStackedWidget *m_pages = nullptr;
     QLabel *m_verdict = nullptr;
     FindingList *m_findings = nullptr;
     QLabel *m_leftOut = nullptr;
-    QTableWidget *m_table = nullptr;
+    NumberTable *m_table = nullptr;
 };
 
 } // namespace slidercrank

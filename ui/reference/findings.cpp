@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/findings.h"
 
+#include "ui/controls/named.h"
 #include "ui/controls/paragraph.h"
 #include "ui/document/diagnosis.h"
 #include "ui/document/result.h"
@@ -14,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 
 namespace slidercrank
 {
@@ -48,16 +48,6 @@ bool isBetter(const std::vector<ChannelComparison> &identified, const std::vecto
            (found.differing < before.differing || found.percentOfPeak <= kMuchNearer * before.percentOfPeak);
 }
 
-struct Row {
-    Parameter parameter;
-    double Parameters::*value;
-};
-constexpr std::array<Row, kParameterCount> kRows{{{Parameter::A, &Parameters::a},
-                                                  {Parameter::B, &Parameters::b},
-                                                  {Parameter::C, &Parameters::c},
-                                                  {Parameter::Omega2, &Parameters::omega2},
-                                                  {Parameter::Theta20, &Parameters::theta20}}};
-
 /// A line a parameter: old → new, and how it was measured.
 QString changesText(const Parameters &before, const Interpretation &interpretation)
 {
@@ -65,23 +55,20 @@ QString changesText(const Parameters &before, const Interpretation &interpretati
     const Parameters &after = interpretation.rounded;
     constexpr int kDigits = 9;
     QString rows;
-    for (const Row &row : kRows) {
-        const std::size_t i = indexOf(row.parameter);
-        const double inShownUnit = row.parameter == Parameter::Theta20 ? kDegreesPerRadian : 1.0;
-        const double value = found.parameters.*row.value;
+    for (const Parameter parameter : kParameters) {
+        const std::size_t i = indexOf(parameter);
+        const double inShownUnit = parameter == Parameter::Theta20 ? kDegreesPerRadian : 1.0;
+        const double value = valueOf(found.parameters, parameter);
         const QString measured =
             found.identifiable[i] ? measuredText(inShownUnit * value, inShownUnit * found.standardError[i], inShownUnit)
                                   : FindingList::tr("kept");
         rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td><td>  (%4)</td></tr>")
-                    .arg(symbolOf(row.parameter), parameterText(row.parameter, before.*row.value),
-                         parameterText(row.parameter, after.*row.value, kDigits), measured);
+                    .arg(symbolOf(parameter), parameterText(parameter, valueOf(before, parameter)),
+                         parameterText(parameter, valueOf(after, parameter), kDigits), measured);
     }
     if (before.branch != after.branch) {
-        const auto name = [](Branch branch) {
-            return branch == Branch::Open ? FindingList::tr("open") : FindingList::tr("crossed");
-        };
         rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
-                    .arg(FindingList::tr("assembly"), name(before.branch), name(after.branch));
+                    .arg(FindingList::tr("assembly"), assemblyText(before.branch), assemblyText(after.branch));
     }
     return FindingList::tr("Now → then (as measured ± standard error)") +
            QStringLiteral("<table style='white-space:pre'>%1</table>").arg(rows);
@@ -96,7 +83,7 @@ QString conventionSentence(const ConventionFinding &found)
         return sentence; // left out, it has no error any more
     }
     return FindingList::tr("%1 Largest error: %2 → %3 % of peak.")
-        .arg(sentence, shortNumber(found.before, kDigits, QLocale()), shortNumber(found.after, kDigits, QLocale()));
+        .arg(sentence, shortNumber(found.before, kDigits), shortNumber(found.after, kDigits));
 }
 
 /// Which mechanism the file is of, where it is another one than that on show.
@@ -182,16 +169,12 @@ void FindingList::setFindings(const std::vector<Finding> &findings)
     grid->setColumnStretch(0, 1);
     for (const Finding &finding : findings) {
         const int row = grid->rowCount();
-        auto *sentence = new Paragraph(finding.sentence);
-        sentence->setObjectName(QStringLiteral("findingLabel"));
-        sentence->setTextFormat(Qt::PlainText);
-        sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        auto *sentence = named("findingLabel", plainText(finding.sentence));
         grid->addWidget(sentence, row, 0);
         m_sentences.push_back(sentence);
         if (finding.remedy != Finding::Remedy::None) {
-            auto *button = new QPushButton(finding.remedyText);
-            button->setObjectName(QStringLiteral("remedyButton"));
-            button->setAccessibleName(tr("%1: %2").arg(finding.remedyText, finding.sentence));
+            auto *button = named("remedyButton", new QPushButton(finding.remedyText),
+                                 tr("%1: %2").arg(finding.remedyText, finding.sentence));
             button->setToolTip(finding.details);
             button->setFocusPolicy(Qt::TabFocus); // it will vanish: a click must not leave the focus to chance
             grid->addWidget(button, row, 1);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reference/reference_panel.h"
 
+#include "ui/controls/named.h"
+#include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
+#include "ui/reference/empty_page.h"
 #include "ui/words/column_text.h"
 #include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QButtonGroup>
 #include <QDir>
@@ -17,7 +21,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -30,67 +33,34 @@ namespace slidercrank
 namespace
 {
 
-enum Fact { Heading, Unit, Meaning, RoundedTo, Values, Why };
-constexpr int kFactCount = 6;
+enum Column { Heading, Unit, Meaning, RoundedTo, Values, Why };
+constexpr int kAir = 6; // px, beside what a column holds
 
 /// What the left of the panel shows; the findings are beside it where there is room.
 enum View { ColumnsView, SkippedView, FindingsView };
 constexpr int kBesideEachOther = 800; // px of width: less is too narrow for two
 
-enum SkippedColumn { Line, Cell, Text, Reason };
-constexpr int kSkippedColumnCount = 4;
-
-QString countText(std::size_t count)
+/// A table to read; what does not fit into its last column is wrapped.
+NumberTable *tableToRead(const QString &name, const QString &title, std::vector<TableColumn> columns)
 {
-    return QLocale().toString(static_cast<qulonglong>(count));
-}
-
-/// A table to read: rows are chosen, nothing is edited.
-QTableWidget *tableToRead(const QStringList &headers)
-{
-    auto *table = new QTableWidget(0, static_cast<int>(headers.size()));
-    table->setHorizontalHeaderLabels(headers);
-    for (int column = 0; column < table->columnCount(); ++column) {
-        table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    for (TableColumn &column : columns) {
+        column.isNumber = false;
     }
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setTabKeyNavigation(false);
-    table->setAlternatingRowColors(true);
-    table->setShowGrid(false);
-    table->setFrameShape(QFrame::NoFrame);
-    table->verticalHeader()->hide();
+    auto *table = new NumberTable(name, title, std::move(columns), TableLook::Striped);
+    table->setWordWrap(true);
     table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setStretchLastSection(true);
-    table->setMinimumHeight(0);
     return table;
 }
 
-QTableWidgetItem *setCell(QTableWidget *table, int row, int column, const QString &text)
+/// With the texts as tool tips, where a column is too narrow for them.
+TableRow rowOfTexts(const QStringList &texts)
 {
-    auto *item = new QTableWidgetItem(text);
-    item->setToolTip(text); // where the column is too narrow for it
-    table->setItem(row, column, item);
-    return item;
-}
-
-QLabel *wrappedText(const QString &text)
-{
-    auto *label = new Paragraph(text);
-    label->setTextFormat(Qt::PlainText);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
-QLabel *title(const QString &text)
-{
-    auto *label = new QLabel(text);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    return label;
+    TableRow row;
+    for (const QString &text : texts) {
+        row.cells.push_back({.text = text, .explanation = text});
+    }
+    return row;
 }
 
 /// A text with a button beside it.
@@ -107,10 +77,12 @@ QLayout *rowOf(QLabel *text, QPushButton *button)
 ReferencePanel::ReferencePanel(QWidget *parent)
     : QWidget(parent)
 {
-    setObjectName(QStringLiteral("referencePanel"));
-    setAccessibleName(tr("Reference: what was read, and how"));
+    named("referencePanel", this, tr("Reference: what was read, and how"));
     m_pages = new QStackedWidget;
-    m_pages->addWidget(createEmptyPage());
+    m_pages->addWidget(
+        emptyPage(this, tr("Load a simulation's exported motion (CSV): here it says what was read from the file "
+                           "and how, which mechanism the motion belongs to, and by which other reading it would "
+                           "come nearer. A file can also be dropped anywhere in the window.")));
     m_pages->addWidget(createFilePage());
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -122,47 +94,15 @@ QSize ReferencePanel::minimumSizeHint() const
     return {300, 120}; // the rest scrolls
 }
 
-QWidget *ReferencePanel::createEmptyPage()
-{
-    auto *purpose =
-        new Paragraph(tr("Load a simulation's exported motion (CSV): here it says what was read from the file "
-                         "and how, which mechanism the motion belongs to, and by which other reading it would "
-                         "come nearer. A file can also be dropped anywhere in the window."));
-    purpose->setAlignment(Qt::AlignCenter);
-    auto *openReference = new QPushButton(tr("Open reference…"));
-    openReference->setObjectName(QStringLiteral("openReferenceButton"));
-    auto *openSample = new QPushButton(tr("Open the sample"));
-    openSample->setObjectName(QStringLiteral("openSampleButton"));
-    openSample->setToolTip(tr("The motion that the report's author exported from Inventor"));
-    connect(openReference, &QPushButton::clicked, this, &ReferencePanel::openReferenceRequested);
-    connect(openSample, &QPushButton::clicked, this, &ReferencePanel::openSampleRequested);
-
-    auto *buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(openReference);
-    buttons->addWidget(openSample);
-    buttons->addStretch(1);
-    auto *page = new QWidget;
-    auto *rows = new QVBoxLayout(page);
-    rows->addStretch(1);
-    rows->addWidget(purpose);
-    rows->addLayout(buttons);
-    rows->addStretch(1);
-    return page;
-}
-
 QWidget *ReferencePanel::createFilePage()
 {
-    m_name = title({});
-    m_name->setObjectName(QStringLiteral("fileLabel"));
+    m_name = named("fileLabel", boldLabel({}));
     m_name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_name->installEventFilter(this);
-    auto *columns = new QPushButton(tr("Choose columns…"));
-    columns->setObjectName(QStringLiteral("columnsButton"));
+    auto *columns = named("columnsButton", new QPushButton(tr("Choose columns…")));
     columns->setToolTip(tr("Say what the columns of the file are"));
     connect(columns, &QPushButton::clicked, this, &ReferencePanel::columnsRequested);
-    m_form = wrappedText({});
-    m_form->setObjectName(QStringLiteral("formLabel"));
+    m_form = named("formLabel", plainText());
 
     QWidget *tables = createTables();
     auto *head = new QHBoxLayout;
@@ -180,9 +120,7 @@ QWidget *ReferencePanel::createFilePage()
     auto *room = new QWidget;
     m_findingsRoom = new QVBoxLayout(room);
     m_findingsRoom->setContentsMargins(8, 0, 4, 0);
-    m_findingsArea = new QScrollArea;
-    m_findingsArea->setObjectName(QStringLiteral("findings"));
-    m_findingsArea->setAccessibleName(tr("Whose motion the file is, and how else it may be read"));
+    m_findingsArea = named("findings", new QScrollArea, tr("Whose motion the file is, and how else it may be read"));
     m_findingsArea->setWidgetResizable(true);
     m_findingsArea->setFrameShape(QFrame::NoFrame);
     m_findingsArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -198,24 +136,23 @@ QWidget *ReferencePanel::createFilePage()
 
 QWidget *ReferencePanel::createTables()
 {
-    m_columns = tableToRead({tr("heading"), tr("unit"), tr("read as"), tr("rounded to"), tr("values"), tr("why")});
-    m_columns->setObjectName(QStringLiteral("columnTable"));
-    m_columns->setAccessibleName(tr("Columns of the file, a row a column"));
-    m_columns->horizontalHeaderItem(RoundedTo)->setToolTip(
-        tr("How the file rounded this column, inferred from all its values"));
-    m_skipped = tableToRead({tr("line"), tr("column"), tr("text"), tr("why it was left out")});
-    m_skipped->setObjectName(QStringLiteral("skippedTable"));
-    m_skipped->setAccessibleName(tr("Rows of the file that were left out"));
+    m_columns = tableToRead(QStringLiteral("columnTable"), tr("Columns of the file, a row a column"),
+                            {{tr("heading")},
+                             {tr("unit")},
+                             {tr("read as")},
+                             {tr("rounded to"), tr("How the file rounded this column, inferred from all its values")},
+                             {tr("values")},
+                             {tr("why")}});
+    m_skipped = tableToRead(QStringLiteral("skippedTable"), tr("Rows of the file that were left out"),
+                            {{tr("line")}, {tr("column")}, {tr("text")}, {tr("why it was left out")}});
     m_tables = new QStackedWidget;
     m_tables->addWidget(m_columns);
     m_tables->addWidget(m_skipped);
 
     m_choice = new QButtonGroup(this);
-    for (const auto &[name, text] :
-         {std::pair{QStringLiteral("showColumns"), tr("Columns")}, std::pair{QStringLiteral("showSkipped"), QString()},
-          std::pair{QStringLiteral("showFindings"), tr("Whose motion")}}) {
-        auto *button = new QToolButton;
-        button->setObjectName(name);
+    for (const auto &[name, text] : {std::pair{"showColumns", tr("Columns")}, std::pair{"showSkipped", QString()},
+                                     std::pair{"showFindings", tr("Whose motion")}}) {
+        auto *button = named(name, new QToolButton);
         button->setText(text);
         button->setCheckable(true);
         button->setAutoRaise(true);
@@ -347,21 +284,13 @@ void ReferencePanel::fillColumns()
 {
     const ReferenceData &read = m_reference->data;
     const FileLayout &layout = read.layout;
-    const SeriesColours colours = seriesColours(palette());
-    m_columns->setRowCount(static_cast<int>(layout.columns.size()));
+    std::vector<TableRow> rows;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
-        const int row = static_cast<int>(i);
-        setCell(m_columns, row, Heading, headingText(layout, i));
-        setCell(m_columns, row, Unit, unitText(column));
-        QTableWidgetItem *meaning = setCell(m_columns, row, Meaning, meaningText(column));
-        QTableWidgetItem *why = setCell(m_columns, row, Why, shortReasonText(layout, i));
-        why->setToolTip(reasonText(layout, i));
-        QString rounding = QStringLiteral("–");
-        QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : QStringLiteral("–");
+        QString rounding = dash();
+        QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : dash();
         const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
         if (series) {
-            meaning->setToolTip(columnNameOf(column.channel));
             rounding = roundingText(series->rounding);
             const auto empty = static_cast<std::size_t>(std::count_if(series->values.begin(), series->values.end(),
                                                                       [](double value) { return std::isnan(value); }));
@@ -370,44 +299,35 @@ void ReferencePanel::fillColumns()
                 values += empty == 1 ? tr(", 1 gap") : tr(", %1 gaps").arg(countText(empty));
             }
         }
-        setCell(m_columns, row, RoundedTo, rounding);
-        setCell(m_columns, row, Values, values);
-        for (int cell = 0; cell < kFactCount; ++cell) {
-            if (column.role == ColumnRole::Ignored) {
-                m_columns->item(row, cell)->setForeground(palette().color(QPalette::PlaceholderText));
-            }
+        TableRow row = rowOfTexts({headingText(layout, i), unitText(column), meaningText(column), rounding, values,
+                                   shortReasonText(layout, i)});
+        if (series) {
+            row.cells[Meaning].explanation = columnNameOf(column.channel);
         }
+        for (TableCell &cell : row.cells) {
+            cell.ink = column.role == ColumnRole::Ignored ? palette().color(QPalette::PlaceholderText) : QColor();
+        }
+        row.cells[Why].explanation = reasonText(layout, i);
         if (isGuess(column.reason)) {
-            why->setForeground(colours.reference);
+            row.cells[Why].ink = seriesColours(palette()).reference;
         }
+        rows.push_back(std::move(row));
     }
-    fitColumns(m_columns);
+    m_columns->setRows(std::move(rows));
+    m_columns->fitToContents(kAir, kAir);
 }
 
 void ReferencePanel::fillSkipped()
 {
-    const std::vector<SkippedRow> &skipped = m_reference->data.skipped;
+    const auto numberOf = [](std::size_t number) { return number == 0 ? QString() : QString::number(number); };
     m_choice->button(SkippedView)
         ->setText(tr("Rows left out (%1)").arg(countText(m_reference->data.skippedRowCount())));
-    m_skipped->setRowCount(static_cast<int>(skipped.size()));
-    for (std::size_t i = 0; i < skipped.size(); ++i) {
-        const int row = static_cast<int>(i);
-        const SkippedRow &of = skipped[i];
-        setCell(m_skipped, row, Line, of.line == 0 ? QString() : QString::number(of.line));
-        setCell(m_skipped, row, Cell, of.column == 0 ? QString() : QString::number(of.column));
-        setCell(m_skipped, row, Text, textOf(of.text));
-        setCell(m_skipped, row, Reason, coreText(of.reason));
+    std::vector<TableRow> rows;
+    for (const SkippedRow &row : m_reference->data.skipped) {
+        rows.push_back(rowOfTexts({numberOf(row.line), numberOf(row.column), textOf(row.text), coreText(row.reason)}));
     }
-    fitColumns(m_skipped);
-}
-
-void ReferencePanel::fitColumns(QTableWidget *table)
-{
-    constexpr int kAir = 6;
-    for (int column = 0; column + 1 < table->columnCount(); ++column) {
-        table->resizeColumnToContents(column);
-        table->setColumnWidth(column, table->columnWidth(column) + kAir);
-    }
+    m_skipped->setRows(std::move(rows));
+    m_skipped->fitToContents(kAir, kAir);
 }
 
 void ReferencePanel::fillFindings()
@@ -421,40 +341,34 @@ void ReferencePanel::fillFindings()
     if (!m_reference) {
         return;
     }
-    const auto button = [](const QString &text, const QString &name) {
-        auto *made = new QPushButton(text);
-        made->setObjectName(name);
-        return made;
-    };
-
     const auto later = Qt::QueuedConnection; // what follows a click makes all of this anew, the button too
 
     if (!m_reference->conventions.empty()) {
-        rows->addWidget(title(tr("Read otherwise than printed")));
+        rows->addWidget(boldLabel(tr("Read otherwise than printed")));
         QStringList sentences;
         for (const Convention &convention : m_reference->conventions) {
             sentences << explanationOf(convention);
         }
-        QPushButton *asPrinted = button(tr("Read as printed again"), QStringLiteral("asPrintedButton"));
+        auto *asPrinted = named("asPrintedButton", new QPushButton(tr("Read as printed again")));
         connect(asPrinted, &QPushButton::clicked, this, &ReferencePanel::readAsPrintedRequested, later);
-        rows->addLayout(rowOf(wrappedText(sentences.join(QLatin1Char('\n'))), asPrinted));
+        rows->addLayout(rowOf(plainText(sentences.join(QLatin1Char('\n'))), asPrinted));
     }
     const bool known = m_diagnosis && m_diagnosis->reference == m_reference;
     if (known && !m_diagnosis->found.conventions.empty()) {
-        rows->addWidget(title(tr("How else it may be read")));
+        rows->addWidget(boldLabel(tr("How else it may be read")));
         for (const ConventionFinding &finding : m_diagnosis->found.conventions) {
-            QPushButton *apply = button(tr("Apply"), QStringLiteral("applyButton"));
+            auto *apply = named("applyButton", new QPushButton(tr("Apply")));
             apply->setAccessibleName(tr("Apply: %1").arg(explanationOf(finding.convention)));
             connect(
                 apply, &QPushButton::clicked, this,
                 [this, convention = finding.convention] { emit applyRequested(convention); }, later);
             rows->addLayout(
-                rowOf(wrappedText(explanationOf(finding.convention) + QLatin1Char('\n') + effectOf(finding)), apply));
+                rowOf(plainText(explanationOf(finding.convention) + QLatin1Char('\n') + effectOf(finding)), apply));
         }
     }
-    rows->addWidget(title(tr("Whose motion it is")));
+    rows->addWidget(boldLabel(tr("Whose motion it is")));
     if (!known) {
-        rows->addWidget(wrappedText(tr("Being found out…")));
+        rows->addWidget(plainText(tr("Being found out…")));
     } else {
         QString summary = summaryOf(m_diagnosis->found.identification);
         if (const QString rounded = roundNumbersText(m_diagnosis->found); !rounded.isEmpty()) {
@@ -464,10 +378,9 @@ void ReferencePanel::fillFindings()
             const QString part = QString::fromUtf8(inOneLine);
             summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
         }
-        QLabel *mechanism = wrappedText(summary);
-        mechanism->setObjectName(QStringLiteral("identificationLabel"));
+        QLabel *mechanism = named("identificationLabel", plainText(summary));
         if (m_diagnosis->found.identification.status == Identification::Status::Found) {
-            QPushButton *takeOver = button(tr("Take over"), QStringLiteral("takeOverButton"));
+            auto *takeOver = named("takeOverButton", new QPushButton(tr("Take over")));
             takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
             takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);

@@ -15,11 +15,12 @@ class QHBoxLayout;
 class QLabel;
 class QScrollArea;
 class QStackedWidget;
-class QTableWidget;
 class QVBoxLayout;
 
 namespace slidercrank
 {
+
+class NumberTable;
 
 class ReferencePanel : public QWidget
 {
@@ -50,7 +51,6 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    QWidget *createEmptyPage();
     QWidget *createFilePage();
     QWidget *createTables();
     void arrange();
@@ -62,7 +62,6 @@ private:
     void fillColumns();
     void fillSkipped();
     void fillFindings();
-    void fitColumns(QTableWidget *table);
 
     std::shared_ptr<const Reference> m_reference;
     std::shared_ptr<const Diagnosis> m_diagnosis;
@@ -72,8 +71,8 @@ private:
     QLabel *m_form = nullptr;
     QButtonGroup *m_choice = nullptr; ///< of what the left shows
     QStackedWidget *m_tables = nullptr;
-    QTableWidget *m_columns = nullptr;
-    QTableWidget *m_skipped = nullptr;
+    NumberTable *m_columns = nullptr;
+    NumberTable *m_skipped = nullptr;
     QHBoxLayout *m_halves = nullptr;
     QScrollArea *m_findingsArea = nullptr;
     QWidget *m_findings = nullptr; ///< made anew with every diagnosis

@@ -27,16 +27,6 @@ struct StudyFigureText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyFigureText)
 };
 
-QString powerOfTen(int exponent)
-{
-    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text = exponent < 0 ? QStringLiteral("10⁻") : QStringLiteral("10");
-    for (const QChar digit : QString::number(std::abs(exponent))) {
-        text += kDigits[digit.digitValue()];
-    }
-    return text;
-}
-
 struct Decades {
     int from = 0;
     int to = 1;
@@ -329,20 +319,17 @@ QString descriptionOf(const MethodResult &row)
     if (row.tolerance) {
         text += StudyFigureText::tr(", tolerance %1").arg(locale.toString(*row.tolerance, 'g', 3));
     }
-    text += u'\n' + StudyFigureText::tr("%1 ns per state (± %2), %3 channels")
-                        .arg(shortNumber(row.nsPerState, 3, locale), shortNumber(0.5 * row.spread, 2, locale),
-                             QString::number(row.channels));
+    text += u'\n' +
+            StudyFigureText::tr("%1 ns per state (± %2), %3 channels")
+                .arg(shortNumber(row.nsPerState, 3), shortNumber(0.5 * row.spread, 2), QString::number(row.channels));
     if (row.iterationsPerState) {
-        text +=
-            u'\n' + StudyFigureText::tr("%1 iterations per state").arg(shortNumber(*row.iterationsPerState, 3, locale));
+        text += u'\n' + StudyFigureText::tr("%1 iterations per state").arg(shortNumber(*row.iterationsPerState, 3));
     }
     text +=
-        u'\n' + (row.maxError
-                     ? StudyFigureText::tr("largest error %1 of the peak").arg(shortNumber(*row.maxError, 3, locale))
-                     : StudyFigureText::tr("no instant solved"));
+        u'\n' + (row.maxError ? StudyFigureText::tr("largest error %1 of the peak").arg(shortNumber(*row.maxError, 3))
+                              : StudyFigureText::tr("no instant solved"));
     if (row.errorBound) {
-        text += u'\n' +
-                StudyFigureText::tr("rounded input alone makes κ·u = %1").arg(shortNumber(*row.errorBound, 3, locale));
+        text += u'\n' + StudyFigureText::tr("rounded input alone makes κ·u = %1").arg(shortNumber(*row.errorBound, 3));
     }
     return text;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/study_panel.h"
 
+#include "ui/controls/named.h"
+#include "ui/controls/number_table.h"
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/core_text.h"
+#include "ui/words/finding_text.h"
 #include "ui/words/written_number.h"
 
 #include <QComboBox>
@@ -12,7 +15,6 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
@@ -24,12 +26,10 @@
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QStringList>
-#include <QTableWidget>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -39,15 +39,9 @@ namespace slidercrank
 namespace
 {
 
-enum Column { Name, Tolerance, Time, Error, Bound, Iterations, Outcome };
-constexpr int kColumnCount = 7;
 constexpr QSize kExportSize(900, 600);
 constexpr int kProgressSteps = 200;
-
-QString shownNumber(std::optional<double> value)
-{
-    return value ? shortNumber(*value, 3, QLocale()) : QStringLiteral("–");
-}
+constexpr int kDigits = 3;
 
 QString statusText(Status status)
 {
@@ -94,8 +88,7 @@ QString lengthsOf(const Parameters &p)
 {
     const auto number = [](double value) { return QLocale().toString(value, 'g', 9); };
     return StudyPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6")
-        .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
-             p.branch == Branch::Open ? StudyPanel::tr("open") : StudyPanel::tr("crossed"));
+        .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20), assemblyText(p.branch));
 }
 
 } // namespace
@@ -109,8 +102,7 @@ public:
     explicit StudyPicture(QWidget *parent = nullptr)
         : QWidget(parent)
     {
-        setObjectName(QStringLiteral("studyPicture"));
-        setAccessibleName(tr("Error against time per state"));
+        named("studyPicture", this, tr("Error against time per state"));
         setMouseTracking(true);
         setMinimumSize(220, 120);
     }
@@ -194,36 +186,27 @@ StudyPanel::StudyPanel(QWidget *parent)
     : QWidget(parent)
     , m_study(new WorkAside(WorkAside::Kind::Lasting, this))
 {
-    setObjectName(QStringLiteral("studyPanel"));
-    setAccessibleName(tr("Speed and accuracy of the methods"));
+    named("studyPanel", this, tr("Speed and accuracy of the methods"));
 
-    m_runThis = new QPushButton(tr("Run (this mechanism)"));
-    m_runThis->setObjectName(QStringLiteral("runThisButton"));
+    m_runThis = named("runThisButton", new QPushButton(tr("Run (this mechanism)")));
     m_runThis->setToolTip(tr("Times every method on one turn of this mechanism"));
     connect(m_runThis, &QPushButton::clicked, this, &StudyPanel::runThisMechanism);
-    m_runHard = new QPushButton(tr("Run hard cases"));
-    m_runHard->setObjectName(QStringLiteral("runHardButton"));
+    m_runHard = named("runHardButton", new QPushButton(tr("Run hard cases")));
     m_runHard->setToolTip(tr("Toggles, rockers, other scales, far times: takes some ten seconds"));
     connect(m_runHard, &QPushButton::clicked, this, &StudyPanel::runHardCases);
-    m_cancel = new QPushButton(tr("Cancel"));
-    m_cancel->setObjectName(QStringLiteral("cancelStudyButton"));
+    m_cancel = named("cancelStudyButton", new QPushButton(tr("Cancel")));
     connect(m_cancel, &QPushButton::clicked, this, &StudyPanel::cancel);
-    m_progress = new QProgressBar;
-    m_progress->setObjectName(QStringLiteral("studyProgress"));
-    m_progress->setAccessibleName(tr("Progress of the study"));
+    m_progress = named("studyProgress", new QProgressBar, tr("Progress of the study"));
     m_progress->setRange(0, kProgressSteps);
     m_progress->setMaximumWidth(140);
 
-    m_cases = new QComboBox;
-    m_cases->setObjectName(QStringLiteral("caseBox"));
-    m_cases->setAccessibleName(tr("Case on show"));
+    m_cases = named("caseBox", new QComboBox, tr("Case on show"));
     m_cases->setToolTip(tr("Case on show"));
     m_cases->setMinimumContentsLength(12);
     m_cases->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(m_cases, &QComboBox::currentIndexChanged, this, &StudyPanel::showCase);
 
-    m_export = new QToolButton;
-    m_export->setObjectName(QStringLiteral("exportStudyButton"));
+    m_export = named("exportStudyButton", new QToolButton);
     m_export->setText(tr("Export"));
     m_export->setToolTip(tr("The picture as PNG, SVG or PDF, the numbers as CSV or JSON"));
     m_export->setPopupMode(QToolButton::InstantPopup);
@@ -232,8 +215,7 @@ StudyPanel::StudyPanel(QWidget *parent)
     menu->addAction(tr("Numbers…"), this, &StudyPanel::chooseNumbers);
     m_export->setMenu(menu);
 
-    m_summary = new QLabel;
-    m_summary->setObjectName(QStringLiteral("studySummary"));
+    m_summary = named("studySummary", new QLabel);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
@@ -247,44 +229,23 @@ StudyPanel::StudyPanel(QWidget *parent)
     controls->addWidget(m_export);
 
     m_picture = new StudyPicture;
-    m_table = new QTableWidget(0, kColumnCount);
-    m_table->setObjectName(QStringLiteral("studyTable"));
-    m_table->setAccessibleName(tr("Methods, a row a method and tolerance"));
-    const std::array<std::pair<QString, QString>, kColumnCount> headers{{
-        {tr("method"), tr("How the motion is computed")},
-        {tr("tolerance"), tr("Of Newton-Raphson: absolute as in the report for its own way, relative for the others")},
-        {tr("ns"), tr("Time per state: median over interleaved rounds")},
-        {tr("error"),
-         tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants")},
-        {tr("κ·u"), tr("The error that rounding the given numbers makes by itself")},
-        {tr("iterations"), tr("Per state")},
-        {tr("instants"), tr("What the method says of them")},
-    }};
-    for (int column = 0; column < kColumnCount; ++column) {
-        const auto &[title, explanation] = headers[static_cast<std::size_t>(column)];
-        auto *item = new QTableWidgetItem(title);
-        item->setToolTip(explanation);
-        const bool isText = column == Name || column == Outcome;
-        item->setTextAlignment((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-        m_table->setHorizontalHeaderItem(column, item);
-    }
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
-    m_table->setAlternatingRowColors(true);
-    m_table->setShowGrid(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table = new NumberTable(
+        QStringLiteral("studyTable"), tr("Methods, a row a method and tolerance"),
+        {{tr("method"), tr("How the motion is computed"), {}, false},
+         {tr("tolerance"), tr("Of Newton-Raphson: absolute as in the report for its own way, relative for the others")},
+         {tr("ns"), tr("Time per state: median over interleaved rounds")},
+         {tr("error"),
+          tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants")},
+         {tr("κ·u"), tr("The error that rounding the given numbers makes by itself")},
+         {tr("iterations"), tr("Per state")},
+         {tr("instants"), tr("What the method says of them"), {}, false}},
+        TableLook::Striped);
     m_table->hide(); // until there is something in it
-    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
-        m_picture->mark(row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &now) {
+        m_picture->mark(now.isValid() ? std::optional(static_cast<std::size_t>(now.row())) : std::nullopt);
     });
     connect(m_picture, &StudyPicture::pointed, this,
-            [this](std::size_t row) { m_table->setCurrentCell(static_cast<int>(row), Name); });
+            [this](std::size_t row) { m_table->setCurrentIndex(m_table->model()->index(static_cast<int>(row), 0)); });
 
     auto *beside = new QSplitter(Qt::Horizontal);
     beside->setChildrenCollapsible(false);
@@ -409,33 +370,23 @@ void StudyPanel::showCase()
 
 void StudyPanel::fillTable(const CaseResult &which)
 {
-    const QSignalBlocker quiet(m_table);
-    const SeriesColours colours = seriesColours(palette());
-    m_table->setCurrentCell(-1, -1);
-    m_table->setRowCount(static_cast<int>(which.methods.size()));
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const MethodResult &method = which.methods[static_cast<std::size_t>(row)];
-        const QString description = descriptionOf(method);
-        const auto set = [&](Column column, const QString &text) {
-            auto *item = new QTableWidgetItem(text);
-            item->setToolTip(description);
-            const bool isText = column == Name || column == Outcome;
-            item->setTextAlignment((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-            m_table->setItem(row, column, item);
-            return item;
-        };
-        set(Name, titleOf(method));
-        set(Tolerance, method.tolerance ? numberText(*method.tolerance, 3) : QStringLiteral("–"));
-        set(Time, shownNumber(method.nsPerState));
-        set(Iterations, shownNumber(method.iterationsPerState));
-        set(Error, shownNumber(method.maxError));
-        set(Bound, shownNumber(method.errorBound));
-        QTableWidgetItem *outcome = set(Outcome, outcomeOf(method));
-        if (method.silentFailures.value_or(0) > 0) {
-            outcome->setForeground(colours.warning);
+    std::vector<TableRow> rows;
+    for (const MethodResult &method : which.methods) {
+        TableRow row;
+        for (const QString &text :
+             {titleOf(method), numberText(method.tolerance, kDigits), shortNumber(method.nsPerState, kDigits),
+              shortNumber(method.maxError, kDigits), shortNumber(method.errorBound, kDigits),
+              shortNumber(method.iterationsPerState, kDigits), outcomeOf(method)}) {
+            row.cells.push_back({.text = text, .explanation = descriptionOf(method)});
         }
+        if (method.silentFailures.value_or(0) > 0) {
+            row.cells.back().ink = seriesColours(palette()).warning;
+        }
+        rows.push_back(std::move(row));
     }
-    m_table->resizeColumnsToContents();
+    m_table->setCurrentIndex({});
+    m_table->setRows(std::move(rows));
+    m_table->fitToContents();
 }
 
 void StudyPanel::showSummary()

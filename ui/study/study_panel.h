@@ -17,12 +17,12 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QTableWidget;
 class QToolButton;
 
 namespace slidercrank
 {
 
+class NumberTable;
 class StudyPicture;
 
 class StudyPanel : public QWidget
@@ -79,7 +79,7 @@ private:
     QToolButton *m_export = nullptr;
     QLabel *m_summary = nullptr;
     StudyPicture *m_picture = nullptr;
-    QTableWidget *m_table = nullptr;
+    NumberTable *m_table = nullptr;
 };
 
 } // namespace slidercrank

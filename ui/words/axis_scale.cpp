@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/axis_scale.h"
 
+#include "ui/words/written_number.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,19 +34,6 @@ double niceStep(double step)
 double largestMagnitude(const Interval &range)
 {
     return std::max(std::abs(range.lower), std::abs(range.upper));
-}
-
-QString powerOfTen(int exponent)
-{
-    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text = QStringLiteral("10");
-    if (exponent < 0) {
-        text += QChar(0x207b); // superscript minus
-    }
-    for (const QChar digit : QString::number(std::abs(exponent))) {
-        text += kDigits[digit.digitValue()];
-    }
-    return text;
 }
 
 } // namespace
@@ -156,6 +145,21 @@ QString shortNumber(double value, int digits, const QLocale &locale)
         ++exponent;
     }
     return QStringLiteral("%1·%2").arg(locale.toString(mantissa, 'f', digits - 1), powerOfTen(exponent));
+}
+
+QString shortNumber(std::optional<double> value, int digits)
+{
+    return value ? shortNumber(*value, digits) : dash();
+}
+
+QString powerOfTen(int exponent)
+{
+    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = exponent < 0 ? QStringLiteral("10⁻") : QStringLiteral("10");
+    for (const QChar digit : QString::number(std::abs(exponent))) {
+        text += kDigits[digit.digitValue()];
+    }
+    return text;
 }
 
 } // namespace slidercrank

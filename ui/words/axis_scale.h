@@ -9,6 +9,8 @@
 #include <QLocale>
 #include <QString>
 
+#include <optional>
+
 namespace slidercrank
 {
 
@@ -43,6 +45,12 @@ AxisScale logarithmicScale(const Interval &range, double intervals);
 Interval roundedOutwards(const Interval &range);
 
 /// As many significant digits, written out between 1e-6 and 1e6, else with a power of ten: "1.54·10⁻⁷".
-QString shortNumber(double value, int digits, const QLocale &locale);
+QString shortNumber(double value, int digits, const QLocale &locale = QLocale());
+
+/// A dash for what does not exist.
+QString shortNumber(std::optional<double> value, int digits);
+
+/// "10⁻⁷"
+QString powerOfTen(int exponent);
 
 } // namespace slidercrank

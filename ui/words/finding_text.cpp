@@ -9,10 +9,7 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <string_view>
 
 namespace slidercrank
 {
@@ -26,16 +23,9 @@ struct FindingText {
 
 constexpr int kErrorDigits = 3; ///< of errors: what a person compares
 
-constexpr std::array kParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20};
-
-QString toQString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QString errorText(double value)
 {
-    return std::isinf(value) ? QStringLiteral("∞") : shortNumber(value, kErrorDigits, QLocale());
+    return std::isinf(value) ? QStringLiteral("∞") : shortNumber(value, kErrorDigits);
 }
 
 int powerOfTenBelow(double magnitude)
@@ -62,9 +52,9 @@ QString unitBehind(Parameter parameter)
     return {};
 }
 
-QString assemblyText(Branch branch)
+QString withNoun(Branch branch)
 {
-    return branch == Branch::Open ? FindingText::tr("open assembly") : FindingText::tr("crossed assembly");
+    return FindingText::tr("%1 assembly").arg(assemblyText(branch));
 }
 
 /// "x", "x and y", "x, y and z".
@@ -89,7 +79,7 @@ QString columnsOf(const Convention &convention)
 QString measuredRatio(Parameter parameter, const Identification &found)
 {
     const Parameters &p = found.parameters;
-    return measuredText(valueOf(parameter, p) / p.a, found.standardError[indexOf(parameter)] / p.a,
+    return measuredText(valueOf(p, parameter) / p.a, found.standardError[indexOf(parameter)] / p.a,
                         (p.a + p.b + std::abs(p.c)) / p.a);
 }
 
@@ -117,7 +107,7 @@ FoundAndKept foundAndKept(const Identification &identification)
             lists.found << FindingText::tr("%1 = %2").arg(symbolOf(parameter), measuredText(parameter, identification));
         } else {
             lists.kept << FindingText::tr("%1 = %2").arg(
-                symbolOf(parameter), parameterText(parameter, valueOf(parameter, identification.parameters)));
+                symbolOf(parameter), parameterText(parameter, valueOf(identification.parameters, parameter)));
         }
     }
     return lists;
@@ -256,12 +246,12 @@ QString symbolOf(Channel channel)
 
 QString columnNameOf(Channel channel)
 {
-    return toQString(nameOf(channel));
+    return QString::fromUtf8(nameOf(channel));
 }
 
 QString unitOf(Channel channel)
 {
-    return toQString(authorUnitOf(channel));
+    return QString::fromUtf8(authorUnitOf(channel));
 }
 
 QString symbolOf(Parameter parameter)
@@ -276,16 +266,21 @@ QString symbolOf(Parameter parameter)
     return {};
 }
 
-double valueOf(Parameter parameter, const Parameters &parameters)
+const char *wordOf(Parameter parameter)
 {
     switch (parameter) {
-    case Parameter::A: return parameters.a;
-    case Parameter::B: return parameters.b;
-    case Parameter::C: return parameters.c;
-    case Parameter::Omega2: return parameters.omega2;
-    case Parameter::Theta20: return parameters.theta20;
+    case Parameter::A: return "a";
+    case Parameter::B: return "b";
+    case Parameter::C: return "c";
+    case Parameter::Omega2: return "omega2";
+    case Parameter::Theta20: return "theta20";
     }
-    return 0.0;
+    return "";
+}
+
+QString assemblyText(Branch branch)
+{
+    return branch == Branch::Open ? FindingText::tr("open") : FindingText::tr("crossed");
 }
 
 QString parameterText(Parameter parameter, double value, int digits)
@@ -298,9 +293,9 @@ QString mechanismText(const Mechanism &mechanism, int digits)
     QStringList parts;
     for (const Parameter parameter : kParameters) {
         parts << FindingText::tr("%1 = %2").arg(
-            symbolOf(parameter), parameterText(parameter, valueOf(parameter, mechanism.parameters()), digits));
+            symbolOf(parameter), parameterText(parameter, valueOf(mechanism.parameters(), parameter), digits));
     }
-    return (parts << assemblyText(mechanism.branch())).join(FindingText::tr(", "));
+    return (parts << withNoun(mechanism.branch())).join(FindingText::tr(", "));
 }
 
 QString measuredText(double value, double standardError, double scale)
@@ -324,7 +319,7 @@ QString measuredText(double value, double standardError, double scale)
         return text.arg(QLocale().toString(rounded, 'f', decimals), QLocale().toString(roundedError, 'f', decimals));
     }
     const int digits = rounded == 0.0 ? 1 : std::max(1, powerOfTenBelow(std::abs(rounded)) - place + 1);
-    return text.arg(shortNumber(rounded, digits, QLocale()), shortNumber(roundedError, 1, QLocale()));
+    return text.arg(shortNumber(rounded, digits), shortNumber(roundedError, 1));
 }
 
 QString measuredText(Parameter parameter, const Identification &found)
@@ -340,7 +335,7 @@ QString measuredText(Parameter parameter, const Identification &found)
                          : parameter == Parameter::Theta20 ? 1.0
                                                            : p.a + p.b + std::abs(p.c);
     const double factor = shownFactor(parameter);
-    return measuredText(factor * valueOf(parameter, p), factor * found.standardError[indexOf(parameter)],
+    return measuredText(factor * valueOf(p, parameter), factor * found.standardError[indexOf(parameter)],
                         factor * scale) +
            unitBehind(parameter);
 }
@@ -390,7 +385,7 @@ QString summaryOf(const Identification &identification)
         return FindingText::tr("No slider-crank moves as these data do: check which column is which, and their units.");
     case Identification::Status::Stopped: return FindingText::tr("The search was stopped.");
     }
-    const QStringList parts = foundAndKept(identification).found << assemblyText(identification.parameters.branch);
+    const QStringList parts = foundAndKept(identification).found << withNoun(identification.parameters.branch);
     const QString caveats = caveatsOf(identification);
     return parts.join(FindingText::tr(", ")) + (caveats.isEmpty() ? QStringLiteral(".") : QStringLiteral(". ")) +
            caveats;
@@ -415,17 +410,17 @@ QString attributionText(std::span<const Attribution> attributions, const Mechani
     }
     const Attribution &found = attributions.front();
     const double factor = shownFactor(found.parameter);
-    const double before = factor * valueOf(found.parameter, mechanism.parameters());
+    const double before = factor * valueOf(mechanism.parameters(), found.parameter);
     const double after = factor * found.value;
     const QString shownBefore = numberText(before);
     constexpr int kDigits = 5;
     constexpr int kMostDigits = 12;
     int digits = kDigits; // more where those do not tell the two apart
-    while (digits < kMostDigits && shortNumber(after, digits, QLocale()) == shortNumber(before, digits, QLocale())) {
+    while (digits < kMostDigits && shortNumber(after, digits) == shortNumber(before, digits)) {
         ++digits;
     }
     return FindingText::tr("This error looks like %1: %2 instead of %3%4 explains %5 % of it.")
-        .arg(symbolOf(found.parameter), shortNumber(after, digits, QLocale()),
+        .arg(symbolOf(found.parameter), shortNumber(after, digits),
              digits == kDigits ? shownBefore : numberText(before, digits), unitBehind(found.parameter),
              percentText(found.explained));
 }

@@ -12,7 +12,7 @@
 
 #include <QString>
 
-#include <optional>
+#include <array>
 #include <span>
 
 namespace slidercrank
@@ -30,7 +30,14 @@ QString unitOf(Channel channel);
 /// "a", "ω₂".
 QString symbolOf(Parameter parameter);
 
-double valueOf(Parameter parameter, const Parameters &parameters);
+inline constexpr std::array kParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2,
+                                        Parameter::Theta20};
+
+/// In options and JSON: "a", "omega2".
+const char *wordOf(Parameter parameter);
+
+/// "open", "crossed".
+QString assemblyText(Branch branch);
 
 /// A parameter to so many significant digits, trailing zeros left out, with the unit in which people think of it:
 /// "65 mm", "6.28319 rad/s", "-30°".

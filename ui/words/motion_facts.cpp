@@ -29,7 +29,7 @@ QString amount(double value, const QString &unit)
     constexpr int kDigits = 6;
     const double size = std::abs(value);
     const bool plain = size == 0.0 || (size >= 1e-3 && size < 1e7);
-    const QString number = plain ? numberText(value, kDigits) : shortNumber(value, kDigits, QLocale());
+    const QString number = plain ? numberText(value, kDigits) : shortNumber(value, kDigits);
     return QStringLiteral("%1 %2").arg(number, unit);
 }
 
@@ -371,9 +371,7 @@ QString secondsText(double seconds, double length)
     if (length < kShortest || length >= kLongest) {
         return numberText(seconds, kDigits);
     }
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(seconds, 'f', kDigits - static_cast<int>(std::floor(std::log10(length))));
+    return localeWithoutGroups().toString(seconds, 'f', kDigits - static_cast<int>(std::floor(std::log10(length))));
 }
 
 } // namespace slidercrank

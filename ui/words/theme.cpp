@@ -1,52 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/theme.h"
 
+#include <QWidget>
+
 namespace slidercrank
 {
 
 namespace
 {
 
-QPalette lightPalette()
-{
-    QPalette palette(QColor(0xf3, 0xf3, 0xf3));
-    palette.setColor(QPalette::Window, QColor(0xf3, 0xf3, 0xf3));
-    palette.setColor(QPalette::Base, Qt::white);
-    palette.setColor(QPalette::AlternateBase, QColor(0xf7, 0xf7, 0xf7));
-    palette.setColor(QPalette::Text, QColor(0x1c, 0x1c, 0x1c));
-    palette.setColor(QPalette::WindowText, QColor(0x1c, 0x1c, 0x1c));
-    palette.setColor(QPalette::ButtonText, QColor(0x1c, 0x1c, 0x1c));
-    palette.setColor(QPalette::PlaceholderText, QColor(0x6a, 0x6a, 0x6a));
-    palette.setColor(QPalette::Highlight, QColor(0x00, 0x5f, 0xa3));
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Link, QColor(0x00, 0x5f, 0xa3));
-    palette.setColor(QPalette::ToolTipBase, Qt::white);
-    palette.setColor(QPalette::ToolTipText, QColor(0x1c, 0x1c, 0x1c));
-    for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText}) {
-        palette.setColor(QPalette::Disabled, role, QColor(0xa0, 0xa0, 0xa0));
-    }
-    return palette;
-}
+struct RoleColours {
+    QPalette::ColorRole role;
+    QRgb light;
+    QRgb dark;
+};
 
-QPalette darkPalette()
+constexpr RoleColours kRoles[] = {
+    {QPalette::Window, 0xf3f3f3, 0x2b2d30},     {QPalette::Button, 0xf3f3f3, 0x393b40},
+    {QPalette::Base, 0xffffff, 0x1e1f22},       {QPalette::AlternateBase, 0xf7f7f7, 0x25272a},
+    {QPalette::Text, 0x1c1c1c, 0xe6e6e6},       {QPalette::WindowText, 0x1c1c1c, 0xe6e6e6},
+    {QPalette::ButtonText, 0x1c1c1c, 0xe6e6e6}, {QPalette::PlaceholderText, 0x6a6a6a, 0x9a9a9a},
+    {QPalette::Highlight, 0x005fa3, 0x2a76b8},  {QPalette::HighlightedText, 0xffffff, 0xffffff},
+    {QPalette::Link, 0x005fa3, 0x6cb6f5},       {QPalette::ToolTipBase, 0xffffff, 0x393b40},
+    {QPalette::ToolTipText, 0x1c1c1c, 0xe6e6e6}};
+
+QPalette paletteOf(bool dark)
 {
-    QPalette palette(QColor(0x2b, 0x2d, 0x30));
-    palette.setColor(QPalette::Window, QColor(0x2b, 0x2d, 0x30));
-    palette.setColor(QPalette::Base, QColor(0x1e, 0x1f, 0x22));
-    palette.setColor(QPalette::AlternateBase, QColor(0x25, 0x27, 0x2a));
-    palette.setColor(QPalette::Button, QColor(0x39, 0x3b, 0x40));
-    palette.setColor(QPalette::Text, QColor(0xe6, 0xe6, 0xe6));
-    palette.setColor(QPalette::WindowText, QColor(0xe6, 0xe6, 0xe6));
-    palette.setColor(QPalette::ButtonText, QColor(0xe6, 0xe6, 0xe6));
-    palette.setColor(QPalette::BrightText, Qt::white);
-    palette.setColor(QPalette::PlaceholderText, QColor(0x9a, 0x9a, 0x9a));
-    palette.setColor(QPalette::Highlight, QColor(0x2a, 0x76, 0xb8));
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Link, QColor(0x6c, 0xb6, 0xf5));
-    palette.setColor(QPalette::ToolTipBase, QColor(0x39, 0x3b, 0x40));
-    palette.setColor(QPalette::ToolTipText, QColor(0xe6, 0xe6, 0xe6));
+    QPalette palette(QColor(dark ? 0x2b2d30 : 0xf3f3f3)); // and the shades that follow from it
+    for (const RoleColours &colours : kRoles) {
+        palette.setColor(colours.role, QColor(dark ? colours.dark : colours.light));
+    }
+    if (dark) {
+        palette.setColor(QPalette::BrightText, Qt::white);
+    }
     for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText}) {
-        palette.setColor(QPalette::Disabled, role, QColor(0x7d, 0x7f, 0x84));
+        palette.setColor(QPalette::Disabled, role, QColor(dark ? 0x7d7f84 : 0xa0a0a0));
     }
     return palette;
 }
@@ -57,8 +45,8 @@ QPalette paletteFor(Theme theme)
 {
     switch (theme) {
     case Theme::System: return QPalette();
-    case Theme::Light: return lightPalette();
-    case Theme::Dark: return darkPalette();
+    case Theme::Light: return paletteOf(false);
+    case Theme::Dark: return paletteOf(true);
     }
     return {};
 }
@@ -77,6 +65,13 @@ SeriesColours seriesColours(const QPalette &palette)
     colours.text = palette.color(QPalette::Text);
     colours.background = palette.color(QPalette::Base);
     return colours;
+}
+
+void setInk(QWidget &widget, const QColor &ink)
+{
+    QPalette palette = widget.palette();
+    palette.setColor(QPalette::WindowText, ink);
+    widget.setPalette(palette);
 }
 
 } // namespace slidercrank

@@ -8,6 +8,8 @@
 #include <QColor>
 #include <QPalette>
 
+class QWidget;
+
 namespace slidercrank
 {
 
@@ -29,5 +31,8 @@ struct SeriesColours {
     QColor background;
 };
 SeriesColours seriesColours(const QPalette &palette);
+
+/// What is written on the widget.
+void setInk(QWidget &widget, const QColor &ink);
 
 } // namespace slidercrank

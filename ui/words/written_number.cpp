@@ -57,6 +57,21 @@ QString numberText(double value, int significantDigits)
     return withShortExponent(localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits));
 }
 
+QString numberText(std::optional<double> value, int significantDigits)
+{
+    return value ? numberText(*value, significantDigits) : dash();
+}
+
+QString countText(std::size_t count)
+{
+    return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+QString dash()
+{
+    return QStringLiteral("–");
+}
+
 double nextRoundNumber(double value)
 {
     constexpr double kSlack = 1e-9; // 0.1 · 20 is 2, whatever its last digit

@@ -18,6 +18,13 @@ std::optional<double> readNumber(const QString &text);
 /// At most so many significant digits, in the user's locale, no trailing zeros, no group separators.
 QString numberText(double value, int significantDigits = 6);
 
+/// A dash for what does not exist.
+QString numberText(std::optional<double> value, int significantDigits);
+QString dash();
+
+/// In the user's locale, with its groups of three.
+QString countText(std::size_t count);
+
 /// The least of … 1, 2, 5, 10, 20, 50 … that is not below the value (> 0): for steps and ranges that read well.
 double nextRoundNumber(double value);
 

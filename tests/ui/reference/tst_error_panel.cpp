@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controls/number_table.h"
+#include "ui/document/diagnosis.h"
 #include "ui/document/result.h"
 #include "ui/reference/error_panel.h"
 
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTableWidget>
 #include <QTest>
 
 using namespace slidercrank;
@@ -23,6 +24,16 @@ Widget *child(const QWidget &parent, const QString &name)
         qFatal("no %s", qPrintable(name));
     }
     return widget;
+}
+
+QString textOf(const NumberTable *table, int row, int column)
+{
+    return table->shownText(table->model()->index(row, column));
+}
+
+QString toolTipOf(const NumberTable *table, int row, int column)
+{
+    return table->model()->index(row, column).data(Qt::ToolTipRole).toString();
 }
 
 ChannelComparison compared(Channel channel, Verdict verdict, double maxAbs, double at)
@@ -92,7 +103,7 @@ private slots:
         auto *openReference = child<QPushButton>(panel, "openReferenceButton");
         auto *openSample = child<QPushButton>(panel, "openSampleButton");
         QVERIFY(openReference->isVisible());
-        QVERIFY(!child<QTableWidget>(panel, "errorTable")->isVisible());
+        QVERIFY(!child<NumberTable>(panel, "errorTable")->isVisible());
         QSignalSpy references(&panel, &ErrorPanel::openReferenceRequested);
         QSignalSpy samples(&panel, &ErrorPanel::openSampleRequested);
         openReference->click();
@@ -108,22 +119,22 @@ private slots:
         panel.show();
         panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25),
                                     compared(kSliderSpeed, Verdict::Close, 14.2345, 0.5)}));
-        auto *table = child<QTableWidget>(panel, "errorTable");
+        auto *table = child<NumberTable>(panel, "errorTable");
         QVERIFY(table->isVisible());
-        QCOMPARE(table->rowCount(), 2);
-        QCOMPARE(table->item(0, Name)->text(), QString("θ³ [°]"));
-        QCOMPARE(table->item(1, Name)->text(), QString("dRₓ⁴/dt [mm/s]"));
-        QCOMPARE(table->item(0, LargestError)->text(), QString("0.00123"));
-        QCOMPARE(table->item(1, LargestError)->text(), QString("14.2"));
-        QCOMPARE(table->item(0, LargestErrorAt)->text(), QString("0.25"));
-        QVERIFY(table->item(0, Outcome)->text().startsWith(QString("✓ agrees")));
-        QVERIFY(table->item(1, Outcome)->toolTip().contains("½ step"));
-        for (int column = 0; column < table->columnCount(); ++column) {
-            QVERIFY(!table->horizontalHeaderItem(column)->toolTip().isEmpty());
+        QCOMPARE(table->model()->rowCount(), 2);
+        QCOMPARE(textOf(table, 0, Name), QString("θ³ [°]"));
+        QCOMPARE(textOf(table, 1, Name), QString("dRₓ⁴/dt [mm/s]"));
+        QCOMPARE(textOf(table, 0, LargestError), QString("0.00123"));
+        QCOMPARE(textOf(table, 1, LargestError), QString("14.2"));
+        QCOMPARE(textOf(table, 0, LargestErrorAt), QString("0.25"));
+        QVERIFY(textOf(table, 0, Outcome).startsWith(QString("✓ agrees")));
+        QVERIFY(toolTipOf(table, 1, Outcome).contains("½ step"));
+        for (int column = 0; column < table->model()->columnCount(); ++column) {
+            QVERIFY(!table->model()->headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
         }
         panel.setResult(resultWith({compared(kSlider, Verdict::Differs, 3.0, 0.75)}));
-        QCOMPARE(table->rowCount(), 1);
-        QCOMPARE(table->item(0, Outcome)->text(), QString("✗ differs"));
+        QCOMPARE(table->model()->rowCount(), 1);
+        QCOMPARE(textOf(table, 0, Outcome), QString("✗ differs"));
         panel.setResult(std::make_shared<Result>());
         QVERIFY(!table->isVisible());
     }
@@ -137,10 +148,10 @@ private slots:
         panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         QSignalSpy spy(&panel, &ErrorPanel::timeRequested);
-        auto *table = child<QTableWidget>(panel, "errorTable");
+        auto *table = child<NumberTable>(panel, "errorTable");
         const auto click = [table](int row, int column) {
             QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
-                              table->visualItemRect(table->item(row, column)).center());
+                              table->visualRect(table->model()->index(row, column)).center());
         };
         click(1, Name);
         QCOMPARE(spy.takeFirst()[0].toDouble(), 0.5);
@@ -148,7 +159,7 @@ private slots:
         QCOMPARE(spy.takeFirst()[0].toDouble(), 0.25);
         click(0, LargestPercentAt); // a column that names an instant of its own
         QCOMPARE(spy.takeFirst()[0].toDouble(), 0.35);
-        table->setCurrentCell(1, Name);
+        table->setCurrentIndex(table->model()->index(1, Name));
         QTest::keyClick(table, Qt::Key_Return);
         QCOMPARE(spy.takeFirst()[0].toDouble(), 0.5);
         QVERIFY(spy.isEmpty());
@@ -188,13 +199,13 @@ private slots:
         panel.resize(1000, 220);
         panel.show();
         panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25)}));
-        auto *table = child<QTableWidget>(panel, "errorTable");
-        QTRY_COMPARE(table->item(0, Outcome)->text(), QString("✓ agrees to the last printed digit"));
+        auto *table = child<NumberTable>(panel, "errorTable");
+        QTRY_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
         panel.resize(560, 220);
-        QTRY_COMPARE(table->item(0, Outcome)->text(), QString("✓ agrees"));
-        QVERIFY(table->item(0, Outcome)->toolTip().startsWith("agrees to the last printed digit"));
+        QTRY_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees"));
+        QVERIFY(toolTipOf(table, 0, Outcome).startsWith("agrees to the last printed digit"));
         panel.resize(1000, 220);
-        QTRY_COMPARE(table->item(0, Outcome)->text(), QString("✓ agrees to the last printed digit"));
+        QTRY_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
     }
 
     void explainsTheDifferenceAndOffersTheRemedy()
@@ -279,14 +290,14 @@ private slots:
         ErrorPanel panel;
         panel.show();
         panel.setResult(resultWith({nothing, zeros}));
-        auto *table = child<QTableWidget>(panel, "errorTable");
+        auto *table = child<NumberTable>(panel, "errorTable");
         for (const int column : {LargestError, LargestErrorAt, Rms, LargestPercent, LargestPercentAt}) {
-            QCOMPARE(table->item(0, column)->text(), QString("–"));
+            QCOMPARE(textOf(table, 0, column), QString("–"));
         }
-        QCOMPARE(table->item(1, LargestPercent)->text(), QString("– (7×∞)"));
-        QVERIFY(table->item(0, Name)->toolTip().contains("201"));
+        QCOMPARE(textOf(table, 1, LargestPercent), QString("– (7×∞)"));
+        QVERIFY(toolTipOf(table, 0, Name).contains("201"));
         QSignalSpy spy(&panel, &ErrorPanel::timeRequested);
-        table->setCurrentCell(0, Name);
+        table->setCurrentIndex(table->model()->index(0, Name));
         QTest::keyClick(table, Qt::Key_Return);
         QCOMPARE(spy.count(), 0); // nowhere to go
     }
@@ -315,23 +326,23 @@ private slots:
     {
         ErrorPanel panel;
         panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)}));
-        auto *table = child<QTableWidget>(panel, "errorTable");
-        QCOMPARE(table->rowCount(), 0);
+        auto *table = child<NumberTable>(panel, "errorTable");
+        QCOMPARE(table->model()->rowCount(), 0);
         panel.show();
-        QCOMPARE(table->rowCount(), 1);
+        QCOMPARE(table->model()->rowCount(), 1);
         panel.hide();
         panel.setResult(
             resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5), compared(kSlider, Verdict::Agrees, 1.0, 0.5)}));
-        QCOMPARE(table->rowCount(), 1);
+        QCOMPARE(table->model()->rowCount(), 1);
         panel.show();
-        QCOMPARE(table->rowCount(), 2);
+        QCOMPARE(table->model()->rowCount(), 2);
 
         // Laid out as it comes on show, when the table still has the rows of before.
         panel.hide();
         panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)}));
         panel.resize(panel.width() + 100, panel.height());
         panel.show();
-        QCOMPARE(table->rowCount(), 1);
+        QCOMPARE(table->model()->rowCount(), 1);
     }
 };
 

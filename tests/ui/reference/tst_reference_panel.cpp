@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controls/number_table.h"
 #include "ui/reference/reference_panel.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
@@ -10,7 +11,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
-#include <QTableWidget>
 #include <QTest>
 
 using namespace slidercrank;
@@ -33,6 +33,11 @@ Widget *child(const QWidget &parent, const QString &name)
         qFatal("no %s", qPrintable(name));
     }
     return widget;
+}
+
+QString textOf(const NumberTable *table, int row, int column)
+{
+    return table->model()->index(row, column).data().toString();
 }
 
 std::shared_ptr<Reference> referenceOf(const QByteArray &bytes)
@@ -106,7 +111,7 @@ private slots:
 
     void withoutAFileItSaysHowToLoadOne()
     {
-        QVERIFY(!child<QTableWidget>(*m_panel, QStringLiteral("columnTable"))->isVisible());
+        QVERIFY(!child<NumberTable>(*m_panel, QStringLiteral("columnTable"))->isVisible());
         QSignalSpy open(m_panel.get(), &ReferencePanel::openReferenceRequested);
         QSignalSpy sample(m_panel.get(), &ReferencePanel::openSampleRequested);
         QTest::mouseClick(child<QPushButton>(*m_panel, QStringLiteral("openReferenceButton")), Qt::LeftButton);
@@ -128,9 +133,9 @@ private slots:
     void hasARowForEachColumnAndSaysWhatItBecameAndWhy()
     {
         m_panel->setReference(referenceOf(kFile));
-        const auto *table = child<QTableWidget>(*m_panel, QStringLiteral("columnTable"));
-        const auto text = [table](int row, int column) { return table->item(row, column)->text(); };
-        QCOMPARE(table->rowCount(), 4);
+        const auto *table = child<NumberTable>(*m_panel, QStringLiteral("columnTable"));
+        const auto text = [table](int row, int column) { return textOf(table, row, column); };
+        QCOMPARE(table->model()->rowCount(), 4);
         QCOMPARE(text(0, Meaning), "time");
         QCOMPARE(text(1, Heading), "theta3 [rad]");
         QCOMPARE(text(1, Unit), "rad");
@@ -140,7 +145,7 @@ private slots:
         QCOMPARE(text(2, Values), "1, 1 gap");
         QCOMPARE(text(3, Meaning), "–");
         QVERIFY(!text(3, Why).isEmpty());
-        QVERIFY(table->item(3, Why)->toolTip().contains("ignored"));
+        QVERIFY(table->model()->index(3, Why).data(Qt::ToolTipRole).toString().contains("ignored"));
     }
 
     void saysHowAColumnWasRounded()
@@ -150,8 +155,8 @@ private slots:
             bytes += QByteArray::number(i) + ',' + QByteArray::number(0.5 + 0.456789 * i, 'f', 3) + '\n';
         }
         m_panel->setReference(referenceOf(bytes));
-        const auto *table = child<QTableWidget>(*m_panel, QStringLiteral("columnTable"));
-        QCOMPARE(table->item(1, RoundedTo)->text(), "3 decimals");
+        const auto *table = child<NumberTable>(*m_panel, QStringLiteral("columnTable"));
+        QCOMPARE(textOf(table, 1, RoundedTo), "3 decimals");
     }
 
     void listsTheRowsLeftOutWhereThereAreAny()
@@ -160,17 +165,17 @@ private slots:
         auto *show = child<QAbstractButton>(*m_panel, QStringLiteral("showSkipped"));
         QVERIFY(show->isVisible());
         QTest::mouseClick(show, Qt::LeftButton);
-        const auto *table = child<QTableWidget>(*m_panel, QStringLiteral("skippedTable"));
+        const auto *table = child<NumberTable>(*m_panel, QStringLiteral("skippedTable"));
         QVERIFY(table->isVisible());
-        QCOMPARE(table->rowCount(), 1);
-        QCOMPARE(table->item(0, 0)->text(), "3");
-        QCOMPARE(table->item(0, 1)->text(), "2");
-        QCOMPARE(table->item(0, 2)->text(), "oops");
-        QVERIFY(!table->item(0, 3)->text().isEmpty());
+        QCOMPARE(table->model()->rowCount(), 1);
+        QCOMPARE(textOf(table, 0, 0), "3");
+        QCOMPARE(textOf(table, 0, 1), "2");
+        QCOMPARE(textOf(table, 0, 2), "oops");
+        QVERIFY(!textOf(table, 0, 3).isEmpty());
 
         m_panel->setReference(referenceOf("time,R4_x\n0,70\n1,71\n"));
         QVERIFY(!show->isVisible());
-        QVERIFY(child<QTableWidget>(*m_panel, QStringLiteral("columnTable"))->isVisible());
+        QVERIFY(child<NumberTable>(*m_panel, QStringLiteral("columnTable"))->isVisible());
     }
 
     void asksForTheColumnsToBeChosen()
@@ -250,10 +255,10 @@ private slots:
     {
         m_panel->hide();
         m_panel->setReference(referenceOf(kFile));
-        const auto *table = child<QTableWidget>(*m_panel, QStringLiteral("columnTable"));
-        QCOMPARE(table->rowCount(), 0);
+        const auto *table = child<NumberTable>(*m_panel, QStringLiteral("columnTable"));
+        QCOMPARE(table->model()->rowCount(), 0);
         m_panel->show();
-        QCOMPARE(table->rowCount(), 4);
+        QCOMPARE(table->model()->rowCount(), 4);
     }
 
     void nothingIsCutOff_data()
@@ -276,7 +281,7 @@ private slots:
         auto *findings = child<QAbstractButton>(*m_panel, QStringLiteral("showFindings"));
         if (findings->isVisible()) { // no room for both at once
             QTest::mouseClick(findings, Qt::LeftButton);
-            QVERIFY(!child<QTableWidget>(*m_panel, QStringLiteral("columnTable"))->isVisible());
+            QVERIFY(!child<NumberTable>(*m_panel, QStringLiteral("columnTable"))->isVisible());
         }
         // Every text and button of the findings has the room it needs within the width; downwards it scrolls.
         const QWidget *room = child<QScrollArea>(*m_panel, QStringLiteral("findings"))->viewport();
@@ -296,7 +301,7 @@ private slots:
             QTest::mouseClick(child<QAbstractButton>(*m_panel, QStringLiteral("showColumns")), Qt::LeftButton);
         }
         // The columns of the table fit side by side.
-        const auto *table = child<QTableWidget>(*m_panel, QStringLiteral("columnTable"));
+        const auto *table = child<NumberTable>(*m_panel, QStringLiteral("columnTable"));
         QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
     }
 
@@ -306,7 +311,7 @@ private slots:
         m_panel->resize(580, 200);
         QTest::mouseClick(child<QAbstractButton>(*m_panel, QStringLiteral("showFindings")), Qt::LeftButton);
         m_panel->resize(950, 200);
-        QVERIFY(child<QTableWidget>(*m_panel, QStringLiteral("columnTable"))->isVisible());
+        QVERIFY(child<NumberTable>(*m_panel, QStringLiteral("columnTable"))->isVisible());
         QVERIFY(child<QScrollArea>(*m_panel, QStringLiteral("findings"))->isVisible());
     }
 
@@ -320,7 +325,7 @@ private slots:
                     QVERIFY(!button->text().isEmpty() || !button->accessibleName().isEmpty());
                     QVERIFY(button->focusPolicy() & Qt::TabFocus);
                 }
-            } else if (qobject_cast<const QTableWidget *>(widget) || qobject_cast<const QScrollArea *>(widget)) {
+            } else if (qobject_cast<const NumberTable *>(widget) || qobject_cast<const QScrollArea *>(widget)) {
                 QVERIFY(!widget->accessibleName().isEmpty());
             }
         }

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/option_reader.h"
+
+#include "core/mechanism/mechanism.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The whole text as a number, with a decimal point.
+template <typename Number>
+std::optional<Number> parsed(const QString &text)
+{
+    const QByteArray bytes = text.toUtf8();
+    const char *first = bytes.constData();
+    const char *const last = first + bytes.size();
+    if (last - first > 1 && *first == '+' && first[1] != '-') {
+        ++first; // from_chars knows no plus sign
+    }
+    Number number{};
+    const std::from_chars_result result = std::from_chars(first, last, number);
+    return result.ec == std::errc() && result.ptr == last ? std::optional(number) : std::nullopt;
+}
+
+/// How many letters must be inserted, removed or replaced to make one word the other (Levenshtein), whatever their
+/// case.
+qsizetype distance(const QString &from, const QString &to)
+{
+    std::vector<qsizetype> row(static_cast<std::size_t>(to.size()) + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        row[j] = static_cast<qsizetype>(j);
+    }
+    for (qsizetype i = 0; i < from.size(); ++i) {
+        qsizetype diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 1; j < row.size(); ++j) {
+            const bool same = from[i].toLower() == to[static_cast<qsizetype>(j) - 1].toLower();
+            const qsizetype replaced = diagonal + (same ? 0 : 1);
+            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+QStringList nearest(const QString &word, const QStringList &names)
+{
+    qsizetype least = (word.size() + 1) / 3;
+    QStringList near;
+    for (const QString &name : names) {
+        const bool begun = word.size() > 1 && name.startsWith(word, Qt::CaseInsensitive);
+        const qsizetype far = begun ? std::min<qsizetype>(1, distance(word, name)) : distance(word, name);
+        if (far < least) {
+            near.clear();
+            least = far;
+        }
+        if (far == least) {
+            near += name;
+        }
+    }
+    return near.first(std::min<qsizetype>(near.size(), 4));
+}
+
+QString alternatives(const QStringList &names)
+{
+    if (names.size() < 2) {
+        return names.join(QString());
+    }
+    return CommandLine::tr("%1 or %2").arg(names.first(names.size() - 1).join(QStringLiteral(", ")), names.last());
+}
+
+std::optional<int> parsedInteger(const QString &text)
+{
+    return parsed<int>(text);
+}
+
+OptionReader::OptionReader(const QCommandLineParser &parser)
+    : m_parser(parser)
+{
+    // The report's iterates, an order of magnitude sooner.
+    m_scene.solver.newton.elimination = Elimination::Structured;
+}
+
+void OptionReader::takeScene(const QString &path)
+{
+    const std::variant<Scene, QString> outcome = readScene(path);
+    if (const QString *sentence = std::get_if<QString>(&outcome)) {
+        m_sceneFault = *sentence;
+    } else {
+        m_scene = std::get<Scene>(outcome);
+    }
+}
+
+void OptionReader::refuse(const QString &sentence)
+{
+    if (!m_fault) {
+        m_fault = sentence;
+    }
+}
+
+double OptionReader::number(const char *name, double otherwise)
+{
+    if (!has(name)) {
+        return otherwise;
+    }
+    const std::optional<double> number = parsed<double>(text(name));
+    if (!number || !std::isfinite(*number)) {
+        refuse(CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
+                   .arg(QLatin1String(name), text(name)));
+        return otherwise;
+    }
+    return *number;
+}
+
+double OptionReader::boundedNumber(const char *name, double otherwise)
+{
+    const double value = number(name, otherwise);
+    if (std::abs(value) > kLargestParameter) {
+        refuse(tooLarge(name));
+    }
+    return value;
+}
+
+int OptionReader::integer(const char *name, int otherwise, int smallest, int largest)
+{
+    if (!has(name)) {
+        return otherwise;
+    }
+    const std::optional<int> number = parsed<int>(text(name));
+    if (!number || *number < smallest || *number > largest) {
+        refuse(CommandLine::tr("--%1 must be a whole number from %2 to %3, not \"%4\".")
+                   .arg(QLatin1String(name))
+                   .arg(smallest)
+                   .arg(largest)
+                   .arg(text(name)));
+        return otherwise;
+    }
+    return *number;
+}
+
+QString OptionReader::file(const char *name)
+{
+    if (has(name) && text(name).isEmpty()) {
+        refuse(CommandLine::tr("--%1 needs the name of a file.").arg(QLatin1String(name)));
+    }
+    return text(name);
+}
+
+QString OptionReader::tooLarge(const char *name)
+{
+    return CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(QLatin1String(name));
+}
+
+} // namespace slidercrank
