@@ -162,7 +162,7 @@ private slots:
         QCOMPARE(std::get<Scene>(readScene(scene)).parameters.b, 67.5);
 
         const QString data = folder.filePath(QStringLiteral("motion.csv"));
-        m_window->exportDataTo(data, allChannels());
+        m_window->exports().dataTo(data, allChannels());
         QTRY_VERIFY(!contentOf(data).isEmpty());
         QTRY_COMPARE(contentOf(data).count('\n'), 202);
         const QList<QByteArray> lines = contentOf(data).split('\n');

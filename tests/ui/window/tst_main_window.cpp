@@ -520,9 +520,9 @@ private slots:
         const QString figure = folder.filePath(QStringLiteral("figure.") + suffix);
         const QString plot = folder.filePath(QStringLiteral("plot.") + suffix);
         const QString mechanism = folder.filePath(QStringLiteral("mechanism.") + suffix);
-        m_window->exportFigureTo(figure);
-        m_window->exportPlotTo(QStringLiteral("plot_R4_x"), plot);
-        m_window->exportMechanismTo(mechanism);
+        m_window->exports().figureTo(figure);
+        m_window->exports().plotTo(QStringLiteral("plot_R4_x"), plot);
+        m_window->exports().mechanismTo(mechanism);
         for (const QString &path : {figure, plot, mechanism}) {
             QFile file(path);
             QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
@@ -539,7 +539,7 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString shown = QDir::toNativeSeparators(folder.filePath(QStringLiteral("motion.png")));
-        m_window->exportAnimationTo(folder.filePath(QStringLiteral("motion.png")));
+        m_window->exports().animationTo(folder.filePath(QStringLiteral("motion.png")));
         QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MessageBar *>()->text().contains(shown), 30000);
         const QStringList frames = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
         QCOMPARE(frames.size(), 31); // a second, both ends
@@ -550,7 +550,7 @@ private slots:
 
     void aFailedExportIsTold()
     {
-        m_window->exportFigureTo(QStringLiteral("/no/such/folder/figure.png"));
+        m_window->exports().figureTo(QStringLiteral("/no/such/folder/figure.png"));
         QVERIFY(m_window->findChild<MessageBar *>()->isVisible());
     }
 
@@ -679,7 +679,7 @@ private slots:
         }
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(!m_window->session().undoStack().canUndo());
-        QCOMPARE(SceneFile::recent(), QStringList{path});
+        QCOMPARE(recentFiles(kRecentScenes), QStringList{path});
         QTRY_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
     }
 

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/exports.h"
+
+#include "ui/document/session.h"
+#include "ui/export/animation_export.h"
+#include "ui/export/motion_csv.h"
+#include "ui/export/report_pages.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/parameters/timeline.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/window/ghost.h"
+#include "ui/words/theme.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kScale = 2.0; // of what is on screen, for documents
+constexpr QSize kPlotSize(900, 600);
+
+QString fileIn(QStandardPaths::StandardLocation folder, const QString &name)
+{
+    return QDir(QStandardPaths::writableLocation(folder)).filePath(name);
+}
+
+} // namespace
+
+Exports::Exports(Session *session, const Rooms &rooms, QWidget *window)
+    : QObject(window)
+    , m_session(session)
+    , m_rooms(rooms)
+    , m_window(window)
+{
+}
+
+Exports::Picture Exports::figure() const
+{
+    return {m_rooms.plots->size(), [plots = m_rooms.plots](QPainter &painter, const QSize &size) {
+                plots->paintFigure(painter, size, paletteFor(Theme::Light));
+            }};
+}
+
+Exports::Picture Exports::plot(const QString &name) const
+{
+    return {kPlotSize, [plots = m_rooms.plots, name](QPainter &painter, const QSize &size) {
+                plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
+            }};
+}
+
+Exports::Picture Exports::mechanism() const
+{
+    return {m_rooms.mechanism->size(), [view = m_rooms.mechanism](QPainter &painter, const QSize &size) {
+                view->paintMechanism(painter, size, paletteFor(Theme::Light));
+            }};
+}
+
+QString Exports::choosePictureFile(const QString &proposal)
+{
+    return QFileDialog::getSaveFileName(m_window, tr("Export"), fileIn(QStandardPaths::PicturesLocation, proposal),
+                                        tr("Images and drawings (*.png *.svg *.pdf)"));
+}
+
+void Exports::chooseFigure()
+{
+    figureTo(choosePictureFile(QStringLiteral("figure.png")));
+}
+
+void Exports::choosePlot(const QString &plotName)
+{
+    plotTo(plotName, choosePictureFile(plotName + QStringLiteral(".png")));
+}
+
+void Exports::chooseMechanism()
+{
+    mechanismTo(choosePictureFile(QStringLiteral("mechanism.png")));
+}
+
+void Exports::figureTo(const QString &path)
+{
+    write(path, figure());
+}
+
+void Exports::plotTo(const QString &plotName, const QString &path)
+{
+    write(path, plot(plotName));
+}
+
+void Exports::mechanismTo(const QString &path)
+{
+    write(path, mechanism());
+}
+
+void Exports::write(const QString &path, const Picture &picture)
+{
+    if (path.isEmpty()) {
+        return; // the person changed their mind
+    }
+    const QString title = tr("Motion of an offset slider-crank");
+    tellWritten(path, exportFigure(path, {picture.size, kScale}, title, picture.draw).value_or(QString()));
+}
+
+void Exports::copyFigure()
+{
+    copy(figure(), tr("The figure is in the clipboard."));
+}
+
+void Exports::copyPlot(const QString &plotName)
+{
+    copy(plot(plotName), tr("The plot is in the clipboard."));
+}
+
+void Exports::copyMechanism()
+{
+    copy(mechanism(), tr("The mechanism is in the clipboard."));
+}
+
+void Exports::copy(const Picture &picture, const QString &sentence)
+{
+    if (const std::optional<QString> problem = copyFigureToClipboard({picture.size, kScale}, picture.draw)) {
+        emit problemFound(*problem);
+    } else {
+        emit done(sentence);
+    }
+}
+
+QFileDialog *Exports::askForDocument(const QString &title, const QStringList &filters, const QString &proposal)
+{
+    auto *dialog =
+        new QFileDialog(m_window, title, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(filters);
+    dialog->setDefaultSuffix(QFileInfo(proposal).suffix());
+    dialog->selectFile(proposal);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+    return dialog;
+}
+
+void Exports::chooseData()
+{
+    const QString plotted = tr("The six channels of the plots (*.csv)");
+    auto *dialog =
+        askForDocument(tr("Export data"), {plotted, tr("All 36 channels (*.csv)")}, QStringLiteral("motion.csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, plotted](const QString &path) {
+        dataTo(path, dialog->selectedNameFilter() == plotted ? plottedChannels() : allChannels());
+    });
+}
+
+void Exports::dataTo(const QString &path, const ChannelSet &channels)
+{
+    writeAside(path, [path, channels, result = m_session->result()](const std::stop_token &stop,
+                                                                    const std::function<void(double)> &progress) {
+        return exportMotion(path, *result, channels, stop, progress);
+    });
+}
+
+void Exports::chooseReport()
+{
+    auto *dialog = askForDocument(tr("Export report"), {tr("Reports (*.pdf)")}, QStringLiteral("report.pdf"));
+    connect(dialog, &QFileDialog::fileSelected, this, &Exports::reportTo);
+}
+
+void Exports::reportTo(const QString &path)
+{
+    const auto content = std::make_shared<ReportContent>();
+    content->result = m_session->result();
+    const auto write = [this, path, content]() -> std::optional<QString> {
+        if (content->result != m_session->result()) {
+            return tr("No report was written: the mechanism was changed meanwhile. Export it again.");
+        }
+        content->hasGhost = m_rooms.mechanism->hasGhost();
+        return exportReport(path, *content, {mechanism().draw, figure().draw});
+    };
+    const Result &result = *content->result;
+    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+    const bool isKnown =
+        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+    if (isKnown) {
+        content->interpretation = diagnosis->found;
+    }
+    if (isKnown || !result.reference) {
+        tellWritten(path, write().value_or(QString()));
+        return;
+    }
+    const auto interpretAside = [content](const std::stop_token &stop, const auto &) -> std::optional<QString> {
+        content->interpretation = interpret(content->result->reference->data, content->result->mechanism, stop);
+        return std::nullopt;
+    };
+    writeAside(path, interpretAside, write);
+}
+
+void Exports::chooseAnimation()
+{
+    QStringList patterns;
+    for (const QString &suffix : AnimationExport::suffixes()) {
+        patterns << QStringLiteral("*.") + suffix;
+    }
+    animationTo(QFileDialog::getSaveFileName(m_window, tr("Export animation"),
+                                             fileIn(QStandardPaths::MoviesLocation, QStringLiteral("motion.png")),
+                                             tr("Numbered frames, videos (%1)").arg(patterns.join(u' '))));
+}
+
+void Exports::animationTo(const QString &path)
+{
+    if (path.isEmpty() || m_animation) {
+        return;
+    }
+    const Sampling &sampling = m_session->sampling();
+    Animation animation;
+    animation.start = sampling.start;
+    animation.duration = sampling.duration;
+    animation.size = {m_rooms.mechanism->size(), kScale};
+    animation.speed = m_rooms.timeline->speed();
+    const auto view = std::make_shared<MechanismView>();
+    view->setResult(m_session->result());
+    view->setLook(m_rooms.mechanism->look());
+    const auto draw = [view, parameters = m_session->parameters(),
+                       ghost = m_rooms.ghost->motion()](QPainter &painter, const QSize &size, double time) {
+        view->setPose(poseAt(parameters, time));
+        view->setGhost(ghost ? ghost(time) : ReferencePose());
+        view->paintMechanism(painter, size, paletteFor(Theme::Light));
+    };
+    m_animation = new AnimationExport(animation, draw, this);
+    const auto complete = std::make_shared<bool>(false);
+    connect(m_animation, &AnimationExport::progressed, this, [this, complete](int done, int all) {
+        *complete = done == all;
+        emit progressed(static_cast<double>(done) / all);
+    });
+    connect(m_animation, &AnimationExport::finished, this, [this, path, complete](const QString &problem) {
+        m_animation->deleteLater();
+        m_animation = nullptr;
+        emit busyChanged(false);
+        if (*complete || !problem.isEmpty()) { // else it was cancelled
+            tellWritten(path, problem);
+        }
+    });
+    emit busyChanged(true);
+    m_animation->start(path);
+}
+
+void Exports::writeAside(const QString &path, const ExportJob::Work &work,
+                         const std::function<std::optional<QString>()> &finish)
+{
+    if (m_job) {
+        emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
+        return;
+    }
+    m_job = new ExportJob(this);
+    connect(m_job, &ExportJob::progressed, this, &Exports::progressed);
+    connect(m_job, &ExportJob::finished, this, [this, path, finish](const QString &problem) {
+        const bool isCancelled = m_job->isCancelled();
+        m_job->deleteLater();
+        m_job = nullptr;
+        emit busyChanged(false);
+        if (!isCancelled) {
+            tellWritten(path, problem.isEmpty() && finish ? finish().value_or(QString()) : problem);
+        }
+    });
+    emit busyChanged(true);
+    m_job->start(work);
+}
+
+bool Exports::cancel()
+{
+    const bool writes = m_animation || m_job;
+    if (m_animation) {
+        m_animation->cancel();
+    }
+    if (m_job) {
+        m_job->cancel();
+    }
+    return writes;
+}
+
+void Exports::tellWritten(const QString &path, const QString &problem)
+{
+    if (problem.isEmpty()) {
+        emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    } else {
+        emit problemFound(problem);
+    }
+}
+
+} // namespace slidercrank

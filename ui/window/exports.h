@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What is on show, to files and to the clipboard; what takes long is written aside.
+
+#include "ui/export/export_job.h"
+#include "ui/export/figure_export.h"
+#include "ui/window/rooms.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QFileDialog;
+
+namespace slidercrank
+{
+
+class AnimationExport;
+class Session;
+
+class Exports : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// `window`: whose rooms these are, and in front of which is asked.
+    Exports(Session *session, const Rooms &rooms, QWidget *window);
+
+    /// What is being written; false where nothing is.
+    bool cancel();
+
+public slots:
+    void chooseFigure();
+    void choosePlot(const QString &plotName);
+    void chooseMechanism();
+    void chooseData();
+    void chooseReport();
+    void chooseAnimation();
+
+    /// Draws to a file (PNG, SVG or PDF by its suffix).
+    void figureTo(const QString &path);
+    void plotTo(const QString &plotName, const QString &path);
+    void mechanismTo(const QString &path);
+
+    /// The run on show as CSV, off the GUI thread.
+    void dataTo(const QString &path, const slidercrank::ChannelSet &channels);
+
+    /// On A4, as PDF; whose motion the reference is, is worked out off the GUI thread first where it is not known yet.
+    void reportTo(const QString &path);
+
+    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed.
+    void animationTo(const QString &path);
+
+    void copyFigure();
+    void copyPlot(const QString &plotName);
+    void copyMechanism();
+
+signals:
+    void done(const QString &sentence); ///< what was written or copied
+    void problemFound(const QString &sentence);
+    void busyChanged(bool busy); ///< with each of what is written aside
+    void progressed(double part);
+
+private:
+    struct Picture {
+        QSize size;
+        FigureDrawing draw;
+    };
+    Picture figure() const;
+    Picture plot(const QString &name) const;
+    Picture mechanism() const;
+
+    QString choosePictureFile(const QString &proposal);
+    QFileDialog *askForDocument(const QString &title, const QStringList &filters, const QString &proposal);
+    void write(const QString &path, const Picture &picture);
+    void copy(const Picture &picture, const QString &sentence);
+
+    /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one.
+    void writeAside(const QString &path, const ExportJob::Work &work,
+                    const std::function<std::optional<QString>()> &finish = {});
+    void tellWritten(const QString &path, const QString &problem);
+
+    Session *m_session;
+    const Rooms &m_rooms;
+    QWidget *m_window;
+    AnimationExport *m_animation = nullptr; ///< while one is written
+    ExportJob *m_job = nullptr;             ///< while there is one
+};
+
+} // namespace slidercrank
