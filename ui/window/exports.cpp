@@ -42,91 +42,50 @@ Exports::Exports(Session *session, const Rooms &rooms, QWidget *window)
 
 Exports::Picture Exports::figure() const
 {
-    return {m_rooms.plots->size(), [plots = m_rooms.plots](QPainter &painter, const QSize &size) {
-                plots->paintFigure(painter, size, paletteFor(Theme::Light));
-            }};
+    const auto draw = [plots = m_rooms.plots](QPainter &painter, const QSize &size) {
+        plots->paintFigure(painter, size, paletteFor(Theme::Light));
+    };
+    return {QStringLiteral("figure.png"), m_rooms.plots->size(), draw, tr("The figure is in the clipboard.")};
 }
 
 Exports::Picture Exports::plot(const QString &name) const
 {
-    return {kPlotSize, [plots = m_rooms.plots, name](QPainter &painter, const QSize &size) {
-                plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
-            }};
+    const auto draw = [plots = m_rooms.plots, name](QPainter &painter, const QSize &size) {
+        plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
+    };
+    return {name + QStringLiteral(".png"), kPlotSize, draw, tr("The plot is in the clipboard.")};
 }
 
 Exports::Picture Exports::mechanism() const
 {
-    return {m_rooms.mechanism->size(), [view = m_rooms.mechanism](QPainter &painter, const QSize &size) {
-                view->paintMechanism(painter, size, paletteFor(Theme::Light));
-            }};
+    const auto draw = [view = m_rooms.mechanism](QPainter &painter, const QSize &size) {
+        view->paintMechanism(painter, size, paletteFor(Theme::Light));
+    };
+    return {QStringLiteral("mechanism.png"), m_rooms.mechanism->size(), draw, tr("The mechanism is in the clipboard.")};
 }
 
-QString Exports::choosePictureFile(const QString &proposal)
+void Exports::choose(const Picture &picture)
 {
-    return QFileDialog::getSaveFileName(m_window, tr("Export"), fileIn(QStandardPaths::PicturesLocation, proposal),
-                                        tr("Images and drawings (*.png *.svg *.pdf)"));
-}
-
-void Exports::chooseFigure()
-{
-    figureTo(choosePictureFile(QStringLiteral("figure.png")));
-}
-
-void Exports::choosePlot(const QString &plotName)
-{
-    plotTo(plotName, choosePictureFile(plotName + QStringLiteral(".png")));
-}
-
-void Exports::chooseMechanism()
-{
-    mechanismTo(choosePictureFile(QStringLiteral("mechanism.png")));
-}
-
-void Exports::figureTo(const QString &path)
-{
-    write(path, figure());
-}
-
-void Exports::plotTo(const QString &plotName, const QString &path)
-{
-    write(path, plot(plotName));
-}
-
-void Exports::mechanismTo(const QString &path)
-{
-    write(path, mechanism());
-}
-
-void Exports::write(const QString &path, const Picture &picture)
-{
-    if (path.isEmpty()) {
-        return; // the person changed their mind
+    const QString path =
+        QFileDialog::getSaveFileName(m_window, tr("Export"), fileIn(QStandardPaths::PicturesLocation, picture.name),
+                                     tr("Images and drawings (*.png *.svg *.pdf)"));
+    if (!path.isEmpty()) {
+        write(picture, path);
     }
+}
+
+void Exports::write(const Picture &picture, const QString &path)
+{
     const QString title = tr("Motion of an offset slider-crank");
     tellWritten(path, exportFigure(path, {picture.size, kScale}, title, picture.draw).value_or(QString()));
 }
 
-void Exports::copyFigure()
-{
-    copy(figure(), tr("The figure is in the clipboard."));
-}
-
-void Exports::copyPlot(const QString &plotName)
-{
-    copy(plot(plotName), tr("The plot is in the clipboard."));
-}
-
-void Exports::copyMechanism()
-{
-    copy(mechanism(), tr("The mechanism is in the clipboard."));
-}
-
-void Exports::copy(const Picture &picture, const QString &sentence)
+void Exports::copy(const Picture &picture)
 {
     if (const std::optional<QString> problem = copyFigureToClipboard({picture.size, kScale}, picture.draw)) {
         emit problemFound(*problem);
     } else {
-        emit done(sentence);
+        emit done(picture.inClipboard);
     }
 }
 
@@ -149,11 +108,11 @@ void Exports::chooseData()
     auto *dialog =
         askForDocument(tr("Export data"), {plotted, tr("All 36 channels (*.csv)")}, QStringLiteral("motion.csv"));
     connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, plotted](const QString &path) {
-        dataTo(path, dialog->selectedNameFilter() == plotted ? plottedChannels() : allChannels());
+        writeData(path, dialog->selectedNameFilter() == plotted ? plottedChannels() : allChannels());
     });
 }
 
-void Exports::dataTo(const QString &path, const ChannelSet &channels)
+void Exports::writeData(const QString &path, const ChannelSet &channels)
 {
     writeAside(path, [path, channels, result = m_session->result()](const std::stop_token &stop,
                                                                     const std::function<void(double)> &progress) {
@@ -164,10 +123,10 @@ void Exports::dataTo(const QString &path, const ChannelSet &channels)
 void Exports::chooseReport()
 {
     auto *dialog = askForDocument(tr("Export report"), {tr("Reports (*.pdf)")}, QStringLiteral("report.pdf"));
-    connect(dialog, &QFileDialog::fileSelected, this, &Exports::reportTo);
+    connect(dialog, &QFileDialog::fileSelected, this, &Exports::writeReport);
 }
 
-void Exports::reportTo(const QString &path)
+void Exports::writeReport(const QString &path)
 {
     const auto content = std::make_shared<ReportContent>();
     content->result = m_session->result();
@@ -202,12 +161,12 @@ void Exports::chooseAnimation()
     for (const QString &suffix : AnimationExport::suffixes()) {
         patterns << QStringLiteral("*.") + suffix;
     }
-    animationTo(QFileDialog::getSaveFileName(m_window, tr("Export animation"),
-                                             fileIn(QStandardPaths::MoviesLocation, QStringLiteral("motion.png")),
-                                             tr("Numbered frames, videos (%1)").arg(patterns.join(u' '))));
+    writeAnimation(QFileDialog::getSaveFileName(m_window, tr("Export animation"),
+                                                fileIn(QStandardPaths::MoviesLocation, QStringLiteral("motion.png")),
+                                                tr("Numbered frames, videos (%1)").arg(patterns.join(u' '))));
 }
 
-void Exports::animationTo(const QString &path)
+void Exports::writeAnimation(const QString &path)
 {
     if (path.isEmpty() || m_animation) {
         return;

@@ -3,6 +3,7 @@
 
 // What is on show, to files and to the clipboard; what takes long is written aside.
 
+#include "core/mechanism/channel.h"
 #include "ui/export/export_job.h"
 #include "ui/export/figure_export.h"
 #include "ui/window/rooms.h"
@@ -34,31 +35,34 @@ public:
     /// What is being written; false where nothing is.
     bool cancel();
 
-public slots:
-    void chooseFigure();
-    void choosePlot(const QString &plotName);
-    void chooseMechanism();
-    void chooseData();
-    void chooseReport();
-    void chooseAnimation();
+    /// What can be drawn.
+    struct Picture {
+        QString name; ///< of the file that is proposed
+        QSize size;
+        FigureDrawing draw;
+        QString inClipboard; ///< what is said then
+    };
+    Picture figure() const;
+    Picture plot(const QString &name) const;
+    Picture mechanism() const;
 
-    /// Draws to a file (PNG, SVG or PDF by its suffix).
-    void figureTo(const QString &path);
-    void plotTo(const QString &plotName, const QString &path);
-    void mechanismTo(const QString &path);
+    void choose(const Picture &picture);
+    void copy(const Picture &picture);
+
+    /// To a file, PNG, SVG or PDF by its suffix.
+    void write(const Picture &picture, const QString &path);
 
     /// The run on show as CSV, off the GUI thread.
-    void dataTo(const QString &path, const slidercrank::ChannelSet &channels);
+    void chooseData();
+    void writeData(const QString &path, const ChannelSet &channels);
 
     /// On A4, as PDF; whose motion the reference is, is worked out off the GUI thread first where it is not known yet.
-    void reportTo(const QString &path);
+    void chooseReport();
+    void writeReport(const QString &path);
 
     /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed.
-    void animationTo(const QString &path);
-
-    void copyFigure();
-    void copyPlot(const QString &plotName);
-    void copyMechanism();
+    void chooseAnimation();
+    void writeAnimation(const QString &path);
 
 signals:
     void done(const QString &sentence); ///< what was written or copied
@@ -67,19 +71,7 @@ signals:
     void progressed(double part);
 
 private:
-    struct Picture {
-        QSize size;
-        FigureDrawing draw;
-    };
-    Picture figure() const;
-    Picture plot(const QString &name) const;
-    Picture mechanism() const;
-
-    QString choosePictureFile(const QString &proposal);
     QFileDialog *askForDocument(const QString &title, const QStringList &filters, const QString &proposal);
-    void write(const QString &path, const Picture &picture);
-    void copy(const Picture &picture, const QString &sentence);
-
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one.
     void writeAside(const QString &path, const ExportJob::Work &work,
                     const std::function<std::optional<QString>()> &finish = {});

@@ -14,27 +14,29 @@
 #include "ui/reference/error_panel.h"
 #include "ui/reference/reference_panel.h"
 #include "ui/study/study_panel.h"
-#include "ui/window/busy_indicator.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
-#include "ui/window/playback_keys.h"
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
-#include "ui/window/status_line.h"
+#include "ui/window/status_bar.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QMimeData>
 #include <QSplitter>
-#include <QStatusBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -61,7 +63,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_session(new Session(this))
     , m_scene(new SceneFile(m_session, m_rooms, this))
     , m_exports(new Exports(m_session, m_rooms, this))
-    , m_busy(new BusyIndicator)
+    , m_status(new StatusBar(this))
 {
     setWindowIcon(QIcon(QStringLiteral(":/slidercrank.svg")));
     setAcceptDrops(true);
@@ -77,12 +79,11 @@ MainWindow::MainWindow(QWidget *parent)
     column->setSpacing(0);
     column->addWidget(m_rooms.messageBar);
     setCentralWidget(page);
-    statusBar()->addPermanentWidget(m_busy);
-    statusBar()->setSizeGripEnabled(false);
+    setStatusBar(m_status);
     connectDocument();
     makeRooms(true);
     arrange(*this, rememberedLayout());
-    qApp->installEventFilter(new PlaybackKeys(this));
+    qApp->installEventFilter(this);
     m_session->setTime(m_session->sampling().start);
     m_messages->greetOnce();
     if (auto *play = m_rooms.timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
@@ -104,12 +105,16 @@ void MainWindow::connectDocument()
     });
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
 
-    connect(m_session, &Session::busyChanged, m_busy, &BusyIndicator::setBusy);
-    connect(m_session, &Session::readingProgressed, m_busy, &BusyIndicator::setProgress);
-    connect(m_session, &Session::referenceLoaded, m_busy, &BusyIndicator::setProgressUnknown); // now it is compared
-    connect(m_exports, &Exports::busyChanged, m_busy, &BusyIndicator::setBusy);
-    connect(m_exports, &Exports::progressed, m_busy, &BusyIndicator::setProgress);
-    connect(m_busy, &BusyIndicator::cancelled, this, &MainWindow::cancel);
+    connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
+    connect(m_session, &Session::readingProgressed, m_status, &StatusBar::setProgress);
+    connect(m_session, &Session::referenceLoaded, m_status, &StatusBar::setProgressUnknown); // now it is compared
+    connect(m_exports, &Exports::busyChanged, m_status, &StatusBar::setBusy);
+    connect(m_exports, &Exports::progressed, m_status, &StatusBar::setProgress);
+    connect(m_status, &StatusBar::cancelled, this, [this] {
+        m_session->cancel();
+        m_messages->tell(m_exports->cancel() ? tr("Cancelled: nothing was written.")
+                                             : tr("Cancelled: what is on show is from before."));
+    });
 
     connect(m_exports, &Exports::done, m_messages, &Messages::tell);
     connect(m_exports, &Exports::problemFound, m_messages, &Messages::tellProblem);
@@ -117,13 +122,6 @@ void MainWindow::connectDocument()
     connect(m_messages, &Messages::openSampleRequested, this, &MainWindow::openSample);
     connect(m_messages, &Messages::columnsRequested, this, &MainWindow::chooseColumns);
     connect(m_messages, &Messages::errorsRequested, this, [this] { m_rooms.tabs->showPage(m_rooms.errors); });
-}
-
-void MainWindow::cancel()
-{
-    m_session->cancel();
-    m_messages->tell(m_exports->cancel() ? tr("Cancelled: nothing was written.")
-                                         : tr("Cancelled: what is on show is from before."));
 }
 
 /// All that speaks, but for what says it anew by itself.
@@ -143,7 +141,6 @@ void MainWindow::makeRooms(bool withGhost)
     m_rooms.columns = columnsOf(m_rooms);
     static_cast<QVBoxLayout *>(centralWidget()->layout())->addWidget(m_rooms.columns, 1);
     connectRooms();
-    fillRooms();
     m_rooms.ghost = new Ghost(m_session, m_rooms.mechanism, withGhost); // behind a mechanism that is up to date
     setMenuBar(new Menus(*this, m_rooms));
     showTitle();
@@ -197,6 +194,7 @@ void MainWindow::remakeRooms()
     setUpdatesEnabled(true);
 }
 
+/// With the session, of which they show what there is.
 void MainWindow::connectRooms()
 {
     connect(m_session, &Session::parametersChanged, m_rooms.parameters, &ParameterPanel::setParameters);
@@ -220,8 +218,10 @@ void MainWindow::connectRooms()
     connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
     connect(m_rooms.plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
     connect(m_rooms.plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
-    connect(m_rooms.plots, &PlotGrid::exportPlotRequested, m_exports, &Exports::choosePlot);
-    connect(m_rooms.plots, &PlotGrid::copyPlotRequested, m_exports, &Exports::copyPlot);
+    connect(m_rooms.plots, &PlotGrid::exportPlotRequested, m_exports,
+            [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
+    connect(m_rooms.plots, &PlotGrid::copyPlotRequested, m_exports,
+            [this](const QString &name) { m_exports->copy(m_exports->plot(name)); });
 
     connect(m_session, &Session::resultChanged, m_rooms.errors, &ErrorPanel::setResult);
     connect(m_session, &Session::diagnosisChanged, m_rooms.errors, &ErrorPanel::setDiagnosis);
@@ -231,10 +231,7 @@ void MainWindow::connectRooms()
     connect(m_rooms.errors, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
 
     connect(m_rooms.tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
-}
 
-void MainWindow::fillRooms()
-{
     const std::shared_ptr<const Result> &result = m_session->result();
     m_rooms.parameters->setParameters(m_session->parameters());
     m_rooms.timeline->setParameters(m_session->parameters());
@@ -358,8 +355,7 @@ void MainWindow::showResult(const std::shared_ptr<const Result> &result)
     const bool differs = std::ranges::any_of(
         result->comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
     m_rooms.tabs->setTitle(m_rooms.errors, differs ? tr("Errors ⚠") : tr("Errors"));
-    // A message, not labels: those would lay the whole window out anew with every move of a slider.
-    statusBar()->showMessage(statusLine(*result));
+    m_status->showRun(*result);
 }
 
 void MainWindow::setTheme(Theme theme)
@@ -424,6 +420,29 @@ void MainWindow::changeEvent(QEvent *event)
 bool MainWindow::event(QEvent *event)
 {
     return event->type() == QEvent::StatusTip || QMainWindow::event(event);
+}
+
+/// The playback keys (Space, arrows, Home, End) belong to the control that has the focus where it has a use for them.
+bool MainWindow::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        const bool activates = key == Qt::Key_Space && qobject_cast<QAbstractButton *>(watched);
+        const bool moves = (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home || key == Qt::Key_End) &&
+                           (qobject_cast<QAbstractSlider *>(watched) || qobject_cast<QComboBox *>(watched) ||
+                            qobject_cast<QAbstractItemView *>(watched) || watched->inherits("QTabBar"));
+        if (activates || moves) {
+            event->accept();
+            return true;
+        }
+        const bool isInNumber = qobject_cast<QAbstractSpinBox *>(watched) ||
+                                qobject_cast<QAbstractSpinBox *>(watched->parent()); // or in the line within
+        if (key == Qt::Key_Space && isInNumber) {
+            event->ignore(); // no number has a space
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 } // namespace slidercrank

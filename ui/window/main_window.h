@@ -12,10 +12,10 @@
 namespace slidercrank
 {
 
-class BusyIndicator;
 class Exports;
 class Messages;
 class SceneFile;
+class StatusBar;
 
 class MainWindow : public QMainWindow
 {
@@ -47,12 +47,12 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     bool event(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void connectDocument();
     void makeRooms(bool withGhost);
     void remakeRooms();
-    void fillRooms();
     void connectRooms();
     QWidget *makeReferencePanel();
     QWidget *makeNewtonPanel();
@@ -60,7 +60,6 @@ private:
     QWidget *makeLimitsPanel();
 
     void chooseColumns(const QString &path); ///< of that file
-    void cancel();
     void showTitle();
     void showResult(const std::shared_ptr<const Result> &result);
     void foldWhereLow();
@@ -70,7 +69,7 @@ private:
     SceneFile *m_scene;
     Exports *m_exports;
     Messages *m_messages;
-    BusyIndicator *m_busy;
+    StatusBar *m_status;
     bool m_isLeaving = false;    ///< unsaved changes were asked about
     bool m_foldedByHand = false; ///< the person chose; a resize no longer does
 };

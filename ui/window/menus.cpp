@@ -19,6 +19,8 @@
 #include <QMessageBox>
 
 #include <functional>
+#include <initializer_list>
+#include <utility>
 
 namespace slidercrank
 {
@@ -32,6 +34,19 @@ QAction *addSwitch(QMenu *menu, const QString &text, bool on)
     action->setCheckable(true);
     action->setChecked(on);
     return action;
+}
+
+/// One of them at a time.
+template <typename Choice>
+void addChoices(QMenu *menu, std::initializer_list<std::pair<Choice, QString>> choices, Choice chosen,
+                const std::function<void(Choice)> &choose)
+{
+    auto *group = new QActionGroup(menu);
+    for (const auto &[choice, text] : choices) {
+        QAction *action = addSwitch(menu, text, choice == chosen);
+        group->addAction(action);
+        QObject::connect(action, &QAction::triggered, menu, [choose, value = choice] { choose(value); });
+    }
 }
 
 /// What one can do with each of the nine plots.
@@ -86,10 +101,11 @@ void Menus::addFile()
                     [scene] { scene->saveAs(); });
     file->addSeparator();
     QMenu *exporting = file->addMenu(tr("E&xport"));
-    exporting->addAction(tr("&Figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), exports, &Exports::chooseFigure);
+    exporting->addAction(tr("&Figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), exports,
+                         [exports] { exports->choose(exports->figure()); });
     addPlots(exporting->addMenu(tr("&Plot")), *m_rooms.plots,
-             [exports](const QString &name) { exports->choosePlot(name); });
-    exporting->addAction(tr("&Mechanism…"), exports, &Exports::chooseMechanism);
+             [exports](const QString &name) { exports->choose(exports->plot(name)); });
+    exporting->addAction(tr("&Mechanism…"), exports, [exports] { exports->choose(exports->mechanism()); });
     exporting->addAction(tr("&Data…"), exports, &Exports::chooseData);
     exporting->addAction(tr("&Report…"), exports, &Exports::chooseReport);
     exporting->addAction(tr("&Animation…"), exports, &Exports::chooseAnimation);
@@ -126,13 +142,12 @@ void Menus::addEdit()
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     edit->addAction(redo);
     edit->addSeparator();
-    edit->addAction(tr("&Copy figure"), QKeySequence::Copy, exports, &Exports::copyFigure);
+    edit->addAction(tr("&Copy figure"), QKeySequence::Copy, exports, [exports] { exports->copy(exports->figure()); });
     addPlots(edit->addMenu(tr("Copy &plot")), *m_rooms.plots,
-             [exports](const QString &name) { exports->copyPlot(name); });
-    edit->addAction(tr("Copy &mechanism"), exports, &Exports::copyMechanism);
+             [exports](const QString &name) { exports->copy(exports->plot(name)); });
+    edit->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     edit->addSeparator();
-    edit->addAction(tr("Rese&t parameters to Table 1"), &session,
-                    [&session] { session.setParameters(Parameters()); });
+    edit->addAction(tr("Rese&t parameters to Table 1"), &session, [&session] { session.setParameters(Parameters()); });
 }
 
 void Menus::addView()
@@ -151,37 +166,18 @@ void Menus::addView()
     connect(ghost, &QAction::triggered, m_rooms.ghost, &Ghost::setWanted);
     needsReference(ghost, m_window.session());
     view->addSeparator();
-    addThemes(view);
-    addLanguages(view->addMenu(tr("Lan&guage")));
-}
-
-void Menus::addThemes(QMenu *menu)
-{
-    auto *group = new QActionGroup(menu);
-    const std::pair<Theme, QString> themes[] = {
-        {Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}};
-    for (const auto &[theme, text] : themes) {
-        QAction *action = addSwitch(menu, text, theme == chosenTheme());
-        group->addAction(action);
-        connect(action, &QAction::triggered, &m_window, [this, value = theme] { m_window.setTheme(value); });
-    }
-}
-
-/// Each by its own name, for who does not read the other.
-void Menus::addLanguages(QMenu *menu)
-{
-    auto *group = new QActionGroup(menu);
-    const std::pair<Language, QString> languages[] = {{Language::System, tr("&System")},
-                                                      {Language::English, QStringLiteral("&English")},
-                                                      {Language::Spanish, QStringLiteral("Es&pañol")}};
-    for (const auto &[language, text] : languages) {
-        QAction *action = addSwitch(menu, text, language == chosenLanguage());
-        group->addAction(action);
-        connect(action, &QAction::triggered, menu, [value = language] {
-            rememberLanguage(value);
-            slidercrank::setLanguage(value);
+    addChoices<Theme>(
+        view, {{Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}},
+        chosenTheme(), [this](Theme theme) { m_window.setTheme(theme); });
+    addChoices<Language>( // each by its own name, for who does not read the other
+        view->addMenu(tr("Lan&guage")),
+        {{Language::System, tr("&System")},
+         {Language::English, QStringLiteral("&English")},
+         {Language::Spanish, QStringLiteral("Es&pañol")}},
+        chosenLanguage(), [](Language language) {
+            rememberLanguage(language);
+            slidercrank::setLanguage(language);
         });
-    }
 }
 
 void Menus::addPlayback()

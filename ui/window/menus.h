@@ -22,8 +22,6 @@ private:
     void addFile();
     void addEdit();
     void addView();
-    void addThemes(QMenu *menu);
-    void addLanguages(QMenu *menu);
     void addPlayback();
     void addHelp();
 

@@ -124,8 +124,8 @@ void SceneFile::finishOpening(const QString &problem)
     m_rooms.mechanism->setZoom(opening.scene.mechanismFrame);
     if (m_session->result()->sampling != m_session->sampling()) { // a long run, whose result will undo the zoom
         connect(
-            m_session, &Session::resultChanged, this, [this, zoom = opening.scene.zoom] { m_rooms.plots->setZoom(zoom); },
-            Qt::SingleShotConnection);
+            m_session, &Session::resultChanged, this,
+            [this, zoom = opening.scene.zoom] { m_rooms.plots->setZoom(zoom); }, Qt::SingleShotConnection);
     }
     rememberFile(kRecentScenes, m_path);
     emit changed();

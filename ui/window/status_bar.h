@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far what is under way has come, and a button that cancels it; there while it takes longer than a moment.
+// Along the bottom of the window: the run on show in one line; and while something takes longer than a moment, how far
+// it has come, with a button that cancels it.
 
+#include <QStatusBar>
 #include <QTimer>
-#include <QWidget>
 
 class QProgressBar;
 class QToolButton;
@@ -12,12 +13,16 @@ class QToolButton;
 namespace slidercrank
 {
 
-class BusyIndicator : public QWidget
+struct Result;
+
+class StatusBar : public QStatusBar
 {
     Q_OBJECT
 
 public:
-    explicit BusyIndicator(QWidget *parent = nullptr);
+    explicit StatusBar(QWidget *parent = nullptr);
+
+    void showRun(const Result &result);
 
 public slots:
     void setBusy(bool busy);       ///< counts what is under way
@@ -32,6 +37,7 @@ protected:
 
 private:
     void setTexts();
+    void setBusyShown(bool shown);
 
     QProgressBar *m_progress;
     QToolButton *m_cancel;
