@@ -37,7 +37,10 @@ Exports::Exports(Session *session, const Rooms &rooms, QWidget *window)
     , m_session(session)
     , m_rooms(rooms)
     , m_window(window)
+    , m_aside(new WorkAside(WorkAside::Kind::Lasting, this))
 {
+    connect(m_aside, &WorkAside::progressed, this, &Exports::progressed);
+    connect(m_aside, &WorkAside::runningChanged, this, &Exports::busyChanged);
 }
 
 Exports::Picture Exports::figure() const
@@ -77,7 +80,7 @@ void Exports::choose(const Picture &picture)
 void Exports::write(const Picture &picture, const QString &path)
 {
     const QString title = tr("Motion of an offset slider-crank");
-    tellWritten(path, exportFigure(path, {picture.size, kScale}, title, picture.draw).value_or(QString()));
+    tellWritten(path, exportFigure(path, {picture.size, kScale}, title, picture.draw));
 }
 
 void Exports::copy(const Picture &picture)
@@ -115,7 +118,7 @@ void Exports::chooseData()
 void Exports::writeData(const QString &path, const ChannelSet &channels)
 {
     writeAside(path, [path, channels, result = m_session->result()](const std::stop_token &stop,
-                                                                    const std::function<void(double)> &progress) {
+                                                                    const WorkAside::Progress &progress) {
         return exportMotion(path, *result, channels, stop, progress);
     });
 }
@@ -145,7 +148,7 @@ void Exports::writeReport(const QString &path)
         content->interpretation = diagnosis->found;
     }
     if (isKnown || !result.reference) {
-        tellWritten(path, write().value_or(QString()));
+        tellWritten(path, write());
         return;
     }
     const auto interpretAside = [content](const std::stop_token &stop, const auto &) -> std::optional<QString> {
@@ -197,53 +200,41 @@ void Exports::writeAnimation(const QString &path)
         m_animation = nullptr;
         emit busyChanged(false);
         if (*complete || !problem.isEmpty()) { // else it was cancelled
-            tellWritten(path, problem);
+            tellWritten(path, problem.isEmpty() ? std::nullopt : std::optional(problem));
         }
     });
     emit busyChanged(true);
     m_animation->start(path);
 }
 
-void Exports::writeAside(const QString &path, const ExportJob::Work &work,
-                         const std::function<std::optional<QString>()> &finish)
+void Exports::writeAside(const QString &path, const Work &work, const Finish &finish)
 {
-    if (m_job) {
+    if (m_aside->isRunning()) {
         emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
         return;
     }
-    m_job = new ExportJob(this);
-    connect(m_job, &ExportJob::progressed, this, &Exports::progressed);
-    connect(m_job, &ExportJob::finished, this, [this, path, finish](const QString &problem) {
-        const bool isCancelled = m_job->isCancelled();
-        m_job->deleteLater();
-        m_job = nullptr;
-        emit busyChanged(false);
-        if (!isCancelled) {
-            tellWritten(path, problem.isEmpty() && finish ? finish().value_or(QString()) : problem);
-        }
-    });
-    emit busyChanged(true);
-    m_job->start(work);
+    const auto done = [this, path, finish](const std::optional<QString> &problem) {
+        tellWritten(path, problem || !finish ? problem : finish());
+    };
+    m_aside->start(work, done, [this](const QString &problem) { emit problemFound(problem); });
 }
 
 bool Exports::cancel()
 {
-    const bool writes = m_animation || m_job;
+    const bool writes = m_animation || m_aside->isRunning();
     if (m_animation) {
         m_animation->cancel();
     }
-    if (m_job) {
-        m_job->cancel();
-    }
+    m_aside->drop();
     return writes;
 }
 
-void Exports::tellWritten(const QString &path, const QString &problem)
+void Exports::tellWritten(const QString &path, const std::optional<QString> &problem)
 {
-    if (problem.isEmpty()) {
-        emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    if (problem) {
+        emit problemFound(*problem);
     } else {
-        emit problemFound(problem);
+        emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
     }
 }
 

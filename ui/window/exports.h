@@ -4,7 +4,7 @@
 // What is on show, to files and to the clipboard; what takes long is written aside.
 
 #include "core/mechanism/channel.h"
-#include "ui/export/export_job.h"
+#include "ui/document/work_aside.h"
 #include "ui/export/figure_export.h"
 #include "ui/window/rooms.h"
 
@@ -13,7 +13,6 @@
 #include <QStringList>
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 class QFileDialog;
@@ -72,16 +71,19 @@ signals:
 
 private:
     QFileDialog *askForDocument(const QString &title, const QStringList &filters, const QString &proposal);
-    /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one.
-    void writeAside(const QString &path, const ExportJob::Work &work,
-                    const std::function<std::optional<QString>()> &finish = {});
-    void tellWritten(const QString &path, const QString &problem);
+
+    /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
+    /// sentence where nothing was written.
+    using Work = std::function<std::optional<QString>(const std::stop_token &, const WorkAside::Progress &)>;
+    using Finish = std::function<std::optional<QString>()>;
+    void writeAside(const QString &path, const Work &work, const Finish &finish = {});
+    void tellWritten(const QString &path, const std::optional<QString> &problem);
 
     Session *m_session;
     const Rooms &m_rooms;
     QWidget *m_window;
     AnimationExport *m_animation = nullptr; ///< while one is written
-    ExportJob *m_job = nullptr;             ///< while there is one
+    WorkAside *m_aside;
 };
 
 } // namespace slidercrank
