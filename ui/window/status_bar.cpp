@@ -2,7 +2,7 @@
 #include "ui/window/status_bar.h"
 
 #include "ui/document/result.h"
-#include "ui/words/written_number.h"
+#include "ui/words/axis_scale.h"
 
 #include <QEvent>
 #include <QLocale>
