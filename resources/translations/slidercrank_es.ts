@@ -1554,6 +1554,73 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     </message>
 </context>
 <context>
+    <name>slidercrank::Exports</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Images and drawings (*.png *.svg *.pdf)</source>
+        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Motion of an offset slider-crank</source>
+        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
+    </message>
+    <message>
+        <source>The figure is in the clipboard.</source>
+        <translation>La figura está en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>The plot is in the clipboard.</source>
+        <translation>La gráfica está en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>The mechanism is in the clipboard.</source>
+        <translation>El mecanismo está en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>The six channels of the plots (*.csv)</source>
+        <translation>Los seis canales de las gráficas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export data</source>
+        <translation>Exportar datos</translation>
+    </message>
+    <message>
+        <source>All 36 channels (*.csv)</source>
+        <translation>Los 36 canales (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Exportar informe</translation>
+    </message>
+    <message>
+        <source>Reports (*.pdf)</source>
+        <translation>Informes (*.pdf)</translation>
+    </message>
+    <message>
+        <source>No report was written: the mechanism was changed meanwhile. Export it again.</source>
+        <translation>No se escribió ningún informe: entretanto cambió el mecanismo. Expórtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Export animation</source>
+        <translation>Exportar animación</translation>
+    </message>
+    <message>
+        <source>Numbered frames, videos (%1)</source>
+        <translation>Fotogramas numerados, vídeos (%1)</translation>
+    </message>
+    <message>
+        <source>Another file is still being written: wait for it, or cancel it below.</source>
+        <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::FigureExportText</name>
     <message>
         <source>A figure must be at least 1 pixel wide and high.</source>
@@ -2389,22 +2456,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
 <context>
     <name>slidercrank::MainWindow</name>
     <message>
-        <source>crank turns round</source>
-        <translation>la manivela da la vuelta completa</translation>
-    </message>
-    <message>
-        <source>crank rocks</source>
-        <translation>la manivela oscila</translation>
-    </message>
-    <message>
-        <source>locked in one pose</source>
-        <translation>bloqueado en una posición</translation>
-    </message>
-    <message>
-        <source>cannot be assembled</source>
-        <translation>no se puede ensamblar</translation>
-    </message>
-    <message>
         <source>Errors</source>
         <translation>Errores</translation>
     </message>
@@ -2425,140 +2476,8 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Límites</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>&amp;Archivo</translation>
-    </message>
-    <message>
-        <source>&amp;Open reference…</source>
-        <translation>&amp;Abrir referencia…</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>Abrir &amp;reciente</translation>
-    </message>
-    <message>
-        <source>&amp;Close reference</source>
-        <translation>C&amp;errar referencia</translation>
-    </message>
-    <message>
-        <source>&amp;Save scene</source>
-        <translation>&amp;Guardar escena</translation>
-    </message>
-    <message>
-        <source>Save scene &amp;as…</source>
-        <translation>G&amp;uardar escena como…</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Salir</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Editar</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Deshacer</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rehacer</translation>
-    </message>
-    <message>
-        <source>&amp;Copy figure</source>
-        <translation>&amp;Copiar la figura</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ver</translation>
-    </message>
-    <message>
-        <source>Show &amp;all of the plots</source>
-        <translation>Mostrar &amp;todo en las gráficas</translation>
-    </message>
-    <message>
-        <source>Show the &amp;panels below</source>
-        <translation>Mostrar los &amp;paneles de abajo</translation>
-    </message>
-    <message>
-        <source>Show the file&apos;s &amp;motion</source>
-        <translation>Mostrar el &amp;movimiento del archivo</translation>
-    </message>
-    <message>
-        <source>&amp;System colours</source>
-        <translation>Colores del &amp;sistema</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Claro</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>&amp;Oscuro</translation>
-    </message>
-    <message>
-        <source>&amp;Playback</source>
-        <translation>&amp;Reproducción</translation>
-    </message>
-    <message>
-        <source>&amp;Play or pause</source>
-        <translation>Re&amp;producir o pausar</translation>
-    </message>
-    <message>
-        <source>Step &amp;forward</source>
-        <translation>Un paso &amp;adelante</translation>
-    </message>
-    <message>
-        <source>Step &amp;back</source>
-        <translation>Un paso a&amp;trás</translation>
-    </message>
-    <message>
-        <source>To the &amp;start</source>
-        <translation>Al &amp;inicio</translation>
-    </message>
-    <message>
-        <source>To the &amp;end</source>
-        <translation>Al &amp;final</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>A&amp;yuda</translation>
-    </message>
-    <message>
-        <source>&amp;About</source>
-        <translation>&amp;Acerca de</translation>
-    </message>
-    <message>
-        <source>Computing</source>
-        <translation>Calculando</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
         <source>Cancelled: what is on show is from before.</source>
         <translation>Cancelado: lo que se muestra es de antes.</translation>
-    </message>
-    <message>
-        <source>Choose columns…</source>
-        <translation>Elegir columnas…</translation>
-    </message>
-    <message>
-        <source>The names in %1 do not tell what all of its columns are: some are guessed.</source>
-        <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
-    </message>
-    <message>
-        <source>Saved: %1</source>
-        <translation>Guardado: %1</translation>
-    </message>
-    <message>
-        <source>The scene is open without its reference. %1</source>
-        <translation>La escena está abierta sin su referencia. %1</translation>
-    </message>
-    <message>
-        <source>Open reference…</source>
-        <translation>Abrir referencia…</translation>
     </message>
     <message>
         <source>Open reference</source>
@@ -2569,38 +2488,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Resultados de simulación (*.csv *.txt *.tsv);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>No file yet</source>
-        <translation>Todavía ninguno</translation>
-    </message>
-    <message>
-        <source>Export animation</source>
-        <translation>Exportar animación</translation>
-    </message>
-    <message>
-        <source>Numbered frames, videos (%1)</source>
-        <translation>Fotogramas numerados, vídeos (%1)</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Escrito: %1</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Images and drawings (*.png *.svg *.pdf)</source>
-        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
-        <source>Motion of an offset slider-crank</source>
-        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
-    </message>
-    <message>
-        <source>The figure is in the clipboard.</source>
-        <translation>La figura está en el portapapeles.</translation>
-    </message>
-    <message>
         <source>Slider-crank[*]</source>
         <translation>Manivela-corredera[*]</translation>
     </message>
@@ -2609,176 +2496,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>%1[*] – Manivela-corredera</translation>
     </message>
     <message>
-        <source>Open assembly</source>
-        <translation>Configuración abierta</translation>
-    </message>
-    <message>
-        <source>Crossed assembly</source>
-        <translation>Configuración cruzada</translation>
-    </message>
-    <message>
-        <source>, no pose at %1 of %2 instants</source>
-        <translation>, sin posición en %1 de %2 instantes</translation>
-    </message>
-    <message>
-        <source>closed form (exact)</source>
-        <translation>forma cerrada (exacta)</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson, at most %1 iterations, residual %2</source>
-        <translation>Newton-Raphson, como máximo %1 iteraciones, residuo %2</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 ms</source>
-        <translation>%1 muestras en %2 ms</translation>
-    </message>
-    <message>
         <source>Errors ⚠</source>
         <translation>Errores ⚠</translation>
     </message>
     <message>
-        <source>%1 differs from this mechanism. %2</source>
-        <translation>%1 difiere de este mecanismo. %2</translation>
-    </message>
-    <message>
-        <source>Show the errors</source>
-        <translation>Mostrar los errores</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Acerca de</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;The motion of an offset slider-crank: computed, shown, and compared with a simulation.&lt;/p&gt;&lt;p&gt;Formulation after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo manivela-corredera excéntrico: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>&amp;Idioma</translation>
-    </message>
-    <message>
-        <source>&amp;System</source>
-        <translation>Del &amp;sistema</translation>
-    </message>
-    <message>
-        <source>Copy &amp;plot</source>
-        <translation>Copiar la &amp;gráfica</translation>
-    </message>
-    <message>
-        <source>Copy &amp;mechanism</source>
-        <translation>Copiar el &amp;mecanismo</translation>
-    </message>
-    <message>
         <source>Cancelled: nothing was written.</source>
         <translation>Cancelado: no se escribió nada.</translation>
-    </message>
-    <message>
-        <source>Another file is still being written: wait for it, or cancel it below.</source>
-        <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
-    </message>
-    <message>
-        <source>The six channels of the plots (*.csv)</source>
-        <translation>Los seis canales de las gráficas (*.csv)</translation>
-    </message>
-    <message>
-        <source>Export data</source>
-        <translation>Exportar datos</translation>
-    </message>
-    <message>
-        <source>All 36 channels (*.csv)</source>
-        <translation>Los 36 canales (*.csv)</translation>
-    </message>
-    <message>
-        <source>Export report</source>
-        <translation>Exportar informe</translation>
-    </message>
-    <message>
-        <source>Reports (*.pdf)</source>
-        <translation>Informes (*.pdf)</translation>
-    </message>
-    <message>
-        <source>No report was written: the mechanism was changed meanwhile. Export it again.</source>
-        <translation>No se escribió ningún informe: entretanto cambió el mecanismo. Expórtelo de nuevo.</translation>
-    </message>
-    <message>
-        <source>The plot is in the clipboard.</source>
-        <translation>La gráfica está en el portapapeles.</translation>
-    </message>
-    <message>
-        <source>The mechanism is in the clipboard.</source>
-        <translation>El mecanismo está en el portapapeles.</translation>
-    </message>
-    <message>
-        <source>&amp;What is this program</source>
-        <translation>&amp;Qué es este programa</translation>
-    </message>
-    <message>
-        <source>What is this program</source>
-        <translation>Qué es este programa</translation>
-    </message>
-    <message>
-        <source>&amp;Keyboard and mouse</source>
-        <translation>&amp;Teclado y ratón</translation>
-    </message>
-    <message>
-        <source>Keyboard and mouse</source>
-        <translation>Teclado y ratón</translation>
-    </message>
-    <message>
-        <source>Move a slider and everything follows; Space plays. Drop a simulation&apos;s CSV here to see how far it is from this mechanism, or try it with the sample.</source>
-        <translation>Mueva un deslizador y todo lo sigue; la barra espaciadora reproduce. Suelte aquí el CSV de una simulación para ver cuánto se aparta de este mecanismo, o pruebe con el ejemplo.</translation>
-    </message>
-    <message>
-        <source>Open the sample</source>
-        <translation>Abrir el ejemplo</translation>
-    </message>
-    <message>
-        <source>Open sc&amp;ene…</source>
-        <translation>Abrir es&amp;cena…</translation>
-    </message>
-    <message>
-        <source>Open the samp&amp;le</source>
-        <translation>Abrir el e&amp;jemplo</translation>
-    </message>
-    <message>
-        <source>Rese&amp;t parameters to Table 1</source>
-        <translation>Restablecer los &amp;parámetros de la tabla 1</translation>
-    </message>
-    <message>
-        <source>Pl&amp;ots</source>
-        <translation>&amp;Gráficas</translation>
-    </message>
-    <message>
-        <source>M&amp;echanism</source>
-        <translation>M&amp;ecanismo</translation>
-    </message>
-    <message>
-        <source>E&amp;xport</source>
-        <translation>E&amp;xportar</translation>
-    </message>
-    <message>
-        <source>&amp;Figure…</source>
-        <translation>&amp;Figura…</translation>
-    </message>
-    <message>
-        <source>&amp;Plot</source>
-        <translation>&amp;Gráfica</translation>
-    </message>
-    <message>
-        <source>&amp;Mechanism…</source>
-        <translation>&amp;Mecanismo…</translation>
-    </message>
-    <message>
-        <source>&amp;Data…</source>
-        <translation>&amp;Datos…</translation>
-    </message>
-    <message>
-        <source>&amp;Report…</source>
-        <translation>&amp;Informe…</translation>
-    </message>
-    <message>
-        <source>&amp;Animation…</source>
-        <translation>&amp;Animación…</translation>
     </message>
 </context>
 <context>
@@ -2996,10 +2719,248 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     </message>
 </context>
 <context>
+    <name>slidercrank::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Open reference…</source>
+        <translation>&amp;Abrir referencia…</translation>
+    </message>
+    <message>
+        <source>Open sc&amp;ene…</source>
+        <translation>Abrir es&amp;cena…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>Open the samp&amp;le</source>
+        <translation>Abrir el e&amp;jemplo</translation>
+    </message>
+    <message>
+        <source>&amp;Close reference</source>
+        <translation>C&amp;errar referencia</translation>
+    </message>
+    <message>
+        <source>&amp;Save scene</source>
+        <translation>&amp;Guardar escena</translation>
+    </message>
+    <message>
+        <source>Save scene &amp;as…</source>
+        <translation>G&amp;uardar escena como…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportar</translation>
+    </message>
+    <message>
+        <source>&amp;Figure…</source>
+        <translation>&amp;Figura…</translation>
+    </message>
+    <message>
+        <source>&amp;Plot</source>
+        <translation>&amp;Gráfica</translation>
+    </message>
+    <message>
+        <source>&amp;Mechanism…</source>
+        <translation>&amp;Mecanismo…</translation>
+    </message>
+    <message>
+        <source>&amp;Data…</source>
+        <translation>&amp;Datos…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Informe…</translation>
+    </message>
+    <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animación…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>No file yet</source>
+        <translation>Todavía ninguno</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>&amp;Copy figure</source>
+        <translation>&amp;Copiar la figura</translation>
+    </message>
+    <message>
+        <source>Copy &amp;plot</source>
+        <translation>Copiar la &amp;gráfica</translation>
+    </message>
+    <message>
+        <source>Copy &amp;mechanism</source>
+        <translation>Copiar el &amp;mecanismo</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t parameters to Table 1</source>
+        <translation>Restablecer los &amp;parámetros de la tabla 1</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Show &amp;all of the plots</source>
+        <translation>Mostrar &amp;todo en las gráficas</translation>
+    </message>
+    <message>
+        <source>M&amp;echanism</source>
+        <translation>M&amp;ecanismo</translation>
+    </message>
+    <message>
+        <source>Pl&amp;ots</source>
+        <translation>&amp;Gráficas</translation>
+    </message>
+    <message>
+        <source>Show the &amp;panels below</source>
+        <translation>Mostrar los &amp;paneles de abajo</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s &amp;motion</source>
+        <translation>Mostrar el &amp;movimiento del archivo</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>&amp;System colours</source>
+        <translation>Colores del &amp;sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>Del &amp;sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Playback</source>
+        <translation>&amp;Reproducción</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>Re&amp;producir o pausar</translation>
+    </message>
+    <message>
+        <source>Step &amp;forward</source>
+        <translation>Un paso &amp;adelante</translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation>Un paso a&amp;trás</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>Al &amp;inicio</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>Al &amp;final</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;What is this program</source>
+        <translation>&amp;Qué es este programa</translation>
+    </message>
+    <message>
+        <source>What is this program</source>
+        <translation>Qué es este programa</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Teclado y ratón</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Teclado y ratón</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>&amp;Acerca de</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Acerca de</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;The motion of an offset slider-crank: computed, shown, and compared with a simulation.&lt;/p&gt;&lt;p&gt;Formulation after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo manivela-corredera excéntrico: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::MessageBar</name>
     <message>
         <source>Dismiss</source>
         <translation>Descartar</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::Messages</name>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Guardado: %1</translation>
+    </message>
+    <message>
+        <source>The scene is open without its reference. %1</source>
+        <translation>La escena está abierta sin su referencia. %1</translation>
+    </message>
+    <message>
+        <source>Open reference…</source>
+        <translation>Abrir referencia…</translation>
+    </message>
+    <message>
+        <source>Move a slider and everything follows; Space plays. Drop a simulation&apos;s CSV here to see how far it is from this mechanism, or try it with the sample.</source>
+        <translation>Mueva un deslizador y todo lo sigue; la barra espaciadora reproduce. Suelte aquí el CSV de una simulación para ver cuánto se aparta de este mecanismo, o pruebe con el ejemplo.</translation>
+    </message>
+    <message>
+        <source>Open the sample</source>
+        <translation>Abrir el ejemplo</translation>
+    </message>
+    <message>
+        <source>Choose columns…</source>
+        <translation>Elegir columnas…</translation>
+    </message>
+    <message>
+        <source>The names in %1 do not tell what all of its columns are: some are guessed.</source>
+        <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
+    </message>
+    <message>
+        <source>%1 differs from this mechanism. %2</source>
+        <translation>%1 difiere de este mecanismo. %2</translation>
+    </message>
+    <message>
+        <source>Show the errors</source>
+        <translation>Mostrar los errores</translation>
     </message>
 </context>
 <context>
@@ -4478,6 +4439,57 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>⚠ %1</source>
         <translation>⚠ %1</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::StatusBar</name>
+    <message>
+        <source>crank turns round</source>
+        <translation>la manivela da la vuelta completa</translation>
+    </message>
+    <message>
+        <source>crank rocks</source>
+        <translation>la manivela oscila</translation>
+    </message>
+    <message>
+        <source>locked in one pose</source>
+        <translation>bloqueado en una posición</translation>
+    </message>
+    <message>
+        <source>cannot be assembled</source>
+        <translation>no se puede ensamblar</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Calculando</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Open assembly</source>
+        <translation>Configuración abierta</translation>
+    </message>
+    <message>
+        <source>Crossed assembly</source>
+        <translation>Configuración cruzada</translation>
+    </message>
+    <message>
+        <source>, no pose at %1 of %2 instants</source>
+        <translation>, sin posición en %1 de %2 instantes</translation>
+    </message>
+    <message>
+        <source>closed form (exact)</source>
+        <translation>forma cerrada (exacta)</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson, at most %1 iterations, residual %2</source>
+        <translation>Newton-Raphson, como máximo %1 iteraciones, residuo %2</translation>
+    </message>
+    <message>
+        <source>%1 samples in %2 ms</source>
+        <translation>%1 muestras en %2 ms</translation>
     </message>
 </context>
 <context>

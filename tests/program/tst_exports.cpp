@@ -8,6 +8,7 @@
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/study/study_panel.h"
+#include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 #include "ui/words/language.h"
@@ -272,7 +273,7 @@ private slots:
         session.setSampling(sampling);
 
         const QString path = m_folder->filePath(QStringLiteral("motion.csv"));
-        m_window->exportDataTo(path, all ? allChannels() : plottedChannels());
+        m_window->exports().writeData(path, all ? allChannels() : plottedChannels());
         QTRY_VERIFY2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
         QVERIFY(!contentOf(path).contains('\r'));
 
@@ -336,7 +337,7 @@ private slots:
         QTimer clock;
         connect(&clock, &QTimer::timeout, this, [&turns] { ++turns; });
         clock.start(10);
-        m_window->exportDataTo(path, plottedChannels());
+        m_window->exports().writeData(path, plottedChannels());
         QVERIFY(!QFile::exists(path));
         QTRY_VERIFY(m_said->text().startsWith(QStringLiteral("Written: ")));
         QVERIFY2(turns >= 3, qPrintable(QString::number(turns)));
@@ -356,9 +357,9 @@ private slots:
         QVERIFY(!computed.isEmpty() || computed.wait());
         auto *cancel = m_window->findChild<QAbstractButton *>(QStringLiteral("cancelButton"));
         QVERIFY(!cancel->isVisible());
-        m_window->exportDataTo(path, allChannels());
+        m_window->exports().writeData(path, allChannels());
         QTRY_VERIFY(cancel->isVisible());
-        m_window->exportDataTo(m_folder->filePath(QStringLiteral("other.csv")), plottedChannels());
+        m_window->exports().writeData(m_folder->filePath(QStringLiteral("other.csv")), plottedChannels());
         QVERIFY2(m_said->text().contains(QStringLiteral("still being written")), qPrintable(m_said->text()));
         QTest::mouseClick(cancel, Qt::LeftButton);
         QTRY_VERIFY(!cancel->isVisible());
@@ -375,7 +376,7 @@ private slots:
         m_window->session().setSampling(sampling);
         QVERIFY(!computed.isEmpty() || computed.wait());
         const QString path = m_folder->filePath(QStringLiteral("long.csv"));
-        m_window->exportDataTo(path, plottedChannels());
+        m_window->exports().writeData(path, plottedChannels());
         setLanguage(Language::Spanish);
         QCoreApplication::processEvents(); // the window is told in its turn
         QTRY_COMPARE(contentOf(path).count('\n'), qsizetype(200002));
@@ -388,9 +389,9 @@ private slots:
     void whatCannotBeWrittenIsSaid()
     {
         const QString nowhere = m_folder->filePath(QStringLiteral("missing/file"));
-        m_window->exportDataTo(nowhere + QStringLiteral(".csv"), plottedChannels());
+        m_window->exports().writeData(nowhere + QStringLiteral(".csv"), plottedChannels());
         QTRY_VERIFY2(m_said->text().contains(QStringLiteral("file.csv cannot be written")), qPrintable(m_said->text()));
-        m_window->exportReportTo(nowhere + QStringLiteral(".pdf"));
+        m_window->exports().writeReport(nowhere + QStringLiteral(".pdf"));
         QTRY_VERIFY2(m_said->text().contains(QStringLiteral("file.pdf cannot be written")), qPrintable(m_said->text()));
     }
 
@@ -417,7 +418,7 @@ private slots:
             session.setParameters(withCoupler(64.0));
         }
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
-        m_window->exportReportTo(path);
+        m_window->exports().writeReport(path);
         QTRY_VERIFY2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
         QVERIFY(contentOf(path).startsWith("%PDF"));
         const QString reader = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
@@ -440,7 +441,7 @@ private slots:
         QTRY_VERIFY(session.diagnosis());
         session.setParameters(withCoupler(64.0));
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
-        m_window->exportReportTo(path);
+        m_window->exports().writeReport(path);
         session.setParameters(withCoupler(63.0));
         QTRY_VERIFY2(m_said->text().contains(QStringLiteral("Export it again")), qPrintable(m_said->text()));
         QVERIFY(!QFile::exists(path));
@@ -487,16 +488,16 @@ private slots:
         switch (subject) {
         case Subject::Figure:
             size = plots->size();
-            m_window->exportFigureTo(path);
+            m_window->exports().write(m_window->exports().figure(), path);
             break;
         case Subject::Plot:
         case Subject::Errors:
             size = QSize(900, 600);
-            m_window->exportPlotTo(QStringLiteral("plot_") + wordOf(subject), path);
+            m_window->exports().write(m_window->exports().plot(QStringLiteral("plot_") + wordOf(subject)), path);
             break;
         case Subject::Mechanism:
             size = m_window->findChild<MechanismView *>()->size();
-            m_window->exportMechanismTo(path);
+            m_window->exports().write(m_window->exports().mechanism(), path);
             break;
         case Subject::Study: {
             size = QSize(900, 600);
@@ -528,7 +529,7 @@ private slots:
         Sampling sampling;
         sampling.duration = 0.1;
         m_window->session().setSampling(sampling);
-        m_window->exportAnimationTo(m_folder->filePath(QStringLiteral("motion.png")));
+        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")));
         QTRY_VERIFY2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "frames", "--duration", "0.1", "--size", "400x300", "--output",
@@ -555,7 +556,7 @@ private slots:
         m_window->openReference(kSample);
         QTRY_VERIFY(m_window->session().diagnosis());
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
-        m_window->exportReportTo(path);
+        m_window->exports().writeReport(path);
         const QString rendered = m_folder->filePath(QStringLiteral("rendered.pdf"));
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "report", "--reference", kSample, "--output", rendered});
@@ -581,7 +582,7 @@ private slots:
             QSKIP("There is no awk here.");
         }
         const QString path = m_folder->filePath(QStringLiteral("motion.csv"));
-        m_window->exportDataTo(path, plottedChannels());
+        m_window->exports().writeData(path, plottedChannels());
         QTRY_VERIFY2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
         const QByteArray judged = outputOf(QStringLiteral("awk"), {"-F,", R"(
                 NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "R4_x") column = i; next }

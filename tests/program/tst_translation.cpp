@@ -6,6 +6,7 @@
 #include "ui/controls/folding_tabs.h"
 #include "ui/controls/message_bar.h"
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/parameters/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/study/study_panel.h"
 #include "ui/window/main_window.h"
@@ -26,6 +27,7 @@
 #include <QSet>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSplitter>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTabBar>
@@ -269,6 +271,12 @@ Run runIn(const QString &locale, const QStringList &arguments)
 
 const QString kEnglishLocale = QStringLiteral("en_US.UTF-8");
 const QString kSpanishLocale = QStringLiteral("es_CO.UTF-8");
+
+template <typename Kind>
+Kind *named(const QMainWindow &window, const char *name)
+{
+    return window.findChild<Kind *>(QLatin1String(name));
+}
 
 void speak(Language language)
 {
@@ -607,6 +615,34 @@ private slots:
         QVERIFY(window.session().undoStack().undoText().contains(QStringLiteral("cambio")));
         speak(Language::English);
         QCOMPARE(window.menuBar()->actions().first()->text(), QStringLiteral("&File"));
+    }
+
+    void switchingKeepsHowThingsAreArranged()
+    {
+        MainWindow window;
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.findChild<FoldingTabs *>()->setCurrent(2);
+        named<QAbstractButton>(window, "segment3")->click();
+        named<QAbstractButton>(window, "loopButton")->click();
+        named<QComboBox>(window, "speedBox")->setCurrentIndex(7);
+        emit named<QComboBox>(window, "speedBox")->activated(7);
+        named<QSplitter>(window, "columns")->setSizes({500, 900});
+        window.findChild<Timeline *>()->play();
+        named<QComboBox>(window, "speedBox")->setFocus();
+        const QList<int> sizes = named<QSplitter>(window, "columns")->sizes();
+        speak(Language::Spanish);
+        QVERIFY(named<QAbstractButton>(window, "segment3")->isChecked() &&
+                !named<QAbstractButton>(window, "segment0")->isChecked());
+        QVERIFY(!named<QAbstractButton>(window, "loopButton")->isChecked());
+        QCOMPARE(window.findChild<Timeline *>()->speed(), 5.0);
+        QVERIFY(window.findChild<Timeline *>()->isPlaying());
+        QCOMPARE(named<QSplitter>(window, "columns")->sizes(), sizes);
+        QCOMPARE(window.focusWidget(), named<QComboBox>(window, "speedBox"));
+        window.findChild<FoldingTabs *>()->setFolded(true);
+        speak(Language::English);
+        QVERIFY(window.findChild<FoldingTabs *>()->isFolded());
+        QCOMPARE(window.findChild<FoldingTabs *>()->current(), 2);
     }
 
     void theGreetingIsSaidInTheOtherLanguageToo()

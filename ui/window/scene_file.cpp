@@ -3,13 +3,14 @@
 
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/window/remembered.h"
+#include "ui/window/rooms.h"
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
 #include <QStandardPaths>
 
 #include <utility>
@@ -21,25 +22,20 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kRecentScenes = 8;
-
-const QString kRecentKey = QStringLiteral("recentScenes");
-
 /// Where scenes are: beside the last one.
 QString folderOf(const QString &path)
 {
-    const QString last = path.isEmpty() ? SceneFile::recent().value(0) : path;
+    const QString last = path.isEmpty() ? recentFiles(kRecentScenes).value(0) : path;
     return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
                           : QFileInfo(last).absolutePath();
 }
 
 } // namespace
 
-SceneFile::SceneFile(Session *session, PlotGrid *plots, MechanismView *mechanism, QWidget *window)
+SceneFile::SceneFile(Session *session, const Rooms &rooms, QWidget *window)
     : QObject(window)
     , m_session(session)
-    , m_plots(plots)
-    , m_mechanism(mechanism)
+    , m_rooms(rooms)
     , m_window(window)
 {
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &SceneFile::changed);
@@ -52,19 +48,6 @@ bool SceneFile::isModified() const
     return !m_session->undoStack().isClean();
 }
 
-QStringList SceneFile::recent()
-{
-    return QSettings().value(kRecentKey).toStringList();
-}
-
-void SceneFile::remember(const QString &path)
-{
-    QStringList paths = recent();
-    paths.removeAll(path);
-    paths.prepend(path);
-    QSettings().setValue(kRecentKey, paths.mid(0, kRecentScenes));
-}
-
 Scene SceneFile::scene() const
 {
     Scene scene;
@@ -73,10 +56,10 @@ Scene SceneFile::scene() const
     scene.solver = m_session->solver();
     scene.reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing;
     scene.time = m_session->time();
-    scene.plots = m_plots->settings();
-    scene.zoom = m_plots->zoom();
-    scene.mechanism = m_mechanism->settings();
-    scene.mechanismFrame = m_mechanism->zoom();
+    scene.plots = m_rooms.plots->settings();
+    scene.zoom = m_rooms.plots->zoom();
+    scene.mechanism = m_rooms.mechanism->settings();
+    scene.mechanismFrame = m_rooms.mechanism->zoom();
     scene.asRead = m_asRead;
     return scene;
 }
@@ -135,16 +118,16 @@ void SceneFile::finishOpening(const QString &problem)
     m_path = opening.path;
     m_asRead = opening.scene.asRead;
     m_missing = problem.isEmpty() ? std::nullopt : opening.scene.reference;
-    m_plots->setSettings(opening.scene.plots);
-    m_plots->setZoom(opening.scene.zoom);
-    m_mechanism->setSettings(opening.scene.mechanism);
-    m_mechanism->setZoom(opening.scene.mechanismFrame);
+    m_rooms.plots->setSettings(opening.scene.plots);
+    m_rooms.plots->setZoom(opening.scene.zoom);
+    m_rooms.mechanism->setSettings(opening.scene.mechanism);
+    m_rooms.mechanism->setZoom(opening.scene.mechanismFrame);
     if (m_session->result()->sampling != m_session->sampling()) { // a long run, whose result will undo the zoom
         connect(
-            m_session, &Session::resultChanged, this, [this, zoom = opening.scene.zoom] { m_plots->setZoom(zoom); },
-            Qt::SingleShotConnection);
+            m_session, &Session::resultChanged, this,
+            [this, zoom = opening.scene.zoom] { m_rooms.plots->setZoom(zoom); }, Qt::SingleShotConnection);
     }
-    remember(m_path);
+    rememberFile(kRecentScenes, m_path);
     emit changed();
     if (!problem.isEmpty()) {
         emit referenceMissing(problem);
@@ -193,7 +176,7 @@ bool SceneFile::saveTo(const QString &path)
     }
     m_path = absolute;
     m_session->undoStack().setClean();
-    remember(m_path);
+    rememberFile(kRecentScenes, m_path);
     emit changed();
     emit saved(m_path);
     return true;

@@ -9,7 +9,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QStringList>
 
 #include <functional>
 #include <optional>
@@ -17,29 +16,18 @@
 namespace slidercrank
 {
 
-class MechanismView;
-class PlotGrid;
+struct Rooms;
 
 class SceneFile : public QObject
 {
     Q_OBJECT
 
 public:
-    /// `window`: whose session, plots and drawing these are, and in front of which is asked.
-    SceneFile(Session *session, PlotGrid *plots, MechanismView *mechanism, QWidget *window);
-
-    /// Others in place of those before.
-    void setViews(PlotGrid *plots, MechanismView *mechanism)
-    {
-        m_plots = plots;
-        m_mechanism = mechanism;
-    }
+    /// `window`: whose session and rooms these are, and in front of which is asked.
+    SceneFile(Session *session, const Rooms &rooms, QWidget *window);
 
     const QString &path() const { return m_path; } ///< empty: never saved
     bool isModified() const;
-
-    /// The latest first.
-    static QStringList recent();
 
     /// Goes on at once where nothing would be lost; otherwise asks first, and goes on unless the person cancels.
     void askThen(const std::function<void()> &goOn);
@@ -65,11 +53,9 @@ signals:
 private:
     Scene scene() const;
     void finishOpening(const QString &problem);
-    void remember(const QString &path);
 
     Session *m_session;
-    PlotGrid *m_plots;
-    MechanismView *m_mechanism;
+    const Rooms &m_rooms;
     QWidget *m_window;
     QString m_path;
     QJsonObject m_asRead;                     ///< of the file at m_path

@@ -4,6 +4,7 @@
 
 #include "core/mechanism/channel.h"
 #include "ui/plots/plot_overlay.h"
+#include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 
@@ -162,7 +163,7 @@ private slots:
         QCOMPARE(std::get<Scene>(readScene(scene)).parameters.b, 67.5);
 
         const QString data = folder.filePath(QStringLiteral("motion.csv"));
-        m_window->exportDataTo(data, allChannels());
+        m_window->exports().writeData(data, allChannels());
         QTRY_VERIFY(!contentOf(data).isEmpty());
         QTRY_COMPARE(contentOf(data).count('\n'), 202);
         const QList<QByteArray> lines = contentOf(data).split('\n');

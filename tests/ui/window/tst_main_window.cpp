@@ -9,8 +9,10 @@
 #include "ui/parameters/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/study/study_panel.h"
+#include "ui/window/exports.h"
 #include "ui/window/help_page.h"
 #include "ui/window/main_window.h"
+#include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
 
 #include <QAbstractButton>
@@ -520,9 +522,9 @@ private slots:
         const QString figure = folder.filePath(QStringLiteral("figure.") + suffix);
         const QString plot = folder.filePath(QStringLiteral("plot.") + suffix);
         const QString mechanism = folder.filePath(QStringLiteral("mechanism.") + suffix);
-        m_window->exportFigureTo(figure);
-        m_window->exportPlotTo(QStringLiteral("plot_R4_x"), plot);
-        m_window->exportMechanismTo(mechanism);
+        m_window->exports().write(m_window->exports().figure(), figure);
+        m_window->exports().write(m_window->exports().plot(QStringLiteral("plot_R4_x")), plot);
+        m_window->exports().write(m_window->exports().mechanism(), mechanism);
         for (const QString &path : {figure, plot, mechanism}) {
             QFile file(path);
             QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
@@ -539,7 +541,7 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString shown = QDir::toNativeSeparators(folder.filePath(QStringLiteral("motion.png")));
-        m_window->exportAnimationTo(folder.filePath(QStringLiteral("motion.png")));
+        m_window->exports().writeAnimation(folder.filePath(QStringLiteral("motion.png")));
         QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MessageBar *>()->text().contains(shown), 30000);
         const QStringList frames = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
         QCOMPARE(frames.size(), 31); // a second, both ends
@@ -550,7 +552,7 @@ private slots:
 
     void aFailedExportIsTold()
     {
-        m_window->exportFigureTo(QStringLiteral("/no/such/folder/figure.png"));
+        m_window->exports().write(m_window->exports().figure(), QStringLiteral("/no/such/folder/figure.png"));
         QVERIFY(m_window->findChild<MessageBar *>()->isVisible());
     }
 
@@ -679,7 +681,7 @@ private slots:
         }
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(!m_window->session().undoStack().canUndo());
-        QCOMPARE(SceneFile::recent(), QStringList{path});
+        QCOMPARE(recentFiles(kRecentScenes), QStringList{path});
         QTRY_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
     }
 

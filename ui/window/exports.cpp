@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/exports.h"
+
+#include "ui/document/session.h"
+#include "ui/export/animation_export.h"
+#include "ui/export/motion_csv.h"
+#include "ui/export/report_pages.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/parameters/timeline.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/window/ghost.h"
+#include "ui/words/theme.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kScale = 2.0; // of what is on screen, for documents
+constexpr QSize kPlotSize(900, 600);
+
+QString fileIn(QStandardPaths::StandardLocation folder, const QString &name)
+{
+    return QDir(QStandardPaths::writableLocation(folder)).filePath(name);
+}
+
+} // namespace
+
+Exports::Exports(Session *session, const Rooms &rooms, QWidget *window)
+    : QObject(window)
+    , m_session(session)
+    , m_rooms(rooms)
+    , m_window(window)
+    , m_aside(new WorkAside(WorkAside::Kind::Lasting, this))
+{
+    connect(m_aside, &WorkAside::progressed, this, &Exports::progressed);
+    connect(m_aside, &WorkAside::runningChanged, this, &Exports::busyChanged);
+}
+
+Exports::Picture Exports::figure() const
+{
+    const auto draw = [plots = m_rooms.plots](QPainter &painter, const QSize &size) {
+        plots->paintFigure(painter, size, paletteFor(Theme::Light));
+    };
+    return {QStringLiteral("figure.png"), m_rooms.plots->size(), draw, tr("The figure is in the clipboard.")};
+}
+
+Exports::Picture Exports::plot(const QString &name) const
+{
+    const auto draw = [plots = m_rooms.plots, name](QPainter &painter, const QSize &size) {
+        plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
+    };
+    return {name + QStringLiteral(".png"), kPlotSize, draw, tr("The plot is in the clipboard.")};
+}
+
+Exports::Picture Exports::mechanism() const
+{
+    const auto draw = [view = m_rooms.mechanism](QPainter &painter, const QSize &size) {
+        view->paintMechanism(painter, size, paletteFor(Theme::Light));
+    };
+    return {QStringLiteral("mechanism.png"), m_rooms.mechanism->size(), draw, tr("The mechanism is in the clipboard.")};
+}
+
+void Exports::choose(const Picture &picture)
+{
+    const QString path =
+        QFileDialog::getSaveFileName(m_window, tr("Export"), fileIn(QStandardPaths::PicturesLocation, picture.name),
+                                     tr("Images and drawings (*.png *.svg *.pdf)"));
+    if (!path.isEmpty()) {
+        write(picture, path);
+    }
+}
+
+void Exports::write(const Picture &picture, const QString &path)
+{
+    const QString title = tr("Motion of an offset slider-crank");
+    tellWritten(path, exportFigure(path, {picture.size, kScale}, title, picture.draw));
+}
+
+void Exports::copy(const Picture &picture)
+{
+    if (const std::optional<QString> problem = copyFigureToClipboard({picture.size, kScale}, picture.draw)) {
+        emit problemFound(*problem);
+    } else {
+        emit done(picture.inClipboard);
+    }
+}
+
+QFileDialog *Exports::askForDocument(const QString &title, const QStringList &filters, const QString &proposal)
+{
+    auto *dialog =
+        new QFileDialog(m_window, title, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(filters);
+    dialog->setDefaultSuffix(QFileInfo(proposal).suffix());
+    dialog->selectFile(proposal);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+    return dialog;
+}
+
+void Exports::chooseData()
+{
+    const QString plotted = tr("The six channels of the plots (*.csv)");
+    auto *dialog =
+        askForDocument(tr("Export data"), {plotted, tr("All 36 channels (*.csv)")}, QStringLiteral("motion.csv"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, plotted](const QString &path) {
+        writeData(path, dialog->selectedNameFilter() == plotted ? plottedChannels() : allChannels());
+    });
+}
+
+void Exports::writeData(const QString &path, const ChannelSet &channels)
+{
+    writeAside(path, [path, channels, result = m_session->result()](const std::stop_token &stop,
+                                                                    const WorkAside::Progress &progress) {
+        return exportMotion(path, *result, channels, stop, progress);
+    });
+}
+
+void Exports::chooseReport()
+{
+    auto *dialog = askForDocument(tr("Export report"), {tr("Reports (*.pdf)")}, QStringLiteral("report.pdf"));
+    connect(dialog, &QFileDialog::fileSelected, this, &Exports::writeReport);
+}
+
+void Exports::writeReport(const QString &path)
+{
+    const auto content = std::make_shared<ReportContent>();
+    content->result = m_session->result();
+    const auto write = [this, path, content]() -> std::optional<QString> {
+        if (content->result != m_session->result()) {
+            return tr("No report was written: the mechanism was changed meanwhile. Export it again.");
+        }
+        content->hasGhost = m_rooms.mechanism->hasGhost();
+        return exportReport(path, *content, {mechanism().draw, figure().draw});
+    };
+    const Result &result = *content->result;
+    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+    const bool isKnown =
+        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+    if (isKnown) {
+        content->interpretation = diagnosis->found;
+    }
+    if (isKnown || !result.reference) {
+        tellWritten(path, write());
+        return;
+    }
+    const auto interpretAside = [content](const std::stop_token &stop, const auto &) -> std::optional<QString> {
+        content->interpretation = interpret(content->result->reference->data, content->result->mechanism, stop);
+        return std::nullopt;
+    };
+    writeAside(path, interpretAside, write);
+}
+
+void Exports::chooseAnimation()
+{
+    QStringList patterns;
+    for (const QString &suffix : AnimationExport::suffixes()) {
+        patterns << QStringLiteral("*.") + suffix;
+    }
+    writeAnimation(QFileDialog::getSaveFileName(m_window, tr("Export animation"),
+                                                fileIn(QStandardPaths::MoviesLocation, QStringLiteral("motion.png")),
+                                                tr("Numbered frames, videos (%1)").arg(patterns.join(u' '))));
+}
+
+void Exports::writeAnimation(const QString &path)
+{
+    if (path.isEmpty() || m_animation) {
+        return;
+    }
+    const Sampling &sampling = m_session->sampling();
+    Animation animation;
+    animation.start = sampling.start;
+    animation.duration = sampling.duration;
+    animation.size = {m_rooms.mechanism->size(), kScale};
+    animation.speed = m_rooms.timeline->speed();
+    const auto view = std::make_shared<MechanismView>();
+    view->setResult(m_session->result());
+    view->setLook(m_rooms.mechanism->look());
+    const auto draw = [view, parameters = m_session->parameters(),
+                       ghost = m_rooms.ghost->motion()](QPainter &painter, const QSize &size, double time) {
+        view->setPose(poseAt(parameters, time));
+        view->setGhost(ghost ? ghost(time) : ReferencePose());
+        view->paintMechanism(painter, size, paletteFor(Theme::Light));
+    };
+    m_animation = new AnimationExport(animation, draw, this);
+    const auto complete = std::make_shared<bool>(false);
+    connect(m_animation, &AnimationExport::progressed, this, [this, complete](int done, int all) {
+        *complete = done == all;
+        emit progressed(static_cast<double>(done) / all);
+    });
+    connect(m_animation, &AnimationExport::finished, this, [this, path, complete](const QString &problem) {
+        m_animation->deleteLater();
+        m_animation = nullptr;
+        emit busyChanged(false);
+        if (*complete || !problem.isEmpty()) { // else it was cancelled
+            tellWritten(path, problem.isEmpty() ? std::nullopt : std::optional(problem));
+        }
+    });
+    emit busyChanged(true);
+    m_animation->start(path);
+}
+
+void Exports::writeAside(const QString &path, const Work &work, const Finish &finish)
+{
+    if (m_aside->isRunning()) {
+        emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
+        return;
+    }
+    const auto done = [this, path, finish](const std::optional<QString> &problem) {
+        tellWritten(path, problem || !finish ? problem : finish());
+    };
+    m_aside->start(work, done, [this](const QString &problem) { emit problemFound(problem); });
+}
+
+bool Exports::cancel()
+{
+    const bool writes = m_animation || m_aside->isRunning();
+    if (m_animation) {
+        m_animation->cancel();
+    }
+    m_aside->drop();
+    return writes;
+}
+
+void Exports::tellWritten(const QString &path, const std::optional<QString> &problem)
+{
+    if (problem) {
+        emit problemFound(*problem);
+    } else {
+        emit done(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+    }
+}
+
+} // namespace slidercrank

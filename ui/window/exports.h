@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What is on show, to files and to the clipboard; what takes long is written aside.
+
+#include "core/mechanism/channel.h"
+#include "ui/document/work_aside.h"
+#include "ui/export/figure_export.h"
+#include "ui/window/rooms.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <optional>
+
+class QFileDialog;
+
+namespace slidercrank
+{
+
+class AnimationExport;
+class Session;
+
+class Exports : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// `window`: whose rooms these are, and in front of which is asked.
+    Exports(Session *session, const Rooms &rooms, QWidget *window);
+
+    /// What is being written; false where nothing is.
+    bool cancel();
+
+    /// What can be drawn.
+    struct Picture {
+        QString name; ///< of the file that is proposed
+        QSize size;
+        FigureDrawing draw;
+        QString inClipboard; ///< what is said then
+    };
+    Picture figure() const;
+    Picture plot(const QString &name) const;
+    Picture mechanism() const;
+
+    void choose(const Picture &picture);
+    void copy(const Picture &picture);
+
+    /// To a file, PNG, SVG or PDF by its suffix.
+    void write(const Picture &picture, const QString &path);
+
+    /// The run on show as CSV, off the GUI thread.
+    void chooseData();
+    void writeData(const QString &path, const ChannelSet &channels);
+
+    /// On A4, as PDF; whose motion the reference is, is worked out off the GUI thread first where it is not known yet.
+    void chooseReport();
+    void writeReport(const QString &path);
+
+    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed.
+    void chooseAnimation();
+    void writeAnimation(const QString &path);
+
+signals:
+    void done(const QString &sentence); ///< what was written or copied
+    void problemFound(const QString &sentence);
+    void busyChanged(bool busy); ///< with each of what is written aside
+    void progressed(double part);
+
+private:
+    QFileDialog *askForDocument(const QString &title, const QStringList &filters, const QString &proposal);
+
+    /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
+    /// sentence where nothing was written.
+    using Work = std::function<std::optional<QString>(const std::stop_token &, const WorkAside::Progress &)>;
+    using Finish = std::function<std::optional<QString>()>;
+    void writeAside(const QString &path, const Work &work, const Finish &finish = {});
+    void tellWritten(const QString &path, const std::optional<QString> &problem);
+
+    Session *m_session;
+    const Rooms &m_rooms;
+    QWidget *m_window;
+    AnimationExport *m_animation = nullptr; ///< while one is written
+    WorkAside *m_aside;
+};
+
+} // namespace slidercrank

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/messages.h"
+
+#include "ui/controls/message_bar.h"
+#include "ui/document/session.h"
+#include "ui/window/scene_file.h"
+
+#include <QDir>
+#include <QSettings>
+
+namespace slidercrank
+{
+
+Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
+    : QObject(bar)
+    , m_session(session)
+    , m_bar(bar)
+{
+    connect(session, &Session::problemFound, this, &Messages::tellProblem);
+    connect(session, &Session::referenceRefused, this, &Messages::tellRefused);
+    connect(session, &Session::referenceLoaded, this, &Messages::announceReading);
+    connect(session, &Session::diagnosisChanged, this, &Messages::announceDiagnosis);
+    connect(scene, &SceneFile::problemFound, this, &Messages::tellProblem);
+    connect(scene, &SceneFile::saved, this,
+            [this](const QString &path) { tell(tr("Saved: %1").arg(QDir::toNativeSeparators(path))); });
+    connect(scene, &SceneFile::referenceMissing, this, [this](const QString &sentence) {
+        m_bar->showMessage(MessageBar::Kind::Problem, tr("The scene is open without its reference. %1").arg(sentence),
+                           tr("Open reference…"), [this] { emit openReferenceRequested(); });
+    });
+}
+
+void Messages::greetOnce()
+{
+    const QString key = QStringLiteral("greeted");
+    if (!QSettings().value(key).toBool()) {
+        QSettings().setValue(key, true);
+        greet();
+    }
+}
+
+void Messages::greet()
+{
+    m_greeting = tr("Move a slider and everything follows; Space plays. Drop a simulation's CSV here to see "
+                    "how far it is from this mechanism, or try it with the sample.");
+    m_bar->showMessage(MessageBar::Kind::Hint, m_greeting, tr("Open the sample"),
+                       [this] { emit openSampleRequested(); });
+}
+
+void Messages::sayAgain()
+{
+    if (m_bar->isHidden()) {
+        return;
+    }
+    const bool greets = m_bar->text() == m_greeting;
+    announceReading();
+    announceDiagnosis();
+    if (greets) {
+        greet();
+    }
+}
+
+void Messages::tell(const QString &sentence)
+{
+    m_bar->showMessage(MessageBar::Kind::Hint, sentence);
+}
+
+void Messages::tellProblem(const QString &sentence)
+{
+    m_bar->showMessage(MessageBar::Kind::Problem, sentence);
+}
+
+void Messages::tellRefused(const QString &path, const QString &sentence)
+{
+    if (layoutOf(beginningOf(path)).columns.empty()) {
+        tellProblem(sentence);
+    } else { // which of them is what may help
+        m_bar->showMessage(MessageBar::Kind::Problem, sentence, tr("Choose columns…"),
+                           [this, path] { emit columnsRequested(path); });
+    }
+}
+
+/// Of a file, another reading of it, or none.
+void Messages::announceReading()
+{
+    const std::shared_ptr<const Reference> &reference = m_session->reference();
+    const bool guessed = reference && !reference->asPrinted && reference->data.layout.isGuessed();
+    m_announcesDiagnosis = reference && !guessed; // with wrong columns it would be another mechanism's
+    m_bar->hide();
+    if (guessed) {
+        m_bar->showMessage(
+            MessageBar::Kind::Hint,
+            tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name),
+            tr("Choose columns…"), [this] { emit columnsRequested(m_session->reference()->path); });
+    }
+}
+
+/// Said once, when a file is opened or read otherwise.
+void Messages::announceDiagnosis()
+{
+    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+    const Result &result = *m_session->result();
+    if (!diagnosis || !m_announcesDiagnosis || diagnosis->reference != result.reference) {
+        return;
+    }
+    m_announcesDiagnosis = false;
+    if (!m_bar->isHidden()) {
+        return; // opening the file cleared it: what it says is newer
+    }
+    const std::vector<Finding> findings = findingsOf(result, diagnosis.get());
+    if (findings.empty() || findings.front().remedy == Finding::Remedy::ReadAsPrinted) {
+        return; // it agrees
+    }
+    const Finding &first = findings.front();
+    const QString sentence = tr("%1 differs from this mechanism. %2").arg(result.reference->name, first.sentence);
+    if (findings.size() == 1 && first.remedy != Finding::Remedy::None) {
+        m_bar->showMessage(MessageBar::Kind::Problem, sentence, first.remedyText, [this, first] { remedy(first); });
+    } else {
+        m_bar->showMessage(MessageBar::Kind::Problem, sentence, tr("Show the errors"),
+                           [this] { emit errorsRequested(); });
+    }
+}
+
+void Messages::remedy(const Finding &finding)
+{
+    m_bar->hide();
+    switch (finding.remedy) {
+    case Finding::Remedy::None: break;
+    case Finding::Remedy::TakeOver: m_session->takeOver(); break;
+    case Finding::Remedy::Apply: m_session->apply(finding.convention); break;
+    case Finding::Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
+    }
+}
+
+} // namespace slidercrank

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the window says in its message bar: what a file says about itself, with the remedy at hand, what went wrong, and
+// the first time ever what there is to do.
+
+#include "ui/reference/findings.h"
+
+#include <QObject>
+#include <QString>
+
+namespace slidercrank
+{
+
+class MessageBar;
+class SceneFile;
+class Session;
+
+class Messages : public QObject
+{
+    Q_OBJECT
+
+public:
+    Messages(Session *session, SceneFile *scene, MessageBar *bar);
+
+    void greetOnce();
+
+    /// In the language now in use; what was not of a file or of the program itself is gone.
+    void sayAgain();
+
+public slots:
+    void tell(const QString &sentence);
+    void tellProblem(const QString &sentence);
+    void remedy(const slidercrank::Finding &finding);
+
+signals:
+    void openReferenceRequested();
+    void openSampleRequested();
+    void columnsRequested(const QString &path); ///< of that file
+    void errorsRequested();
+
+private:
+    void greet();
+    void announceReading();
+    void announceDiagnosis();
+    void tellRefused(const QString &path, const QString &sentence);
+
+    Session *m_session;
+    MessageBar *m_bar;
+    QString m_greeting;                ///< as it was said; empty: it was not
+    bool m_announcesDiagnosis = false; ///< the next one is the first of a newly loaded file
+};
+
+} // namespace slidercrank

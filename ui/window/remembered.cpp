@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/remembered.h"
+
+#include "ui/controls/folding_tabs.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QMainWindow>
+#include <QSettings>
+#include <QSplitter>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kMostRecentFiles = 8;
+
+const QString kTheme = QStringLiteral("theme");
+const QString kLayout = QStringLiteral("layout");
+const QString kWindow = QStringLiteral("window");
+const QString kFolded = QStringLiteral("folded");
+
+} // namespace
+
+QStringList recentFiles(const QString &kind)
+{
+    return QSettings().value(kind).toStringList();
+}
+
+void rememberFile(const QString &kind, const QString &path)
+{
+    QStringList paths = recentFiles(kind);
+    paths.removeAll(path);
+    paths.prepend(path);
+    QSettings().setValue(kind, paths.mid(0, kMostRecentFiles));
+}
+
+Theme chosenTheme()
+{
+    return static_cast<Theme>(QSettings().value(kTheme, 0).toInt());
+}
+
+void rememberTheme(Theme theme)
+{
+    QSettings().setValue(kTheme, static_cast<int>(theme));
+}
+
+WindowLayout windowLayoutOf(const QMainWindow &window, bool foldedByHand)
+{
+    const QWidget &rooms = *window.centralWidget(); // no dialogs
+    const auto &tabs = *rooms.findChild<FoldingTabs *>();
+    WindowLayout layout;
+    layout.window = window.saveGeometry();
+    for (const auto *splitter : rooms.findChildren<QSplitter *>()) {
+        if (splitter != tabs.parentWidget() || !tabs.isFolded()) { // else it tells no height
+            layout.splitters[splitter->objectName()] = splitter->saveState();
+        }
+    }
+    if (foldedByHand) {
+        layout.folded = tabs.isFolded();
+    }
+    layout.tab = tabs.current();
+    for (const auto *box : rooms.findChildren<QComboBox *>()) {
+        layout.choices[box->objectName()] = box->currentIndex();
+    }
+    for (const auto *button : rooms.findChildren<QAbstractButton *>()) {
+        if (button->isCheckable()) {
+            layout.choices[button->objectName()] = button->isChecked();
+        }
+    }
+    if (const QWidget *focus = window.focusWidget()) {
+        layout.focus = focus->objectName();
+    }
+    return layout;
+}
+
+void arrange(QMainWindow &window, const WindowLayout &layout)
+{
+    QWidget &rooms = *window.centralWidget();
+    auto &tabs = *rooms.findChild<FoldingTabs *>();
+    window.restoreGeometry(layout.window);
+    tabs.setCurrent(layout.tab); // first: its controls are made now
+    for (auto *splitter : rooms.findChildren<QSplitter *>()) {
+        splitter->restoreState(layout.splitters.value(splitter->objectName()));
+    }
+    if (layout.folded) {
+        tabs.setFolded(*layout.folded);
+    }
+    for (auto *box : rooms.findChildren<QComboBox *>()) {
+        const int index = layout.choices.value(box->objectName(), box->currentIndex());
+        if (index != box->currentIndex() && index < box->count()) {
+            box->setCurrentIndex(index);
+            emit box->activated(index);
+        }
+    }
+    for (auto *button : rooms.findChildren<QAbstractButton *>()) {
+        if (button->isChecked() != static_cast<bool>(layout.choices.value(button->objectName(), button->isChecked()))) {
+            button->click(); // of an exclusive group only the one that goes down has an effect
+        }
+    }
+    if (auto *focus = layout.focus.isEmpty() ? nullptr : rooms.findChild<QWidget *>(layout.focus)) {
+        focus->setFocus();
+    }
+}
+
+void rememberLayout(const WindowLayout &layout)
+{
+    QSettings settings;
+    settings.beginGroup(kLayout);
+    settings.setValue(kWindow, layout.window);
+    for (const auto &[name, state] : layout.splitters.asKeyValueRange()) {
+        if (!name.isEmpty()) {
+            settings.setValue(name, state);
+        }
+    }
+    if (layout.folded) {
+        settings.setValue(kFolded, *layout.folded);
+    }
+}
+
+WindowLayout rememberedLayout()
+{
+    QSettings settings;
+    settings.beginGroup(kLayout);
+    WindowLayout layout;
+    layout.window = settings.value(kWindow).toByteArray();
+    for (const QString &name : settings.childKeys()) {
+        if (name != kWindow && name != kFolded) {
+            layout.splitters[name] = settings.value(name).toByteArray();
+        }
+    }
+    if (const QVariant folded = settings.value(kFolded); folded.isValid()) {
+        layout.folded = folded.toBool();
+    }
+    return layout;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a window remembers beside its scene: from one run to the next the files, the theme and how the panes were
+// arranged; while it is made anew in another language also what is chosen in its controls.
+
+#include "ui/words/theme.h"
+
+#include <QByteArray>
+#include <QHash>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+
+class QMainWindow;
+
+namespace slidercrank
+{
+
+inline const QString kRecentScenes = QStringLiteral("recentScenes");
+inline const QString kRecentReferences = QStringLiteral("recentReferences");
+
+/// The latest first. `kind`: one of the two above.
+QStringList recentFiles(const QString &kind);
+void rememberFile(const QString &kind, const QString &path);
+
+Theme chosenTheme();
+void rememberTheme(Theme theme);
+
+/// How a person arranged a window, by the names of its widgets.
+struct WindowLayout {
+    QByteArray window; ///< its place and size
+    QHash<QString, QByteArray> splitters;
+    std::optional<bool> folded; ///< the tabs; none: as the height has it
+
+    // While the window is there:
+    int tab = 0;
+    QHash<QString, int> choices; ///< of combo boxes, and of buttons that stay down
+    QString focus;
+};
+
+/// `foldedByHand`: whether it was a person who folded the tabs, or did not.
+WindowLayout windowLayoutOf(const QMainWindow &window, bool foldedByHand);
+
+/// As if the person had chosen it all again.
+void arrange(QMainWindow &window, const WindowLayout &layout);
+
+/// For the next run.
+void rememberLayout(const WindowLayout &layout);
+WindowLayout rememberedLayout();
+
+} // namespace slidercrank

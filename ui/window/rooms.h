@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What there is in a window now, and where. All of it but the message bar is made anew when the language changes: who
+// outlives that asks here each time.
+
+class QSplitter;
+
+namespace slidercrank
+{
+
+class ErrorPanel;
+class FoldingTabs;
+class Ghost;
+class MechanismView;
+class MessageBar;
+class ParameterPanel;
+class PlotGrid;
+class Timeline;
+
+struct Rooms {
+    MessageBar *messageBar = nullptr;
+    QSplitter *columns = nullptr; ///< all that follows is in them
+    MechanismView *mechanism = nullptr;
+    Ghost *ghost = nullptr; ///< in the mechanism's view
+    Timeline *timeline = nullptr;
+    ParameterPanel *parameters = nullptr;
+    PlotGrid *plots = nullptr;
+    FoldingTabs *tabs = nullptr;
+    ErrorPanel *errors = nullptr;
+};
+
+/// To the left the mechanism and the hands on it, to the right the plots above the tabs.
+QSplitter *columnsOf(const Rooms &rooms);
+
+} // namespace slidercrank

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/status_bar.h"
+
+#include "ui/document/result.h"
+#include "ui/words/axis_scale.h"
+
+#include <QEvent>
+#include <QLocale>
+#include <QProgressBar>
+#include <QToolButton>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kMoment = 250; // ms: what is done sooner is not worth a flicker
+
+QString mobilityText(Mobility mobility)
+{
+    switch (mobility) {
+    case Mobility::FullTurn: return StatusBar::tr("crank turns round");
+    case Mobility::Rocker: return StatusBar::tr("crank rocks");
+    case Mobility::Locked: return StatusBar::tr("locked in one pose");
+    case Mobility::Impossible: return StatusBar::tr("cannot be assembled");
+    }
+    return {};
+}
+
+} // namespace
+
+StatusBar::StatusBar(QWidget *parent)
+    : QStatusBar(parent)
+    , m_progress(new QProgressBar(this))
+    , m_cancel(new QToolButton(this))
+{
+    setSizeGripEnabled(false);
+    m_progress->setMaximumWidth(140);
+    m_cancel->setObjectName(QStringLiteral("cancelButton"));
+    addPermanentWidget(m_progress);
+    addPermanentWidget(m_cancel);
+    setTexts();
+    setProgressUnknown();
+    setBusyShown(false);
+
+    m_moment.setSingleShot(true);
+    m_moment.setInterval(kMoment);
+    connect(&m_moment, &QTimer::timeout, this, [this] { setBusyShown(true); });
+    connect(m_cancel, &QToolButton::clicked, this, &StatusBar::cancelled);
+}
+
+void StatusBar::setTexts()
+{
+    m_progress->setAccessibleName(tr("Computing"));
+    m_cancel->setText(tr("Cancel"));
+}
+
+void StatusBar::showRun(const Result &result)
+{
+    const QLocale locale;
+    const RunSummary &run = result.summary;
+    const std::size_t samples = run.instants;
+    const std::size_t missing = run.count(Status::NotAssemblable);
+    const QString branch = result.mechanism.branch() == Branch::Open ? tr("Open assembly") : tr("Crossed assembly");
+    QString assembly = QStringLiteral("%1, %2").arg(branch, mobilityText(result.limits.mobility));
+    if (missing > 0 && result.limits.mobility != Mobility::Impossible) {
+        assembly += tr(", no pose at %1 of %2 instants").arg(missing).arg(samples);
+    }
+    QString method = tr("closed form (exact)");
+    if (result.solver.method == Method::Newton) {
+        method = tr("Newton-Raphson, at most %1 iterations, residual %2")
+                     .arg(QString::number(run.mostIterations), locale.toString(run.largestResidual, 'g', 2));
+    }
+    const QString cost = tr("%1 samples in %2 ms")
+                             .arg(locale.toString(static_cast<qulonglong>(samples)),
+                                  shortNumber(result.computeSeconds * 1e3, 2, locale));
+    // A message, not labels: those would lay the whole window out anew with every move of a slider.
+    showMessage(QStringLiteral("%1  ·  %2  ·  %3").arg(assembly, method, cost));
+}
+
+void StatusBar::setBusy(bool busy)
+{
+    m_underWay += busy ? 1 : -1;
+    if (busy && m_underWay == 1) {
+        m_moment.start();
+    } else if (m_underWay == 0) {
+        m_moment.stop();
+        setBusyShown(false);
+        setProgressUnknown();
+    }
+}
+
+void StatusBar::setBusyShown(bool shown)
+{
+    m_progress->setVisible(shown);
+    m_cancel->setVisible(shown);
+}
+
+void StatusBar::setProgress(double part)
+{
+    m_progress->setRange(0, 100);
+    m_progress->setValue(static_cast<int>(100.0 * part));
+}
+
+void StatusBar::setProgressUnknown()
+{
+    m_progress->setRange(0, 0);
+}
+
+void StatusBar::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::LanguageChange) {
+        setTexts();
+    }
+    QStatusBar::changeEvent(event);
+}
+
+} // namespace slidercrank
