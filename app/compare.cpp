@@ -8,6 +8,7 @@
 #include "core/diagnosis/interpretation.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 
 #include <QDir>
 
@@ -47,7 +48,7 @@ QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
     for (const SkippedRow &row : data.skipped) {
         skipped += "{\"line\":" + QByteArray::number(row.line) + ",\"column\":" + QByteArray::number(row.column) +
                    ",\"text\":" + jsonString(QString::fromStdString(row.text)) +
-                   ",\"reason\":" + jsonString(QString::fromStdString(row.reason)) + '}';
+                   ",\"reason\":" + jsonString(englishReasonOf(row)) + '}';
     }
     QByteArrayList ignored;
     for (const std::string &name : data.ignoredColumns) {

@@ -4,8 +4,8 @@
 #include "app/command_line.h"
 #include "app/json_text.h"
 #include "ui/words/column_text.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 
 #include <QDir>
 #include <QStringList>
@@ -171,7 +171,7 @@ void warnOf(const QString &file, const ReferenceData &data)
         say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
                             "(\"%5\"): %6.")
                 .arg(QDir::toNativeSeparators(file), QString::number(data.skippedRowCount()), QString::number(first.line),
-                     QString::number(first.column), QString::fromStdString(first.text), coreText(first.reason)));
+                     QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
     if (!data.ignoredColumns.empty()) {
         QStringList names;

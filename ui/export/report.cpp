@@ -2,8 +2,8 @@
 #include "ui/export/report.h"
 
 #include "ui/words/axis_scale.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 #include "ui/words/written_number.h"
 
 #include <QCoreApplication>
@@ -124,7 +124,7 @@ QString leftOutText(const ReferenceData &data)
     if (!data.skipped.empty()) {
         parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
                      .arg(count(data.skippedRowCount()), count(data.skipped.front().line),
-                          QString::fromStdString(data.skipped.front().text), coreText(data.skipped.front().reason));
+                          QString::fromStdString(data.skipped.front().text), reasonOf(data.skipped.front()));
     }
     if (!data.ignoredColumns.empty()) {
         QStringList names;

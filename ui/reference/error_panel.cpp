@@ -4,8 +4,8 @@
 #include "ui/controls/paragraph.h"
 #include "ui/document/diagnosis.h"
 #include "ui/words/axis_scale.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 #include "ui/words/theme.h"
 #include "ui/words/written_number.h"
 
@@ -130,7 +130,7 @@ LeftOut leftOutOf(const ReferenceData &data)
             details << ErrorPanel::tr("Line %1, column %2: “%3” %4")
                            .arg(row.line)
                            .arg(row.column)
-                           .arg(text(row.text), coreText(row.reason));
+                           .arg(text(row.text), reasonOf(row));
         }
         if (skipped > kMostDetails) {
             details << ErrorPanel::tr("… and %1 more").arg(skipped - kMostDetails);

@@ -3,8 +3,8 @@
 
 #include "ui/controls/paragraph.h"
 #include "ui/words/column_text.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 #include "ui/words/theme.h"
 
 #include <QButtonGroup>
@@ -396,7 +396,7 @@ void ReferencePanel::fillSkipped()
         setCell(m_skipped, row, Line, of.line == 0 ? QString() : QString::number(of.line));
         setCell(m_skipped, row, Cell, of.column == 0 ? QString() : QString::number(of.column));
         setCell(m_skipped, row, Text, textOf(of.text));
-        setCell(m_skipped, row, Reason, coreText(of.reason));
+        setCell(m_skipped, row, Reason, reasonOf(of));
     }
     fitColumns(m_skipped);
 }

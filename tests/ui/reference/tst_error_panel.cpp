@@ -295,7 +295,7 @@ private slots:
     {
         auto result = resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)});
         auto reference = std::make_shared<Reference>(*result->reference);
-        reference->data.skipped = {{12, 3, "a<b", "is not a number"}, {15, 1, "", "is empty"}};
+        reference->data.skipped = {{12, 3, "a<b", RowFault::NotANumber}, {15, 1, "", RowFault::NoTime}};
         reference->data.ignoredColumns = {"force"};
         result->reference = reference;
         ErrorPanel panel;
