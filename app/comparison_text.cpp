@@ -173,13 +173,9 @@ void warnOf(const QString &file, const ReferenceData &data)
                 .arg(QDir::toNativeSeparators(file), QString::number(data.skippedRowCount()), QString::number(first.line),
                      QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
-    if (!data.ignoredColumns.empty()) {
-        QStringList names;
-        for (const std::string &name : data.ignoredColumns) {
-            names += QString::fromStdString(name);
-        }
+    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
         say(CommandLine::tr("%1: these columns are no channels and were ignored: %2.")
-                .arg(QDir::toNativeSeparators(file), names.join(QStringLiteral(", "))));
+                .arg(QDir::toNativeSeparators(file), ignored.join(QStringLiteral(", "))));
     }
     if (const QStringList guesses = guessesIn(data.layout); !guesses.empty()) {
         say(CommandLine::tr("%1: the names do not tell what these columns are, so they are guessed: %2. Where that is "

@@ -188,7 +188,7 @@ public:
         }
     }
 
-    /// The data, without the columns that hold no number at all: those are listed with the ignored ones.
+    /// The data, without the columns that hold no number at all: those count as ignored.
     ReferenceData take(TableLayout &layout, std::vector<SkippedRow> skipped)
     {
         m_data.skipped = std::move(skipped);
@@ -203,10 +203,6 @@ public:
                     described.role = ColumnRole::Ignored;
                     described.reason = ColumnReason::NoNumber;
                 }
-            }
-            if (described.role == ColumnRole::Ignored) {
-                m_data.ignoredColumns.push_back(described.heading.empty() ? "column " + std::to_string(i + 1)
-                                                                          : described.heading);
             }
         }
         std::erase_if(m_data.series, isEmpty);

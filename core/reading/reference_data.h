@@ -50,9 +50,8 @@ struct SkippedRow {
 struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
     std::vector<ReferenceSeries> series;
-    std::vector<SkippedRow> skipped;         ///< at most 1000, and then one more that counts the others
-    std::vector<std::string> ignoredColumns; ///< headings that mean no channel, or a channel without any number
-    FileLayout layout;                       ///< how the file is written, and what each column became and why
+    std::vector<SkippedRow> skipped; ///< at most 1000, and then one more that counts the others
+    FileLayout layout;               ///< how the file is written, and what each column became and why
 
     const ReferenceSeries *find(Channel channel) const;
 

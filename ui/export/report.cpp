@@ -2,6 +2,7 @@
 #include "ui/export/report.h"
 
 #include "ui/words/axis_scale.h"
+#include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 #include "ui/words/written_number.h"
@@ -126,12 +127,8 @@ QString leftOutText(const ReferenceData &data)
                      .arg(count(data.skippedRowCount()), count(data.skipped.front().line),
                           QString::fromStdString(data.skipped.front().text), reasonOf(data.skipped.front()));
     }
-    if (!data.ignoredColumns.empty()) {
-        QStringList names;
-        for (const std::string &name : data.ignoredColumns) {
-            names << QString::fromStdString(name);
-        }
-        parts << Report::tr("the columns %1").arg(names.join(Report::tr(", ")));
+    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
+        parts << Report::tr("the columns %1").arg(ignored.join(Report::tr(", ")));
     }
     return parts.isEmpty() ? QString() : Report::tr("Left out of the file: %1.").arg(parts.join(Report::tr("; ")));
 }

@@ -76,8 +76,11 @@ QString described(const std::variant<ReferenceData, ReadError> &outcome)
         text += "; skipped " + std::to_string(row.line) + ':' + std::to_string(row.column) + ' ' + row.text + " (" +
                 wordsOf(row.fault) + ')';
     }
-    for (const std::string &name : data.ignoredColumns) {
-        text += "; ignored " + name;
+    for (std::size_t i = 0; i < data.layout.columns.size(); ++i) {
+        const FileColumn &column = data.layout.columns[i];
+        if (column.role == ColumnRole::Ignored) {
+            text += "; ignored " + (column.heading.empty() ? "column " + std::to_string(i + 1) : column.heading);
+        }
     }
     return QString::fromStdString(text);
 }
