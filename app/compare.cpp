@@ -7,7 +7,9 @@
 #include "app/shortfall.h"
 #include "core/diagnosis/interpretation.h"
 #include "ui/document/reference_file.h"
+#include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 
 #include <QDir>
 
@@ -47,11 +49,14 @@ QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
     for (const SkippedRow &row : data.skipped) {
         skipped += "{\"line\":" + QByteArray::number(row.line) + ",\"column\":" + QByteArray::number(row.column) +
                    ",\"text\":" + jsonString(QString::fromStdString(row.text)) +
-                   ",\"reason\":" + jsonString(QString::fromStdString(row.reason)) + '}';
+                   ",\"reason\":" + jsonString(englishReasonOf(row)) + '}';
     }
     QByteArrayList ignored;
-    for (const std::string &name : data.ignoredColumns) {
-        ignored += jsonString(QString::fromStdString(name));
+    for (const FileColumn &column : data.layout.columns) {
+        if (column.role == ColumnRole::Ignored) {
+            const auto number = std::to_string(&column - data.layout.columns.data() + 1);
+            ignored += jsonString(textOf(column.heading.empty() ? "column " + number : column.heading));
+        }
     }
     return "{\"file\":" + jsonString(compared.file) + ",\"mechanism\":" + jsonMechanism(mechanism) +
            ",\"channels\":" + jsonOf(compared.channels) + ",\"skipped\":[" + skipped.join(',') +

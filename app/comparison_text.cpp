@@ -4,8 +4,8 @@
 #include "app/command_line.h"
 #include "app/json_text.h"
 #include "ui/words/column_text.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 
 #include <QDir>
 #include <QStringList>
@@ -171,15 +171,11 @@ void warnOf(const QString &file, const ReferenceData &data)
         say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
                             "(\"%5\"): %6.")
                 .arg(QDir::toNativeSeparators(file), QString::number(data.skippedRowCount()), QString::number(first.line),
-                     QString::number(first.column), QString::fromStdString(first.text), coreText(first.reason)));
+                     QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
-    if (!data.ignoredColumns.empty()) {
-        QStringList names;
-        for (const std::string &name : data.ignoredColumns) {
-            names += QString::fromStdString(name);
-        }
+    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
         say(CommandLine::tr("%1: these columns are no channels and were ignored: %2.")
-                .arg(QDir::toNativeSeparators(file), names.join(QStringLiteral(", "))));
+                .arg(QDir::toNativeSeparators(file), ignored.join(QStringLiteral(", "))));
     }
     if (const QStringList guesses = guessesIn(data.layout); !guesses.empty()) {
         say(CommandLine::tr("%1: the names do not tell what these columns are, so they are guessed: %2. Where that is "

@@ -3,8 +3,8 @@
 
 #include "app/output.h"
 #include "core/study/study.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/study_text.h"
 
 #include <QStringList>
 
@@ -16,16 +16,28 @@ namespace slidercrank
 namespace
 {
 
+QString wordFor(Status status)
+{
+    switch (status) {
+    case Status::Solved: return CommandLine::tr("solved");
+    case Status::Singular: return CommandLine::tr("singular");
+    case Status::IterationLimit: return CommandLine::tr("iteration-limit");
+    case Status::NotAssemblable: return CommandLine::tr("not-assemblable");
+    case Status::NotFinite: return CommandLine::tr("not-finite");
+    }
+    return {};
+}
+
 /// "solved", or "190 solved, 11 singular".
 QString outcomeOf(const MethodResult &row, std::size_t instants)
 {
     QStringList parts;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
         if (row.counts[i] == instants) {
-            return coreText(wordOf(static_cast<Status>(i)));
+            return wordFor(static_cast<Status>(i));
         }
         if (row.counts[i] > 0) {
-            parts += QString::number(row.counts[i]) + u' ' + coreText(wordOf(static_cast<Status>(i)));
+            parts += QString::number(row.counts[i]) + u' ' + wordFor(static_cast<Status>(i));
         }
     }
     return parts.join(QStringLiteral(", "));
@@ -48,7 +60,7 @@ QString tableOf(const CaseResult &which)
     const Parameters &p = which.parameters;
     const auto number = [](double value) { return QString::number(value, 'g', 9); };
     QString text = CommandLine::tr("%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants")
-                       .arg(coreNames(which.name), number(p.a), number(p.b), number(p.c), number(p.omega2),
+                       .arg(caseText(which.traits), number(p.a), number(p.b), number(p.c), number(p.omega2),
                             number(p.theta20), assemblyText(p.branch), QString::number(which.instants)) +
                    u'\n';
     text += lineOf({CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
@@ -63,7 +75,7 @@ QString tableOf(const CaseResult &which)
         if (row.silentFailures.value_or(0) > 0) {
             outcome += CommandLine::tr(", %1 of them silently wrong").arg(*row.silentFailures);
         }
-        text += lineOf({QString::fromUtf8(row.method), rounded(row.tolerance), QString::number(row.channels),
+        text += lineOf({QString::fromStdString(nameOf(row.method)), rounded(row.tolerance), QString::number(row.channels),
                         rounded(row.nsPerState, 4), rounded(row.spread), rounded(row.iterationsPerState),
                         rounded(row.maxError), rounded(row.errorBound), outcome});
     }
@@ -84,7 +96,7 @@ QString textOf(const StudyResult &result)
                             "50 to 100 digits, over the\n"
                             "instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 "
                             "s.\n")
-                .arg(QString::number(silentFailures), coreNames(result.machine), rounded(result.seconds));
+                .arg(QString::number(silentFailures), machineText(result.machine), rounded(result.seconds));
     return text;
 }
 

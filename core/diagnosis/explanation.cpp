@@ -232,15 +232,6 @@ ReferenceData allApplied(std::span<const Convention> conventions, ReferenceData 
     return data;
 }
 
-ChannelSet channelsOf(const ReferenceData &data)
-{
-    ChannelSet channels;
-    for (const ReferenceSeries &series : data.series) {
-        channels.set(indexOf(series.channel));
-    }
-    return channels;
-}
-
 bool hasLowerOrder(const ReferenceData &data, Channel channel)
 {
     return hasLowerOrder(data, std::vector<bool>(data.series.size(), true), channel);

@@ -62,7 +62,6 @@ ReferenceData allApplied(std::span<const Convention> conventions, ReferenceData 
 bool concerns(const Convention &convention, Channel channel);
 
 bool isPlotted(Channel channel);
-ChannelSet channelsOf(const ReferenceData &data);
 
 /// Whether the file has the coordinate of that channel, or a lower derivative of it.
 bool hasLowerOrder(const ReferenceData &data, Channel channel);

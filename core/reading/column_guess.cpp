@@ -13,6 +13,8 @@ namespace slidercrank
 namespace
 {
 
+using Fault = ReadFault::Kind;
+
 constexpr std::size_t kFewestSamples = 8; ///< fewer values say nothing of how a quantity moves
 
 /// Trapezoids over steps of 12° of the crank are off by 1 %, and files have rounding: a derivative in another unit, or
@@ -52,8 +54,7 @@ std::optional<double> unitsPerSecond(const std::string &unitText)
     return unit && unit->dimension == Dimension::Time ? std::optional(unit->factor) : std::nullopt;
 }
 
-// ---- values
-// ----------------------------------------------------------------------------------------------------------
+// ---- values --------------------------------------------------------------------------------------------------------
 
 struct Range {
     double low = std::numeric_limits<double>::infinity();
@@ -176,8 +177,7 @@ double residualAsAngle(const std::vector<double> &angle, const std::vector<doubl
     return std::sqrt(std::max(0.0, 1.0 - sd / ss * sd / dd));
 }
 
-// ---- assignment
-// ------------------------------------------------------------------------------------------------------
+// ---- assignment ----------------------------------------------------------------------------------------------------
 
 class Assignment
 {
@@ -235,17 +235,11 @@ private:
         return scaledSamples(time, 1.0 / m_uses[time].factor);
     }
 
-    std::optional<std::size_t> columnAs(ColumnRole role) const
+    /// `channel`: where the role is Channel.
+    std::optional<std::size_t> columnAs(ColumnRole role, Channel channel = {}) const
     {
-        const auto found =
-            std::find_if(m_uses.begin(), m_uses.end(), [role](const ColumnUse &use) { return use.role == role; });
-        return found == m_uses.end() ? std::nullopt : std::optional<std::size_t>(found - m_uses.begin());
-    }
-
-    std::optional<std::size_t> columnAs(Channel channel) const
-    {
-        const auto found = std::find_if(m_uses.begin(), m_uses.end(), [channel](const ColumnUse &use) {
-            return use.role == ColumnRole::Channel && use.channel == channel;
+        const auto found = std::find_if(m_uses.begin(), m_uses.end(), [&](const ColumnUse &use) {
+            return use.role == role && (role != ColumnRole::Channel || use.channel == channel);
         });
         return found == m_uses.end() ? std::nullopt : std::optional<std::size_t>(found - m_uses.begin());
     }
@@ -274,15 +268,6 @@ private:
     ColumnSamples m_samples;
 };
 
-std::string unitAdvice(Channel channel)
-{
-    return "the unit is not known or does not suit the quantity: write for example [" +
-           std::string(authorUnitOf(channel)) + "], " + (isAngle(channel.coordinate) ? "rad" : "m, cm or in") +
-           " in its place, or none.";
-}
-
-constexpr const char *kTimeUnitAdvice = "the unit of the time is not known: write [s] or [ms], or none for seconds.";
-
 std::optional<ColumnFault> Assignment::choose(std::span<const ColumnChoice> choices)
 {
     for (const ColumnChoice &choice : choices) {
@@ -298,23 +283,17 @@ std::optional<ColumnFault> Assignment::choose(std::span<const ColumnChoice> choi
         case ColumnRole::Ignored: break;
         case ColumnRole::Time: {
             const std::optional<double> factor = unitsPerSecond(unit);
-            if (!factor) {
-                return ColumnFault{choice.column, kTimeUnitAdvice};
-            }
-            if (columnAs(ColumnRole::Time)) {
-                return ColumnFault{choice.column, "two columns are chosen as the time: keep one of the two."};
+            if (!factor || columnAs(ColumnRole::Time)) {
+                return ColumnFault{choice.column, {factor ? Fault::TimeChosenTwice : Fault::UnknownTimeUnit}};
             }
             use.factor = *factor;
             break;
         }
         case ColumnRole::Channel: {
             const std::optional<double> factor = factorOf(unit, choice.channel);
-            if (!factor) {
-                return ColumnFault{choice.column, unitAdvice(choice.channel)};
-            }
-            if (columnAs(choice.channel)) {
-                return ColumnFault{choice.column, "two columns are chosen as " + std::string(nameOf(choice.channel)) +
-                                                      ": keep one of the two."};
+            if (!factor || columnAs(ColumnRole::Channel, choice.channel)) {
+                const Fault kind = factor ? Fault::ChannelChosenTwice : Fault::UnknownUnit;
+                return ColumnFault{choice.column, {kind, choice.channel}};
             }
             use.factor = *factor;
             break;
@@ -332,11 +311,11 @@ std::optional<ColumnFault> Assignment::nameTime(std::size_t i)
             ignore(i, ColumnReason::LikeOther, other);
             return std::nullopt;
         }
-        return ColumnFault{i, "there is a time column already: keep one of the two."};
+        return ColumnFault{i, {Fault::TimeTwice}};
     }
     const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
     if (!factor) {
-        return ColumnFault{i, kTimeUnitAdvice};
+        return ColumnFault{i, {Fault::UnknownTimeUnit}};
     }
     m_uses[i] = ColumnUse{ColumnRole::Time, {}, ColumnReason::KnownName, std::nullopt, *factor};
     return std::nullopt;
@@ -345,9 +324,9 @@ std::optional<ColumnFault> Assignment::nameTime(std::size_t i)
 std::optional<ColumnFault> Assignment::nameChannel(std::size_t i, Channel channel)
 {
     const bool fileName = m_meanings[i].fileName;
-    if (const std::optional<std::size_t> other = columnAs(channel)) {
+    if (const std::optional<std::size_t> other = columnAs(ColumnRole::Channel, channel)) {
         if (fileName && m_uses[*other].reason != ColumnReason::Chosen) {
-            return ColumnFault{i, "there is a column of that name already: keep one of the two."};
+            return ColumnFault{i, {Fault::ChannelTwice, channel}};
         }
         ignore(i, ColumnReason::LikeOther, other);
         return std::nullopt;
@@ -361,7 +340,7 @@ std::optional<ColumnFault> Assignment::nameChannel(std::size_t i, Channel channe
     }
     const std::optional<double> factor = factorOf(m_headings[i].unit, channel);
     if (!factor && fileName) {
-        return ColumnFault{i, unitAdvice(channel)};
+        return ColumnFault{i, {Fault::UnknownUnit, channel}};
     }
     if (!factor) {
         ignore(i, ColumnReason::UnknownUnit);
@@ -421,7 +400,8 @@ std::vector<Assignment::Candidate> Assignment::candidates()
         if (!isOpen(i) || meaning.kind != NameMeaning::Kind::Quantity || !meaning.order) {
             continue;
         }
-        if (i < samples().size() && rangeOf(samples()[i]).count == 0) {
+        if (i < samples().size() &&
+            std::ranges::none_of(samples()[i], [](double value) { return std::isfinite(value); })) {
             ignore(i, ColumnReason::NoNumber);
             continue;
         }
@@ -546,7 +526,7 @@ void Assignment::give(const std::vector<Candidate> &all, Channel channel)
     if (left.empty()) {
         return;
     }
-    if (const std::optional<std::size_t> taken = columnAs(channel)) {
+    if (const std::optional<std::size_t> taken = columnAs(ColumnRole::Channel, channel)) {
         for (const Candidate *candidate : left) {
             ignore(candidate->column, ColumnReason::LikeOther, taken);
         }
@@ -558,11 +538,10 @@ void Assignment::give(const std::vector<Candidate> &all, Channel channel)
     };
     if (channel.order != Order::Position) {
         const Order before = channel.order == Order::Velocity ? Order::Position : Order::Velocity;
-        const std::optional<std::size_t> base = columnAs(Channel{channel.coordinate, before});
+        const std::optional<std::size_t> base = columnAs(ColumnRole::Channel, {channel.coordinate, before});
         std::erase_if(left, [&](const Candidate *candidate) {
-            const bool wrong =
-                base && !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
-                                      scaledSamples(candidate->column, factorIn(candidate->column)));
+            const bool wrong = base && !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
+                                                     scaledSamples(candidate->column, factorIn(candidate->column)));
             if (wrong) {
                 ignore(candidate->column, ColumnReason::NotDerivative, base);
             }

@@ -4,14 +4,13 @@
 // What each column of a table is: by a person's choice, by its name, and where that does not tell, by a guess that its
 // unit and values have to bear out. What cannot be told is left out, with the reason.
 
-#include "core/reading/file_layout.h"
 #include "core/reading/heading.h"
+#include "core/reading/read_fault.h"
 
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -32,7 +31,7 @@ struct ColumnUse {
 /// A column that cannot be used as its name, or a person, says.
 struct ColumnFault {
     std::size_t column = 0;
-    std::string reason; ///< a sentence that says what to do
+    ReadFault fault;
 };
 
 /// `sample` is asked only where names do not tell.

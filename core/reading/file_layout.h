@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace slidercrank
@@ -44,9 +43,6 @@ enum class ColumnReason {
     NotDerivative, ///< the values are not the derivative that the name says, of otherColumn
     AngleOrLength  ///< neither unit nor values tell an angle from a length
 };
-
-/// English, a clause: "its name is known".
-std::string_view clauseOf(ColumnReason reason);
 
 constexpr bool isGuess(ColumnReason reason)
 {

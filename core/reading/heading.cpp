@@ -84,26 +84,16 @@ std::vector<std::string> wordsOf(const std::string &plain)
     return words;
 }
 
-template <std::size_t N>
-bool isOneOf(std::string_view word, const std::array<std::string_view, N> &words)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-constexpr std::array<std::string_view, 8> kTimeWords{"time", "t",     "tiempo", "timestamp",
-                                                     "zeit", "temps", "tempo",  "instante"};
+constexpr std::string_view kTimeWords = "time t tiempo timestamp zeit temps tempo instante";
 /// Beside a word for the time, these change nothing.
-constexpr std::array<std::string_view, 8> kTimeCompanions{"elapsed",      "sim", "simulation", "simulacion",
-                                                          "transcurrido", "de",  "la",         "stamp"};
-constexpr std::array<std::string_view, 13> kRowNumbers{"n",    "no",    "nr",   "num",  "index",  "row",  "id",
-                                                       "fila", "frame", "paso", "step", "sample", "point"};
-constexpr std::array<std::string_view, 11> kFillers{"de", "del",       "la",         "el",    "of",           "the",
-                                                    "en", "component", "componente", "trans", "translational"};
+constexpr std::string_view kTimeCompanions = "elapsed sim simulation simulacion transcurrido de la stamp";
+constexpr std::string_view kRowNumbers = "n no nr num index row id fila frame paso step sample point";
+constexpr std::string_view kFillers = "de del la el of the en component componente trans translational";
 
 enum class Body { Crank, Coupler, Slider };
 
 struct Vocabulary {
-    std::string_view word;
+    std::string_view words;
     std::optional<Order> order;
     std::optional<Dimension> dimension;
     std::optional<Body> body;
@@ -111,72 +101,25 @@ struct Vocabulary {
 };
 
 constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array<Vocabulary, 65> kVocabulary{{
-    {"position", Order::Position, kOpen, kOpen},
-    {"posicion", Order::Position, kOpen, kOpen},
-    {"pos", Order::Position, kOpen, kOpen},
-    {"displacement", Order::Position, kOpen, kOpen},
-    {"disp", Order::Position, kOpen, kOpen},
-    {"desplazamiento", Order::Position, kOpen, kOpen},
-    {"coordinate", Order::Position, Dimension::Length, kOpen},
-    {"coordenada", Order::Position, Dimension::Length, kOpen},
-    {"stroke", Order::Position, Dimension::Length, kOpen},
-    {"carrera", Order::Position, Dimension::Length, kOpen},
+constexpr std::array<Vocabulary, 18> kVocabulary{{
+    {"position posicion pos displacement disp desplazamiento", Order::Position, kOpen, kOpen},
+    {"coordinate coordenada stroke carrera", Order::Position, Dimension::Length, kOpen},
     {"x", kOpen, Dimension::Length, kOpen, 'x'},
     {"y", kOpen, Dimension::Length, kOpen, 'y'},
-    {"velocity", Order::Velocity, kOpen, kOpen},
-    {"velocidad", Order::Velocity, kOpen, kOpen},
-    {"speed", Order::Velocity, kOpen, kOpen},
-    {"vel", Order::Velocity, kOpen, kOpen},
-    {"v", Order::Velocity, kOpen, kOpen},
+    {"velocity velocidad speed vel v geschwindigkeit", Order::Velocity, kOpen, kOpen},
     {"vx", Order::Velocity, Dimension::Length, kOpen, 'x'},
     {"vy", Order::Velocity, Dimension::Length, kOpen, 'y'},
-    {"acceleration", Order::Acceleration, kOpen, kOpen},
-    {"aceleracion", Order::Acceleration, kOpen, kOpen},
-    {"accel", Order::Acceleration, kOpen, kOpen},
-    {"acel", Order::Acceleration, kOpen, kOpen},
-    {"acc", Order::Acceleration, kOpen, kOpen},
-    {"a", Order::Acceleration, kOpen, kOpen},
+    {"acceleration aceleracion accel acel acc a beschleunigung", Order::Acceleration, kOpen, kOpen},
     {"ax", Order::Acceleration, Dimension::Length, kOpen, 'x'},
     {"ay", Order::Acceleration, Dimension::Length, kOpen, 'y'},
-    {"angle", Order::Position, Dimension::Angle, kOpen},
-    {"angulo", Order::Position, Dimension::Angle, kOpen},
-    {"ang", kOpen, Dimension::Angle, kOpen},
-    {"angular", kOpen, Dimension::Angle, kOpen},
-    {"rotation", Order::Position, Dimension::Angle, kOpen},
-    {"rotational", kOpen, Dimension::Angle, kOpen},
-    {"rotacion", Order::Position, Dimension::Angle, kOpen},
-    {"giro", Order::Position, Dimension::Angle, kOpen},
-    {"orientation", Order::Position, Dimension::Angle, kOpen},
-    {"theta", Order::Position, Dimension::Angle, kOpen},
-    {"tita", Order::Position, Dimension::Angle, kOpen},
-    {"omega", Order::Velocity, Dimension::Angle, kOpen},
-    {"w", Order::Velocity, Dimension::Angle, kOpen},
-    {"alpha", Order::Acceleration, Dimension::Angle, kOpen},
-    {"alfa", Order::Acceleration, Dimension::Angle, kOpen},
-    {"linear", kOpen, Dimension::Length, kOpen},
-    {"lineal", kOpen, Dimension::Length, kOpen},
-    {"crank", kOpen, Dimension::Angle, Body::Crank},
-    {"manivela", kOpen, Dimension::Angle, Body::Crank},
-    {"kurbel", kOpen, Dimension::Angle, Body::Crank},
-    {"coupler", kOpen, kOpen, Body::Coupler},
-    {"rod", kOpen, kOpen, Body::Coupler},
-    {"conrod", kOpen, kOpen, Body::Coupler},
-    {"connecting", kOpen, kOpen, Body::Coupler},
-    {"biela", kOpen, kOpen, Body::Coupler},
-    {"acoplador", kOpen, kOpen, Body::Coupler},
-    {"pleuel", kOpen, kOpen, Body::Coupler},
-    {"slider", kOpen, kOpen, Body::Slider},
-    {"piston", kOpen, kOpen, Body::Slider},
-    {"corredera", kOpen, kOpen, Body::Slider},
-    {"deslizadera", kOpen, kOpen, Body::Slider},
-    {"deslizador", kOpen, kOpen, Body::Slider},
-    {"deslizante", kOpen, kOpen, Body::Slider},
-    {"embolo", kOpen, kOpen, Body::Slider},
-    {"block", kOpen, kOpen, Body::Slider},
-    {"bloque", kOpen, kOpen, Body::Slider},
-    {"geschwindigkeit", Order::Velocity, kOpen, kOpen},
-    {"beschleunigung", Order::Acceleration, kOpen, kOpen},
+    {"angle angulo rotation rotacion giro orientation theta tita", Order::Position, Dimension::Angle, kOpen},
+    {"ang angular rotational", kOpen, Dimension::Angle, kOpen},
+    {"omega w", Order::Velocity, Dimension::Angle, kOpen},
+    {"alpha alfa", Order::Acceleration, Dimension::Angle, kOpen},
+    {"linear lineal", kOpen, Dimension::Length, kOpen},
+    {"crank manivela kurbel", kOpen, Dimension::Angle, Body::Crank},
+    {"coupler rod conrod connecting biela acoplador pleuel", kOpen, kOpen, Body::Coupler},
+    {"slider piston corredera deslizadera deslizador deslizante embolo block bloque", kOpen, kOpen, Body::Slider},
 }};
 
 std::string joined(const std::vector<std::string> &words)
@@ -216,9 +159,9 @@ bool isTime(const std::vector<std::string> &words)
 {
     std::size_t count = 0;
     for (const std::string &word : words) {
-        const bool time = isOneOf(word, kTimeWords);
+        const bool time = isAmong(word, kTimeWords);
         count += time ? 1 : 0;
-        if (!time && !isOneOf(word, kTimeCompanions)) {
+        if (!time && !isAmong(word, kTimeCompanions)) {
             return false;
         }
     }
@@ -271,11 +214,12 @@ NameMeaning fromWords(const std::vector<std::string> &words, const std::optional
         }
         // A single letter is a quantity when it stands alone, not in "a1" or "v_0".
         const bool letterOfMany = word.size() == 1 && word != "x" && word != "y" && words.size() > 1;
-        const auto known = letterOfMany ? kVocabulary.end()
-                                        : std::find_if(kVocabulary.begin(), kVocabulary.end(),
-                                                       [&](const Vocabulary &each) { return each.word == word; });
+        const auto known = letterOfMany
+                               ? kVocabulary.end()
+                               : std::find_if(kVocabulary.begin(), kVocabulary.end(),
+                                              [&](const Vocabulary &each) { return isAmong(word, each.words); });
         if (known == kVocabulary.end()) {
-            if (!isOneOf(word, kFillers)) {
+            if (!isAmong(word, kFillers)) {
                 return {};
             }
             continue;
@@ -395,7 +339,7 @@ NameMeaning meaningOf(const Heading &heading)
         meaning.kind = NameMeaning::Kind::Channel;
         meaning.channel = *channel;
         meaning.fileName = true;
-    } else if (words.size() == 1 && isOneOf(words[0], kRowNumbers)) {
+    } else if (words.size() == 1 && isAmong(words[0], kRowNumbers)) {
         meaning.kind = NameMeaning::Kind::RowNumber;
     } else {
         meaning = fromWords(words, unitOf(heading.unit));

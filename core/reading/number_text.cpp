@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 namespace slidercrank
 {
@@ -15,10 +14,10 @@ namespace slidercrank
 namespace
 {
 
-CellNumber unreadable(const char *clause)
+CellNumber unreadable(RowFault fault)
 {
     CellNumber number;
-    number.fault = clause;
+    number.fault = fault;
     return number;
 }
 
@@ -77,16 +76,15 @@ CellNumber readNumber(std::string_view text, DecimalSign decimalSign)
         return number;
     }
     if (value) {
-        return unreadable("not a number: too large");
+        return unreadable(RowFault::TooLarge);
     }
     if (text.empty() || equalIgnoringCase(text, "nan") || equalIgnoringCase(text, "-nan")) {
         return {};
     }
     if (looksNumeric(text) && text.find(comma ? '.' : ',') != std::string_view::npos) {
-        return unreadable(comma ? "not a number: this file writes a decimal comma"
-                                : "not a number: this file writes a decimal point");
+        return unreadable(comma ? RowFault::PointForComma : RowFault::CommaForPoint);
     }
-    return unreadable("not a number");
+    return unreadable(RowFault::NotANumber);
 }
 
 } // namespace slidercrank

@@ -3,9 +3,10 @@
 
 // A cell that should hold a number, of any form that programs write: the number, a gap, or why it is neither.
 
-#include "core/reading/file_layout.h"
+#include "core/reading/read_fault.h"
 
 #include <limits>
+#include <optional>
 #include <string_view>
 
 namespace slidercrank
@@ -14,7 +15,7 @@ namespace slidercrank
 struct CellNumber {
     double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN: a gap, or a fault
     std::string_view digits;                                 ///< as printed; empty for a gap
-    const char *fault = nullptr;                             ///< a clause: "not a number"
+    std::optional<RowFault> fault;
 };
 
 /// `text`: the cell without what stands around it. An empty cell and "nan" are gaps.

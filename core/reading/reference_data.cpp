@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/reference_data.h"
 
-#include "core/reading/cell_scanner.h"
-#include "core/reading/column_guess.h"
 #include "core/reading/number_text.h"
-#include "core/reading/table_layout.h"
+#include "core/reading/table_columns.h"
 #include "core/reading/text_encoding.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <mutex>
 #include <numeric>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -28,177 +23,27 @@ namespace
 constexpr std::size_t kMostSkippedRows = 1000;
 constexpr std::size_t kRowsBetweenPolls = 4096;
 
-ReadError wholeFile(std::string reason)
-{
-    ReadError error;
-    error.reason = std::move(reason);
-    return error;
-}
-
-ReadError atCell(std::size_t line, std::size_t column, std::string_view text, std::string reason)
-{
-    ReadError error;
-    error.line = line;
-    error.column = column;
-    error.text = excerpt(text);
-    error.reason = std::move(reason);
-    return error;
-}
-
-// ---- columns -------------------------------------------------------------------------------------------------------
-
-/// What a column's cells are.
-struct Column {
-    ColumnRole role = ColumnRole::Ignored;
-    std::size_t series = 0; ///< its place in Layout::channels
-    double factor = 1.0;    ///< of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s
-};
-
-struct Layout {
-    Table table;
-    std::vector<Column> columns;
-    std::vector<Channel> channels;
-    std::size_t timeColumn = 0;
-    bool isSampled = false; ///< names did not tell all: values from all over the table were asked
-};
-
-/// Rows from all over the table, all of them where there are few.
-ColumnSamples sampleRows(const Table &table)
-{
-    constexpr std::size_t kRows = 4096;
-    constexpr std::size_t kReadWhole = std::size_t{1} << 20U; ///< bytes
-    ColumnSamples samples(table.headings.size());
-    const auto readLine = [&](CellScanner &scanner) {
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const bool there = scanner.hasCell();
-            samples[i].push_back(
-                readNumber(there ? scanner.cell().text : std::string_view(), table.layout.decimalSign).value);
-        }
-        scanner.nextLine();
-    };
-    if (table.data.size() <= kReadWhole) {
-        for (CellScanner scanner = rowsOf(table); !scanner.atEnd();) {
-            readLine(scanner);
-        }
-    } else {
-        for (std::size_t row = 0; row < kRows; ++row) {
-            const std::size_t from = table.data.size() / kRows * row;
-            CellScanner scanner(table.data.substr(from), table.layout.delimiter, 1);
-            if (row > 0) {
-                scanner.nextLine(); // the offset lies within a line
-            }
-            if (!scanner.atEnd()) {
-                readLine(scanner);
-            }
-        }
-    }
-    // A row without a single number is none.
-    const std::size_t rows = samples.empty() ? 0 : samples[0].size();
-    std::size_t kept = 0;
-    for (std::size_t row = 0; row < rows; ++row) {
-        const bool any = std::any_of(samples.begin(), samples.end(),
-                                     [row](const std::vector<double> &column) { return !std::isnan(column[row]); });
-        for (std::vector<double> &column : samples) {
-            column[kept] = column[row];
-        }
-        kept += any ? 1 : 0;
-    }
-    for (std::vector<double> &column : samples) {
-        column.resize(kept);
-    }
-    return samples;
-}
-
-/// Why no channel is among the columns, and what would help.
-std::string adviceWithoutChannel(const FileLayout &layout)
-{
-    std::string reason = "no column beside the time has a known name";
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        const FileColumn &column = layout.columns[i];
-        const bool almost = column.reason == ColumnReason::LikeOther || column.reason == ColumnReason::UnknownUnit ||
-                            column.reason == ColumnReason::NotDerivative ||
-                            column.reason == ColumnReason::AngleOrLength;
-        if (almost) {
-            reason = "no column beside the time can be told for certain (" + excerpt(column.heading) + ": " +
-                     std::string(clauseOf(column.reason)) + ")";
-            break;
-        }
-    }
-    return reason + ": name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.";
-}
-
-/// Settles what each column is. The error has the table's layout, for a person to choose from.
-std::variant<Layout, ReadError> layOut(Table table, const ReadOptions &options)
-{
-    Layout layout;
-    const std::size_t headerLine = table.layout.headerLine;
-    const auto refused = [&](ReadError error) {
-        error.layout = std::move(table.layout);
-        return error;
-    };
-    const auto outcome = assignColumns(table.headings, options.columns, [&] {
-        layout.isSampled = true;
-        return sampleRows(table);
-    });
-    if (const ColumnFault *fault = std::get_if<ColumnFault>(&outcome)) {
-        return refused(atCell(headerLine, fault->column + 1, table.headings[fault->column].printed, fault->reason));
-    }
-    bool hasTime = false;
-    const auto &uses = std::get<std::vector<ColumnUse>>(outcome);
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const ColumnUse &use = uses[i];
-        FileColumn &described = table.layout.columns[i];
-        described.role = use.role;
-        described.channel = use.channel;
-        described.reason = use.reason;
-        described.otherColumn = use.otherColumn;
-        layout.columns.push_back({use.role, layout.channels.size(), use.factor});
-        if (use.role == ColumnRole::Time) {
-            hasTime = true;
-            layout.timeColumn = i;
-        } else if (use.role == ColumnRole::Channel) {
-            layout.channels.push_back(use.channel);
-        }
-    }
-    if (headerLine == 0 && (!hasTime || layout.channels.empty())) {
-        return refused(atCell(table.firstDataLine, 1, rowsOf(table).cell().text,
-                              "numbers stand where the names of the columns should: put a line such as "
-                              "time,theta3,R4_x above them."));
-    }
-    if (!hasTime) {
-        return refused(atCell(headerLine, 0, table.headerText,
-                              "there is no time column: name the column of the instants \"time\"."));
-    }
-    if (layout.channels.empty()) {
-        return refused(atCell(headerLine, 0, table.headerText, adviceWithoutChannel(table.layout)));
-    }
-    layout.table = std::move(table);
-    return layout;
-}
-
-// ---- rows ----------------------------------------------------------------------------------------------------------
-
 /// The numbers of one line, reused from line to line.
 struct Row {
     double time = 0.0;
     std::string_view timeDigits;
-    std::vector<PlainNumber> numbers; ///< by place in Layout::channels, in the author's unit; a gap has no digits
+    std::vector<PlainNumber> numbers; ///< by place in TableLayout::channels, in the author's unit; a gap has no digits
 };
 
-/// Why a line holds no row: a cell and a clause; without a clause, because it is blank.
-struct RowFault {
+/// The cell for which a line holds no row; without a fault, the line is blank.
+struct BadCell {
     std::size_t column = 0; ///< from 1
-    std::string_view text;
-    const char *reason = nullptr;
+    std::string_view text{};
+    std::optional<RowFault> fault{};
 };
 
 /// The short way through most lines: as many cells as columns, plain numbers in all that count. Where the line is
 /// another, the scanner is left at its beginning.
-bool readPlainRow(CellScanner &scanner, const Layout &layout, Row &row)
+bool readPlainRow(CellScanner &scanner, const TableLayout &layout, Row &row)
 {
     const char *const begin = scanner.position();
     PlainNumber time;
-    for (const Column &column : layout.columns) {
+    for (const TableColumn &column : layout.columns) {
         bool plain = scanner.hasCell();
         switch (column.role) {
         case ColumnRole::Ignored: plain = plain && scanner.skipPlainCell(); break;
@@ -224,27 +69,27 @@ bool readPlainRow(CellScanner &scanner, const Layout &layout, Row &row)
 }
 
 /// Reads any line into `row`; the scanner moves to the next.
-std::optional<RowFault> readRow(CellScanner &scanner, const Layout &layout, Row &row)
+std::optional<BadCell> readRow(CellScanner &scanner, const TableLayout &layout, Row &row)
 {
-    std::optional<RowFault> fault;
-    const auto blame = [&fault](std::size_t cell, std::string_view text, const char *reason) {
-        if (!fault) {
-            fault = RowFault{cell + 1, text, reason};
+    std::optional<BadCell> bad;
+    const auto blame = [&bad](std::size_t cell, std::string_view text, RowFault fault) {
+        if (!bad) {
+            bad = BadCell{cell + 1, text, fault};
         }
     };
     bool blank = true;
     std::size_t cellCount = 0;
     for (; scanner.hasCell(); ++cellCount) {
         const bool named = cellCount < layout.columns.size();
-        const Column column = named ? layout.columns[cellCount] : Column();
+        const TableColumn column = named ? layout.columns[cellCount] : TableColumn();
         const Cell cell = scanner.cell();
         CellNumber number;
         if (!cell.wellFormed) {
-            number.fault = "a quotation mark that is not closed at the end of the cell";
+            number.fault = RowFault::OpenQuotation;
         } else if (column.role != ColumnRole::Ignored) {
             number = readNumber(cell.text, layout.table.layout.decimalSign);
         } else if (!named && !cell.text.empty()) {
-            number.fault = "too many cells";
+            number.fault = RowFault::TooManyCells;
         }
         blank = blank && cell.text.empty();
         switch (column.role) {
@@ -253,119 +98,49 @@ std::optional<RowFault> readRow(CellScanner &scanner, const Layout &layout, Row 
             row.time = number.value / column.factor;
             row.timeDigits = number.digits;
             if (!number.fault && std::isnan(row.time)) {
-                number.fault = "no time";
+                number.fault = RowFault::NoTime;
             }
             break;
         case ColumnRole::Channel: {
             const double value = number.value * column.factor;
             if (std::isinf(value)) {
-                number.fault = "not a number: too large";
+                number.fault = RowFault::TooLarge;
             }
             row.numbers[column.series] = {value, placesOf(number.digits), number.digits};
             break;
         }
         }
         if (number.fault) {
-            blame(cellCount, cell.text, number.fault);
+            blame(cellCount, cell.text, *number.fault);
         }
     }
     scanner.nextLine();
     if (blank) {
-        return RowFault{};
+        return BadCell{};
     }
     if (cellCount < layout.columns.size()) {
-        blame(cellCount - 1, {}, "too few cells");
+        blame(cellCount - 1, {}, RowFault::TooFewCells);
     }
-    return fault;
+    return bad;
 }
 
-/// Counts the rows left out and keeps the first of them.
-class SkippedRows
+/// Lists a row left out; where the list is full, counts it.
+void leaveOut(SkippedRow row, std::vector<SkippedRow> &skipped)
 {
-public:
-    void add(std::size_t line, const RowFault &fault)
-    {
-        if (m_rows.size() < kMostSkippedRows) {
-            m_rows.push_back({line, fault.column, excerpt(fault.text), fault.reason});
-        } else if (m_unlisted++ == 0) {
-            m_firstUnlisted = line;
-        }
+    if (skipped.size() > kMostSkippedRows) {
+        skipped.back().rows += row.rows;
+    } else if (skipped.size() == kMostSkippedRows) {
+        skipped.push_back({row.line, 0, {}, RowFault::NotListed, row.rows});
+    } else {
+        skipped.push_back(std::move(row));
     }
-
-    /// Those of the lines that follow, which were counted from 1; `linesBefore` stand before them.
-    void add(SkippedRows later, std::size_t linesBefore)
-    {
-        for (SkippedRow &row : later.m_rows) {
-            row.line += linesBefore;
-            if (m_rows.size() < kMostSkippedRows) {
-                m_rows.push_back(std::move(row));
-            } else if (m_unlisted++ == 0) {
-                m_firstUnlisted = row.line;
-            }
-        }
-        if (later.m_unlisted > 0) { // then the list was full before: 1000 of them were added
-            if (m_unlisted == 0) {
-                m_firstUnlisted = later.m_firstUnlisted + linesBefore;
-            }
-            m_unlisted += later.m_unlisted;
-        }
-    }
-
-    std::vector<SkippedRow> take()
-    {
-        if (m_unlisted > 0) {
-            m_rows.push_back(
-                {m_firstUnlisted,
-                 0,
-                 {},
-                 "this line and " + std::to_string(m_unlisted - 1) + " more below it cannot be read either",
-                 m_unlisted});
-        }
-        return std::move(m_rows);
-    }
-
-private:
-    std::vector<SkippedRow> m_rows;
-    std::size_t m_unlisted = 0;
-    std::size_t m_firstUnlisted = 0;
-};
-
-/// What is no table of text, by its first bytes.
-std::optional<ReadError> findForeignFormat(std::string_view bytes)
-{
-    if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0") || bytes.starts_with("\x1F\x8B")) {
-        return wholeFile("The file is a spreadsheet or an archive, not text: save the table as CSV.");
-    }
-    if (bytes.starts_with("%PDF")) {
-        return wholeFile("The file is a PDF document, not a table: export the table as CSV.");
-    }
-    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    if (first != bytes.npos && bytes[first] == '<') {
-        return wholeFile("The file is HTML or XML, not a table of text: export the table as CSV.");
-    }
-    return std::nullopt;
-}
-
-std::optional<ReadError> findZeroByte(std::string_view text)
-{
-    const std::size_t zero = text.find('\0');
-    if (zero == std::string_view::npos) {
-        return std::nullopt;
-    }
-    CellScanner scanner(text, ',', 1);
-    std::size_t line = 1;
-    while (scanner.position() <= text.data() + zero) {
-        line = scanner.line();
-        scanner.nextLine();
-    }
-    return atCell(line, 0, {}, "the file holds bytes that are not text: export the table as CSV.");
 }
 
 /// The columns that the rows fill.
 class SeriesBuilder
 {
 public:
-    SeriesBuilder(const Layout &layout, std::size_t expectedRows)
+    SeriesBuilder(const TableLayout &layout, std::size_t expectedRows)
         : m_observers(layout.channels.size())
     {
         m_data.time.reserve(expectedRows);
@@ -413,13 +188,13 @@ public:
         }
     }
 
-    /// The data, without the columns that hold no number at all: those are listed with the ignored ones.
-    ReferenceData take(Layout &layout, SkippedRows &skipped)
+    /// The data, without the columns that hold no number at all: those count as ignored.
+    ReferenceData take(TableLayout &layout, std::vector<SkippedRow> skipped)
     {
-        m_data.skipped = skipped.take();
+        m_data.skipped = std::move(skipped);
         m_data.layout = std::move(layout.table.layout);
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-            const Column &column = layout.columns[i];
+            const TableColumn &column = layout.columns[i];
             FileColumn &described = m_data.layout.columns[i];
             if (column.role == ColumnRole::Channel) {
                 ReferenceSeries &series = m_data.series[column.series];
@@ -428,10 +203,6 @@ public:
                     described.role = ColumnRole::Ignored;
                     described.reason = ColumnReason::NoNumber;
                 }
-            }
-            if (described.role == ColumnRole::Ignored) {
-                m_data.ignoredColumns.push_back(described.heading.empty() ? "column " + std::to_string(i + 1)
-                                                                          : described.heading);
             }
         }
         std::erase_if(m_data.series, isEmpty);
@@ -467,22 +238,20 @@ struct Part {
 
     std::string_view lines;
     SeriesBuilder builder;
-    SkippedRows skipped;
+    std::vector<SkippedRow> skipped;
     std::optional<ReadError> error;
     std::size_t lineCount = 0;
     std::size_t firstRow = 0; ///< its line; 0: there is no row
     std::string_view firstTime;
 };
 
-ReadError timeFault(std::size_t line, const Layout &layout, std::string_view digits)
+ReadError timeFault(std::size_t line, const TableLayout &layout, std::string_view digits)
 {
-    return atCell(line, layout.timeColumn + 1, digits,
-                  "the time does not increase from the row before: sort the rows by time and keep one of each "
-                  "instant.");
+    return {line, layout.timeColumn + 1, excerpt(digits), {ReadFault::Kind::TimeNotRising}};
 }
 
 /// `read`: called with the bytes read since the last call; false when reading is to stop.
-void readPart(Part &part, const Layout &layout, const std::function<bool(std::size_t)> &read)
+void readPart(Part &part, const TableLayout &layout, const std::function<bool(std::size_t)> &read)
 {
     Row row;
     row.numbers.resize(layout.channels.size());
@@ -498,9 +267,9 @@ void readPart(Part &part, const Layout &layout, const std::function<bool(std::si
         }
         const std::size_t line = scanner.line();
         if (!plainNumbers || !readPlainRow(scanner, layout, row)) {
-            if (const std::optional<RowFault> fault = readRow(scanner, layout, row)) {
-                if (fault->reason) {
-                    part.skipped.add(line, *fault);
+            if (const std::optional<BadCell> bad = readRow(scanner, layout, row)) {
+                if (bad->fault) {
+                    leaveOut({line, bad->column, excerpt(bad->text), *bad->fault}, part.skipped);
                 }
                 continue;
             }
@@ -543,7 +312,8 @@ std::vector<std::string_view> partsOf(std::string_view lines)
     return parts;
 }
 
-std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_token &stop, const ReadOptions &options)
+std::variant<ReferenceData, ReadError> readRows(TableLayout layout, const std::stop_token &stop,
+                                                const ReadOptions &options)
 {
     const auto refused = [&](ReadError error) {
         error.layout = std::move(layout.table.layout);
@@ -577,14 +347,14 @@ std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_t
         readPart(parts.front(), layout, readHere);
     }
     if (stop.stop_requested()) {
-        return wholeFile("Reading was stopped.");
+        return ReadError{0, 0, {}, {ReadFault::Kind::Stopped}};
     }
     if (options.progress) {
         options.progress(table.data.size(), table.data.size()); // the others may have been the last to end
     }
 
     SeriesBuilder &builder = parts.front().builder;
-    SkippedRows skipped;
+    std::vector<SkippedRow> skipped;
     std::size_t linesBefore = table.firstDataLine - 1;
     for (Part &part : parts) {
         const bool isFirst = &part == &parts.front();
@@ -600,35 +370,36 @@ std::variant<ReferenceData, ReadError> readRows(Layout layout, const std::stop_t
         if (!isFirst) {
             builder.add(part.builder);
         }
-        skipped.add(std::move(part.skipped), linesBefore);
+        for (SkippedRow &row : part.skipped) {
+            row.line += linesBefore;
+            leaveOut(std::move(row), skipped);
+        }
         linesBefore += part.lineCount;
     }
 
     const std::size_t firstLine = table.firstDataLine;
     const bool noRow = builder.time().empty();
-    ReferenceData data = builder.take(layout, skipped);
+    ReferenceData data = builder.take(layout, std::move(skipped));
     const auto useless = [&](ReadError error) {
         error.layout = std::move(data.layout);
         return error;
     };
     if (noRow) {
         if (data.skipped.empty()) {
-            return useless(atCell(firstLine - 1, 0, {}, "there are no numbers below the names of the columns."));
+            return useless({firstLine - 1, 0, {}, {ReadFault::Kind::NoNumbers}});
         }
         const SkippedRow &first = data.skipped.front();
-        return useless(atCell(first.line, first.column, first.text,
-                              "no row can be read; here the reason is: " + first.reason +
-                                  ". Numbers look like 0.005, or like 0,005 where semicolons or tabs separate the "
-                                  "columns."));
+        ReadFault fault{ReadFault::Kind::NoRow};
+        fault.row = first.fault;
+        return useless({first.line, first.column, first.text, std::move(fault)});
     }
     if (data.series.empty()) {
-        return useless(atCell(firstLine, 0, {}, "no column beside the time holds a number."));
+        return useless({firstLine, 0, {}, {ReadFault::Kind::NoValues}});
     }
     return data;
 }
 
-// ---- large files
-// ----------------------------------------------------------------------------------------------------------
+// ---- large files ---------------------------------------------------------------------------------------------------
 
 constexpr std::size_t kPiece = std::size_t{1} << 18U;       // bytes: stays in the processor's cache
 constexpr std::size_t kLongestLine = std::size_t{1} << 12U; // bytes
@@ -665,7 +436,7 @@ std::optional<std::string_view> plainLines(const ByteSource &source, std::size_t
 class JoinedRows
 {
 public:
-    JoinedRows(const Layout &layout, std::size_t expectedRows, std::size_t pieces)
+    JoinedRows(const TableLayout &layout, std::size_t expectedRows, std::size_t pieces)
         : m_layout(layout)
         , m_all(layout, expectedRows)
         , m_waiting(pieces)
@@ -705,7 +476,7 @@ public:
     SeriesBuilder &all() { return m_all; }
 
 private:
-    const Layout &m_layout;
+    const TableLayout &m_layout;
     std::mutex m_mutex;
     SeriesBuilder m_all;
     std::vector<std::optional<SeriesBuilder>> m_waiting;
@@ -728,34 +499,24 @@ std::size_t ReferenceData::skippedRowCount() const
                            [](std::size_t count, const SkippedRow &row) { return count + row.rows; });
 }
 
+ChannelSet channelsOf(const ReferenceData &data)
+{
+    ChannelSet channels;
+    for (const ReferenceSeries &series : data.series) {
+        channels.set(indexOf(series.channel));
+    }
+    return channels;
+}
+
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop,
                                                          const ReadOptions &options)
 {
-    if (std::optional<ReadError> error = findForeignFormat(bytes)) {
-        return *std::move(error);
-    }
-    const EncodingFound encoding = findEncoding(bytes);
     std::string converted;
-    std::string_view text = bytes.substr(encoding.markLength);
-    if (encoding.encoding != TextEncoding::Utf8) {
-        converted = toUtf8(bytes, encoding);
-        text = converted;
-    }
-    if (std::optional<ReadError> error = findZeroByte(text)) {
-        return *std::move(error);
-    }
-    std::variant<Table, ReadError> table = findTable(text);
-    if (ReadError *error = std::get_if<ReadError>(&table)) {
-        return std::move(*error);
-    }
-    Table &found = std::get<Table>(table);
-    found.layout.encoding = encoding.encoding;
-    found.layout.byteOrderMark = encoding.markLength > 0;
-    std::variant<Layout, ReadError> layout = layOut(std::move(found), options);
+    std::variant<TableLayout, ReadError> layout = layOut(bytes, converted, options);
     if (ReadError *error = std::get_if<ReadError>(&layout)) {
         return std::move(*error);
     }
-    return readRows(std::get<Layout>(std::move(layout)), stop, options);
+    return readRows(std::get<TableLayout>(std::move(layout)), stop, options);
 }
 
 std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, std::stop_token stop,
@@ -771,25 +532,15 @@ std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, st
     }
     std::string_view beginning(bytes.data(), bytes.size());
     beginning = beginning.substr(0, beginning.rfind('\n') + 1);
-    const EncodingFound encoding = findEncoding(beginning);
-    const std::string_view text = beginning.substr(encoding.markLength);
-    if (findForeignFormat(beginning) || encoding.encoding != TextEncoding::Utf8 || findZeroByte(text)) {
-        return std::nullopt;
-    }
-    std::variant<Table, ReadError> table = findTable(text);
-    if (std::holds_alternative<ReadError>(table)) {
-        return std::nullopt;
-    }
-    Table &found = std::get<Table>(table);
-    found.layout.encoding = encoding.encoding;
-    found.layout.byteOrderMark = encoding.markLength > 0;
-    const auto dataBegin = static_cast<std::size_t>(found.data.data() - bytes.data());
-    std::variant<Layout, ReadError> outcome = layOut(std::move(found), options);
-    Layout *layout = std::get_if<Layout>(&outcome);
-    if (!layout || layout->isSampled || layout->table.layout.decimalSign != DecimalSign::Point) {
+    std::string converted;
+    std::variant<TableLayout, ReadError> outcome = layOut(beginning, converted, options);
+    TableLayout *layout = std::get_if<TableLayout>(&outcome);
+    if (!layout || layout->isSampled || layout->table.layout.encoding != TextEncoding::Utf8 ||
+        layout->table.layout.decimalSign != DecimalSign::Point) {
         return std::nullopt;
     }
 
+    const auto dataBegin = static_cast<std::size_t>(layout->table.data.data() - bytes.data());
     const std::size_t size = source.size - dataBegin;
     const std::size_t pieces = (size + kPiece - 1) / kPiece;
     JoinedRows rows(*layout, estimateRows(layout->table.data, size, layout->columns.size()), pieces);
@@ -806,7 +557,7 @@ std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, st
             }
             Part part(*lines, rows.empty());
             readPart(part, *layout, [&stop](std::size_t) { return !stop.stop_requested(); });
-            if (part.error || !part.skipped.take().empty() || !rows.add(i, std::move(part.builder))) {
+            if (part.error || !part.skipped.empty() || !rows.add(i, std::move(part.builder))) {
                 isPlain = false;
                 return;
             }
@@ -831,8 +582,7 @@ std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, st
     if (options.progress) {
         options.progress(size, size);
     }
-    SkippedRows none;
-    ReferenceData data = rows.all().take(*layout, none);
+    ReferenceData data = rows.all().take(*layout, {});
     return data.series.empty() ? std::nullopt : std::optional(std::move(data));
 }
 

@@ -15,7 +15,7 @@
 // marked in the layout; otherwise the column is left out.
 
 #include "core/mechanism/channel.h"
-#include "core/reading/file_layout.h"
+#include "core/reading/read_fault.h"
 #include "core/reading/rounding.h"
 
 #include <cstddef>
@@ -42,29 +42,31 @@ struct ReferenceSeries {
 struct SkippedRow {
     std::size_t line = 0;
     std::size_t column = 0;
-    std::string text;     ///< the offending cell, shortened
-    std::string reason;   ///< a clause: "not a number"
-    std::size_t rows = 1; ///< that it stands for
+    std::string text; ///< the offending cell, shortened
+    RowFault fault = RowFault::NotANumber;
+    std::size_t rows = 1; ///< that it stands for, itself among them
 };
 
 struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
     std::vector<ReferenceSeries> series;
-    std::vector<SkippedRow> skipped;         ///< at most 1000, and then one more that counts the others
-    std::vector<std::string> ignoredColumns; ///< headings that mean no channel, or a channel without any number
-    FileLayout layout;                       ///< how the file is written, and what each column became and why
+    std::vector<SkippedRow> skipped; ///< at most 1000, and then one more that counts the others
+    FileLayout layout;               ///< how the file is written, and what each column became and why
 
     const ReferenceSeries *find(Channel channel) const;
 
     std::size_t skippedRowCount() const; ///< listed and not
 };
 
-/// Why nothing sensible could be read. line 0: the file as a whole.
+/// Of its series.
+ChannelSet channelsOf(const ReferenceData &data);
+
+/// Why nothing sensible could be read, and where. line 0: the file as a whole.
 struct ReadError {
     std::size_t line = 0;
     std::size_t column = 0;
-    std::string text;
-    std::string reason;  ///< a sentence that says what to do
+    std::string text{};
+    ReadFault fault{};
     FileLayout layout{}; ///< what was found; with columns, a person's choice of them may still help
 };
 

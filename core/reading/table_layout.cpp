@@ -79,8 +79,7 @@ bool isDataLine(std::string_view line, char delimiter)
     return filled >= 2 && std::all_of(cells.begin(), cells.end(), isNumber);
 }
 
-// ---- header
-// ----------------------------------------------------------------------------------------------------------
+// ---- header --------------------------------------------------------------------------------------------------------
 
 /// How much a line looks like the names of a table's columns.
 struct HeaderScore {
@@ -160,8 +159,7 @@ HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimite
     return *firstData;
 }
 
-// ---- units
-// -----------------------------------------------------------------------------------------------------------
+// ---- units ---------------------------------------------------------------------------------------------------------
 
 std::string_view withoutBrackets(std::string_view cell)
 {
@@ -269,13 +267,9 @@ std::optional<ReadError> takeAnnotations(Table &table, std::string_view text)
                 continue;
             }
             if (!heading.unit.empty() && unitOf(heading.unit) != unitOf(unit)) {
-                ReadError error;
-                error.line = number;
-                error.column = i + 1;
-                error.text = excerpt(unit);
-                error.reason = "the line of units contradicts the heading, " + excerpt(heading.printed) +
-                               ": correct one of the two.";
-                return error;
+                ReadFault fault{ReadFault::Kind::UnitsContradict};
+                fault.heading = excerpt(heading.printed);
+                return ReadError{number, i + 1, excerpt(unit), std::move(fault)};
             }
             heading.unit = unit;
             table.layout.unitsLine = number;
@@ -286,8 +280,7 @@ std::optional<ReadError> takeAnnotations(Table &table, std::string_view text)
     return std::nullopt;
 }
 
-// ---- decimals
-// --------------------------------------------------------------------------------------------------------
+// ---- decimals ------------------------------------------------------------------------------------------------------
 
 /// The decimal sign of a file. The first number that can be read in one way only decides: 0,005 and 74,5436 hold a
 /// decimal comma; 74,543 alone could be thousands. Where commas separate the cells as well, a decimal comma stands in
@@ -378,9 +371,7 @@ std::variant<Table, ReadError> findTable(std::string_view text)
         }
     }
     if (lines.empty()) {
-        ReadError error;
-        error.reason = "The file is empty: it needs a line with the names of the columns, and numbers below.";
-        return error;
+        return ReadError{0, 0, {}, {ReadFault::Kind::Empty}};
     }
 
     const HeaderFound found = findHeader(lines, delimiters);

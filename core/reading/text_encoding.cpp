@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/text_encoding.h"
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <optional>
 
 namespace slidercrank
@@ -12,6 +15,8 @@ namespace slidercrank
 
 namespace
 {
+
+using Utf8 = boost::locale::utf::utf_traits<char>;
 
 constexpr char32_t kReplacement = 0xFFFD;
 
@@ -28,54 +33,25 @@ constexpr std::array<char32_t, 32> kWindows1252{0x20AC, 0x81,   0x201A, 0x0192, 
 
 void append(std::string &text, char32_t c)
 {
-    const auto put = [&text](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-    if (c < 0x80) {
-        put(c);
-    } else if (c < 0x800) {
-        put(0xC0 | (c >> 6));
-        put(0x80 | (c & 0x3F));
-    } else if (c < 0x10000) {
-        put(0xE0 | (c >> 12));
-        put(0x80 | ((c >> 6) & 0x3F));
-        put(0x80 | (c & 0x3F));
-    } else {
-        put(0xF0 | (c >> 18));
-        put(0x80 | ((c >> 12) & 0x3F));
-        put(0x80 | ((c >> 6) & 0x3F));
-        put(0x80 | (c & 0x3F));
-    }
-}
-
-bool isSurrogate(char32_t unit)
-{
-    return unit >= 0xD800 && unit < 0xE000;
-}
-
-bool opensPair(char32_t unit)
-{
-    return unit >= 0xD800 && unit < 0xDC00;
+    Utf8::encode(c, std::back_inserter(text));
 }
 
 std::string fromUtf16(std::string_view bytes, bool littleEndian)
 {
-    const std::size_t count = bytes.size() / 2; // half a unit at the end is nothing
-    const auto unitAt = [&](std::size_t i) {
+    std::u16string units(bytes.size() / 2, u'\0'); // half a unit at the end is nothing
+    for (std::size_t i = 0; i < units.size(); ++i) {
         const unsigned first = byteAt(bytes, 2 * i);
         const unsigned second = byteAt(bytes, 2 * i + 1);
-        return static_cast<char32_t>(littleEndian ? second << 8 | first : first << 8 | second);
-    };
+        units[i] = static_cast<char16_t>(littleEndian ? second << 8 | first : first << 8 | second);
+    }
     std::string text;
-    text.reserve(count + count / 8);
-    for (std::size_t i = 0; i < count; ++i) {
-        const char32_t unit = unitAt(i);
-        if (!isSurrogate(unit)) {
-            append(text, unit);
-        } else if (opensPair(unit) && i + 1 < count && isSurrogate(unitAt(i + 1)) && !opensPair(unitAt(i + 1))) {
-            append(text, 0x10000 + ((unit - 0xD800) << 10) + (unitAt(i + 1) - 0xDC00));
-            ++i;
-        } else {
-            append(text, kReplacement);
-        }
+    text.reserve(units.size() + units.size() / 8);
+    for (auto at = units.cbegin(); at != units.cend();) {
+        auto next = at;
+        const char32_t c = boost::locale::utf::utf_traits<char16_t>::decode(next, units.cend());
+        const bool isSound = boost::locale::utf::is_valid_codepoint(c);
+        append(text, isSound ? c : kReplacement);
+        at = isSound ? next : at + 1; // what follows half a pair may be sound again
     }
     return text;
 }
@@ -138,26 +114,10 @@ std::size_t findBeyondAscii(std::string_view bytes, std::size_t from)
 
 std::size_t sequenceLength(std::string_view text)
 {
-    if (text.empty()) {
-        return 0;
-    }
-    const unsigned first = byteAt(text, 0);
-    if (first < 0x80) {
-        return 1;
-    }
-    const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
-                               : first >= 0xE0 && first < 0xF0 ? 3
-                               : first >= 0xF0 && first < 0xF5 ? 4
-                                                               : 0;
-    if (length == 0 || text.size() < length) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byteAt(text, i) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    return length;
+    const int trail = text.empty() ? -1 : Utf8::trail_length(text.front());
+    const bool isWhole = trail >= 0 && static_cast<std::size_t>(trail) < text.size() &&
+                         std::all_of(text.begin() + 1, text.begin() + 1 + trail, Utf8::is_trail);
+    return isWhole ? static_cast<std::size_t>(trail) + 1 : 0;
 }
 
 EncodingFound findEncoding(std::string_view bytes)

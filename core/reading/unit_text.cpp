@@ -3,6 +3,7 @@
 
 #include "core/mechanism/channel.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -13,63 +14,28 @@ namespace
 {
 
 struct NamedUnit {
-    std::string_view name;
+    std::string_view names;
     Unit unit;
 };
 
-constexpr Unit kMillimetre{Dimension::Length, 0, 1.0};
-constexpr Unit kCentimetre{Dimension::Length, 0, 10.0};
-constexpr Unit kMetre{Dimension::Length, 0, 1e3};
-constexpr Unit kInch{Dimension::Length, 0, 25.4};
-constexpr Unit kDegree{Dimension::Angle, 0, 1.0};
-constexpr Unit kRadian{Dimension::Angle, 0, kDegreesPerRadian};
-constexpr Unit kRpm{Dimension::Angle, 1, 6.0};
-constexpr Unit kSecond{Dimension::Time, 0, 1.0};
-constexpr Unit kMillisecond{Dimension::Time, 0, 1e3};
-constexpr Unit kMicrosecond{Dimension::Time, 0, 1e6};
-
-constexpr std::array<NamedUnit, 33> kUnits{{{"mm", kMillimetre},
-                                            {"millimeter", kMillimetre},
-                                            {"millimetre", kMillimetre},
-                                            {"milimetros", kMillimetre},
-                                            {"cm", kCentimetre},
-                                            {"m", kMetre},
-                                            {"meter", kMetre},
-                                            {"metre", kMetre},
-                                            {"metros", kMetre},
-                                            {"in", kInch},
-                                            {"inch", kInch},
-                                            {"deg", kDegree},
-                                            {"degree", kDegree},
-                                            {"degrees", kDegree},
-                                            {"grado", kDegree},
-                                            {"grados", kDegree},
-                                            {"rad", kRadian},
-                                            {"radian", kRadian},
-                                            {"radians", kRadian},
-                                            {"radianes", kRadian},
-                                            {"rpm", kRpm},
-                                            {"s", kSecond},
-                                            {"sec", kSecond},
-                                            {"secs", kSecond},
-                                            {"second", kSecond},
-                                            {"seconds", kSecond},
-                                            {"seg", kSecond},
-                                            {"segundo", kSecond},
-                                            {"segundos", kSecond},
-                                            {"ms", kMillisecond},
-                                            {"msec", kMillisecond},
-                                            {"us", kMicrosecond},
-                                            {"milliseconds", kMillisecond}}};
+constexpr std::array<NamedUnit, 10> kUnits{{
+    {"mm millimeter millimetre milimetros", {Dimension::Length, 0, 1.0}},
+    {"cm", {Dimension::Length, 0, 10.0}},
+    {"m meter metre metros", {Dimension::Length, 0, 1e3}},
+    {"in inch", {Dimension::Length, 0, 25.4}},
+    {"deg degree degrees grado grados", {Dimension::Angle, 0, 1.0}},
+    {"rad radian radians radianes", {Dimension::Angle, 0, kDegreesPerRadian}},
+    {"rpm", {Dimension::Angle, 1, 6.0}},
+    {"s sec secs second seconds seg segundo segundos", {Dimension::Time, 0, 1.0}},
+    {"ms msec milliseconds", {Dimension::Time, 0, 1e3}},
+    {"us", {Dimension::Time, 0, 1e6}},
+}};
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
-    for (const NamedUnit &unit : kUnits) {
-        if (unit.name == name) {
-            return unit.unit;
-        }
-    }
-    return std::nullopt;
+    const auto found =
+        std::find_if(kUnits.begin(), kUnits.end(), [&](const NamedUnit &each) { return isAmong(name, each.names); });
+    return found == kUnits.end() ? std::nullopt : std::optional(found->unit);
 }
 
 /// Lower case, without spaces, "^", "*" and parentheses; degree, square and micro signs (also the ordinal sign that
@@ -97,6 +63,17 @@ std::string plainUnit(std::string_view text)
 }
 
 } // namespace
+
+bool isAmong(std::string_view word, std::string_view words)
+{
+    const auto ends = [words](std::size_t at) { return at == words.size() || words[at] == ' '; };
+    for (std::size_t at = words.find(word); at != words.npos; at = words.find(word, at + 1)) {
+        if ((at == 0 || words[at - 1] == ' ') && ends(at + word.size())) {
+            return true;
+        }
+    }
+    return false;
+}
 
 std::optional<Unit> unitOf(std::string_view text)
 {

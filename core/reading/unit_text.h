@@ -24,4 +24,7 @@ struct Unit {
 
 std::optional<Unit> unitOf(std::string_view text);
 
+/// Whether the word is one of these, which spaces separate.
+bool isAmong(std::string_view word, std::string_view words);
+
 } // namespace slidercrank

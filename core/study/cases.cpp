@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace slidercrank
 {
@@ -14,127 +16,168 @@ namespace slidercrank
 namespace
 {
 
+using Trait = CaseTrait::Kind;
+using Traits = std::vector<CaseTrait>;
+
+/// By CaseTrait::Kind.
+constexpr std::array<std::string_view, 19> kWords{"",
+                                                  "Table 1 of the report",
+                                                  "this mechanism",
+                                                  "the author's file",
+                                                  "crossed",
+                                                  "toggle gap ",
+                                                  "exact toggle",
+                                                  "change point",
+                                                  "a = b and c = 0",
+                                                  "rocker",
+                                                  "one arc",
+                                                  "two arcs",
+                                                  "rocker by a hair",
+                                                  "gap ",
+                                                  "locked",
+                                                  "never assemblable",
+                                                  "lengths x ",
+                                                  "t near ",
+                                                  " steps a turn"};
+
 /// One turn in one second of a crank of 20 mm, which all but the scaled cases have.
-Case lengths(std::string_view name, double b, double c, Branch branch = Branch::Open)
+Case lengths(Traits traits, double b, double c, Branch branch = Branch::Open)
 {
-    return {name, {20.0, b, c, kTurn, 0.0, branch}, {}};
+    if (branch == Branch::Crossed) {
+        traits.push_back({Trait::Crossed});
+    }
+    return {std::move(traits), {20.0, b, c, kTurn, 0.0, branch}};
 }
 
 /// The coupler is longer than a full turn needs by one part in `1/gap`.
-Case toggle(std::string_view name, double gap, double c, Branch branch = Branch::Open)
+Case toggle(Traits traits, double gap, double c, Branch branch = Branch::Open)
 {
-    return lengths(name, (20.0 + std::abs(c)) * (1.0 + gap), c, branch);
+    return lengths(std::move(traits), (20.0 + std::abs(c)) * (1.0 + gap), c, branch);
 }
 
-Case scaled(std::string_view name, double factor)
+double numberIn(std::string_view text)
 {
-    return {name, {20.0 * factor, 60.0 * factor, 25.0 * factor, kTurn, 0.0, Branch::Open}, {}};
+    double number = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+Case toggle(std::string_view gap, double c, Branch branch = Branch::Open)
+{
+    Traits traits{{Trait::ToggleGap, gap}};
+    if (branch == Branch::Open) {
+        traits.push_back({Trait::Formula, c > 0.0 ? "c > 0" : c < 0.0 ? "c < 0" : "c = 0"});
+    }
+    return toggle(std::move(traits), numberIn(gap), c, branch);
+}
+
+Case scaled(std::string_view factor)
+{
+    const double by = numberIn(factor);
+    return {{{Trait::LengthsTimes, factor}}, {20.0 * by, 60.0 * by, 25.0 * by, kTurn, 0.0, Branch::Open}};
 }
 
 /// One turn in one second, or in the time that the speed asks for.
-Case driven(std::string_view name, double omega2, double theta20, Sampling sampling)
+Case driven(CaseTrait trait, double omega2, double theta20, Sampling sampling)
 {
-    return {name, {20.0, 60.0, 25.0, omega2, theta20, Branch::Open}, sampling};
+    return {{trait}, {20.0, 60.0, 25.0, omega2, theta20, Branch::Open}, sampling};
 }
 
 /// Few steps a turn, where a warm start begins far from its answer.
-Case coarse(std::string_view name, int steps, double gap)
+Case coarse(std::string_view steps, std::string_view gap)
 {
-    Case result = toggle(name, gap, 25.0);
-    result.sampling.steps = steps;
+    Case result = toggle({{Trait::StepsATurn, steps}, {Trait::Gap, gap}}, numberIn(gap), 25.0);
+    result.sampling.steps = static_cast<int>(numberIn(steps));
     return result;
+}
+
+std::vector<Case> makeHardCases()
+{
+    std::vector<Case> cases;
+    for (const char *gap : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-11",
+                            "1e-12", "1e-13", "1e-14", "1e-15"}) {
+        cases.push_back(toggle(gap, 25.0));
+    }
+    for (const double c : {0.0, -25.0}) {
+        for (const char *gap : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-6", "1e-8", "1e-12", "1e-15"}) {
+            cases.push_back(toggle(gap, c));
+        }
+    }
+    const std::array others{
+        toggle("1e-4", 25.0, Branch::Crossed),
+        toggle("1e-8", 25.0, Branch::Crossed),
+
+        toggle({{Trait::ExactToggle}, {Trait::Formula, "c > 0"}}, 0.0, 25.0),
+        toggle({{Trait::ExactToggle}, {Trait::Formula, "c < 0"}}, 0.0, -25.0),
+        toggle({{Trait::ExactToggle}}, 0.0, 25.0, Branch::Crossed),
+        toggle({{Trait::ChangePoint}, {Trait::EqualAndInLine}}, 0.0, 0.0),
+        toggle({{Trait::ChangePoint}}, 0.0, 0.0, Branch::Crossed),
+
+        lengths({{Trait::Rocker}, {Trait::OneArc}}, 40.0, 25.0),
+        lengths({{Trait::Rocker}, {Trait::OneArc}, {Trait::Formula, "c < 0"}}, 40.0, -25.0),
+        lengths({{Trait::Rocker}, {Trait::OneArc}}, 40.0, 25.0, Branch::Crossed),
+        lengths({{Trait::Rocker}, {Trait::TwoArcs}}, 10.0, 5.0),
+        lengths({{Trait::Rocker}, {Trait::TwoArcs}}, 10.0, 5.0, Branch::Crossed),
+        lengths({{Trait::Rocker}, {Trait::TwoArcs}, {Trait::Formula, "c = 0"}}, 10.0, 0.0),
+        toggle({{Trait::RockerByAHair}, {Trait::Gap, "-1e-8"}}, -1e-8, 25.0),
+        lengths({{Trait::Locked}, {Trait::Formula, "b = |c| - a"}}, 5.0, 25.0),
+        lengths({{Trait::NeverAssemblable}}, 4.0, 25.0),
+
+        lengths({{Trait::Formula, "b/a = 1e3"}}, 2e4, 25.0),
+        lengths({{Trait::Formula, "b/a = 1e9"}}, 2e10, 25.0),
+        lengths({{Trait::Formula, "c/a = 5e4"}}, 1.1e6, 1e6),
+        scaled("1e-9"),
+        scaled("1e9"),
+
+        driven({Trait::TimeNear, "1e9 s"}, kTurn, 0.0, {1e9, 1.0, 200}),
+        driven({Trait::Formula, "omega2 = 0"}, 0.0, 1.0, {}),
+        driven({Trait::Formula, "omega2 = 1e6 rad/s"}, 1e6, 0.0, {0.0, 6.25e-6, 200}),
+
+        coarse("2", "1e-1"),
+        coarse("3", "1e-1"),
+        coarse("4", "1e-1"),
+        coarse("5", "1e-1"),
+        coarse("8", "1e-1"),
+        coarse("5", "1e-2"),
+        coarse("8", "1e-3"),
+    };
+    cases.insert(cases.end(), others.begin(), others.end());
+    return cases;
 }
 
 } // namespace
 
+std::string nameOf(std::span<const CaseTrait> traits)
+{
+    std::string name;
+    for (const auto &[kind, value] : traits) {
+        const std::string word(kWords[static_cast<std::size_t>(kind)]);
+        const std::string number(value);
+        name += (name.empty() ? "" : ", ") + (kind == Trait::StepsATurn ? number + word : word + number);
+    }
+    return name;
+}
+
 std::span<const Case> nominalCases()
 {
     static const std::array kCases{
-        Case{"Table 1 of the report", {}, {}},
-        lengths("b = 60, the author's file", 60.0, 25.0),
-        lengths("b = 60, crossed", 60.0, 25.0, Branch::Crossed),
-        lengths("c = 0", 60.0, 0.0),
-        lengths("c = 0, crossed", 60.0, 0.0, Branch::Crossed),
-        lengths("c < 0", 60.0, -25.0),
-        lengths("c < 0, crossed", 60.0, -25.0, Branch::Crossed),
-        driven("omega2 < 0", -kTurn, 0.0, {}),
-        driven("theta20 = 1 rad", kTurn, 1.0, {}),
-        lengths("b/a = 10", 200.0, 25.0),
+        Case{{{Trait::ReportTable}}, {}},
+        lengths({{Trait::Formula, "b = 60"}, {Trait::AuthorsFile}}, 60.0, 25.0),
+        lengths({{Trait::Formula, "b = 60"}}, 60.0, 25.0, Branch::Crossed),
+        lengths({{Trait::Formula, "c = 0"}}, 60.0, 0.0),
+        lengths({{Trait::Formula, "c = 0"}}, 60.0, 0.0, Branch::Crossed),
+        lengths({{Trait::Formula, "c < 0"}}, 60.0, -25.0),
+        lengths({{Trait::Formula, "c < 0"}}, 60.0, -25.0, Branch::Crossed),
+        driven({Trait::Formula, "omega2 < 0"}, -kTurn, 0.0, {}),
+        driven({Trait::Formula, "theta20 = 1 rad"}, kTurn, 1.0, {}),
+        lengths({{Trait::Formula, "b/a = 10"}}, 200.0, 25.0),
     };
     return kCases;
 }
 
 std::span<const Case> hardCases()
 {
-    static const std::array kCases{
-        toggle("toggle gap 1e-1, c > 0", 1e-1, 25.0),
-        toggle("toggle gap 1e-2, c > 0", 1e-2, 25.0),
-        toggle("toggle gap 1e-3, c > 0", 1e-3, 25.0),
-        toggle("toggle gap 1e-4, c > 0", 1e-4, 25.0),
-        toggle("toggle gap 1e-5, c > 0", 1e-5, 25.0),
-        toggle("toggle gap 1e-6, c > 0", 1e-6, 25.0),
-        toggle("toggle gap 1e-7, c > 0", 1e-7, 25.0),
-        toggle("toggle gap 1e-8, c > 0", 1e-8, 25.0),
-        toggle("toggle gap 1e-9, c > 0", 1e-9, 25.0),
-        toggle("toggle gap 1e-10, c > 0", 1e-10, 25.0),
-        toggle("toggle gap 1e-11, c > 0", 1e-11, 25.0),
-        toggle("toggle gap 1e-12, c > 0", 1e-12, 25.0),
-        toggle("toggle gap 1e-13, c > 0", 1e-13, 25.0),
-        toggle("toggle gap 1e-14, c > 0", 1e-14, 25.0),
-        toggle("toggle gap 1e-15, c > 0", 1e-15, 25.0),
-        toggle("toggle gap 1e-1, c = 0", 1e-1, 0.0),
-        toggle("toggle gap 1e-2, c = 0", 1e-2, 0.0),
-        toggle("toggle gap 1e-3, c = 0", 1e-3, 0.0),
-        toggle("toggle gap 1e-4, c = 0", 1e-4, 0.0),
-        toggle("toggle gap 1e-6, c = 0", 1e-6, 0.0),
-        toggle("toggle gap 1e-8, c = 0", 1e-8, 0.0),
-        toggle("toggle gap 1e-12, c = 0", 1e-12, 0.0),
-        toggle("toggle gap 1e-15, c = 0", 1e-15, 0.0),
-        toggle("toggle gap 1e-1, c < 0", 1e-1, -25.0),
-        toggle("toggle gap 1e-2, c < 0", 1e-2, -25.0),
-        toggle("toggle gap 1e-3, c < 0", 1e-3, -25.0),
-        toggle("toggle gap 1e-4, c < 0", 1e-4, -25.0),
-        toggle("toggle gap 1e-6, c < 0", 1e-6, -25.0),
-        toggle("toggle gap 1e-8, c < 0", 1e-8, -25.0),
-        toggle("toggle gap 1e-12, c < 0", 1e-12, -25.0),
-        toggle("toggle gap 1e-15, c < 0", 1e-15, -25.0),
-        toggle("toggle gap 1e-4, crossed", 1e-4, 25.0, Branch::Crossed),
-        toggle("toggle gap 1e-8, crossed", 1e-8, 25.0, Branch::Crossed),
-
-        toggle("exact toggle, c > 0", 0.0, 25.0),
-        toggle("exact toggle, c < 0", 0.0, -25.0),
-        toggle("exact toggle, crossed", 0.0, 25.0, Branch::Crossed),
-        toggle("change point, a = b and c = 0", 0.0, 0.0),
-        toggle("change point, crossed", 0.0, 0.0, Branch::Crossed),
-
-        lengths("rocker, one arc", 40.0, 25.0),
-        lengths("rocker, one arc, c < 0", 40.0, -25.0),
-        lengths("rocker, one arc, crossed", 40.0, 25.0, Branch::Crossed),
-        lengths("rocker, two arcs", 10.0, 5.0),
-        lengths("rocker, two arcs, crossed", 10.0, 5.0, Branch::Crossed),
-        lengths("rocker, two arcs, c = 0", 10.0, 0.0),
-        toggle("rocker by a hair, gap -1e-8", -1e-8, 25.0),
-        lengths("locked, b = |c| - a", 5.0, 25.0),
-        lengths("never assemblable", 4.0, 25.0),
-
-        lengths("b/a = 1e3", 2e4, 25.0),
-        lengths("b/a = 1e9", 2e10, 25.0),
-        lengths("c/a = 5e4", 1.1e6, 1e6),
-        scaled("lengths x 1e-9", 1e-9),
-        scaled("lengths x 1e9", 1e9),
-
-        driven("t near 1e9 s", kTurn, 0.0, {1e9, 1.0, 200}),
-        driven("omega2 = 0", 0.0, 1.0, {}),
-        driven("omega2 = 1e6 rad/s", 1e6, 0.0, {0.0, 6.25e-6, 200}),
-
-        coarse("2 steps a turn, gap 1e-1", 2, 1e-1),
-        coarse("3 steps a turn, gap 1e-1", 3, 1e-1),
-        coarse("4 steps a turn, gap 1e-1", 4, 1e-1),
-        coarse("5 steps a turn, gap 1e-1", 5, 1e-1),
-        coarse("8 steps a turn, gap 1e-1", 8, 1e-1),
-        coarse("5 steps a turn, gap 1e-2", 5, 1e-2),
-        coarse("8 steps a turn, gap 1e-3", 8, 1e-3),
-    };
+    static const std::vector<Case> kCases = makeHardCases();
     return kCases;
 }
 

@@ -311,27 +311,26 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
     return result;
 }
 
-std::string machineText()
+Machine thisMachine()
 {
+    Machine machine;
 #if defined(__x86_64__) || defined(_M_X64)
-    std::string text = "x86-64";
+    machine.processor = "x86-64";
 #elif defined(__aarch64__) || defined(_M_ARM64)
-    std::string text = "arm64";
-#else
-    std::string text = "other";
+    machine.processor = "arm64";
 #endif
-    text += ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
+    machine.threads = std::thread::hardware_concurrency();
 #if defined(__clang__)
-    text += ", Clang " + std::to_string(__clang_major__);
+    machine.compiler = "Clang " + std::to_string(__clang_major__);
 #elif defined(__GNUC__)
-    text += ", GCC " + std::to_string(__GNUC__);
+    machine.compiler = "GCC " + std::to_string(__GNUC__);
 #elif defined(_MSC_VER)
-    text += ", MSVC " + std::to_string(_MSC_VER);
+    machine.compiler = "MSVC " + std::to_string(_MSC_VER);
 #endif
 #ifndef NDEBUG
-    text += ", not optimized";
+    machine.isOptimized = false;
 #endif
-    return text;
+    return machine;
 }
 
 } // namespace
@@ -340,7 +339,7 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
 {
     const Clock::time_point start = Clock::now();
     StudyResult result;
-    result.machine = machineText();
+    result.machine = thisMachine();
     Progress told(progress, request.cases.size());
     for (const Case &which : request.cases) {
         const std::size_t done = result.cases.size();
@@ -357,7 +356,7 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
             break;
         }
         CaseResult of;
-        of.name = which.name;
+        of.traits = which.traits;
         of.parameters = which.parameters;
         of.instants = all.size();
         for (Contender &contender : contenders) {
@@ -375,7 +374,7 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
 Case studyCase(const Parameters &parameters)
 {
     const bool isTable1 = parameters == Parameters();
-    Case result{isTable1 ? nominalCases().front().name : "this mechanism", parameters, {}};
+    Case result{{{isTable1 ? CaseTrait::Kind::ReportTable : CaseTrait::Kind::ThisMechanism}}, parameters};
     if (parameters.omega2 != 0.0) {
         result.sampling.duration = 2.0 * std::numbers::pi / std::abs(parameters.omega2);
     }

@@ -38,9 +38,29 @@ struct StudyRequest {
     double secondsPerRound = 150e-6;
 };
 
+struct MethodName {
+    enum class Kind {
+        NewtonDense, ///< the report's
+        NewtonDenseTaylor,
+        NewtonStructured,
+        NewtonStructuredTaylor,
+        ClosedForm,
+        ClosedFormBatch,
+        FiniteDifference,
+        Harmonics
+    };
+    Kind kind = Kind::NewtonDense;
+    int harmonics = 0; ///< how many, where they are
+
+    friend bool operator==(const MethodName &, const MethodName &) = default;
+};
+
+/// What files and the command line call it: newton-dense, closed-form-batch, harmonic-4, …
+std::string nameOf(const MethodName &method);
+
 /// A row of the study.
 struct MethodResult {
-    std::string method;              ///< newton-dense, closed-form-batch, harmonic-4, …
+    MethodName method;
     std::optional<double> tolerance; ///< of Newton-Raphson
     int channels = 6;                ///< how many are computed: 36 or 6
 
@@ -65,14 +85,22 @@ inline constexpr double kSilentPart = 0.01;
 inline constexpr double kLimitRounding = 1e-14;
 
 struct CaseResult {
-    std::string name;
+    std::vector<CaseTrait> traits;
     Parameters parameters;
     std::size_t instants = 0;
     std::vector<MethodResult> methods;
 };
 
+/// What the times belong to.
+struct Machine {
+    std::string processor; ///< "x86-64"; empty: a family without a name here
+    unsigned threads = 0;
+    std::string compiler; ///< "GCC 12"; empty: another
+    bool isOptimized = true;
+};
+
 struct StudyResult {
-    std::string machine; ///< what the times belong to: processor family, vectors, threads, compiler
+    Machine machine;
     std::vector<CaseResult> cases;
     double seconds = 0.0; ///< that the study took
     bool complete = true; ///< false when stopped: then the cases are those that were done

@@ -30,10 +30,10 @@ void put(StudyAnswers &answers, std::size_t i, const State &state)
     answers.status[i] = state.status;
 }
 
-StudyMethod newton(std::string name, NewtonOptions options)
+StudyMethod newton(MethodName::Kind kind, NewtonOptions options)
 {
     StudyMethod method;
-    method.name = std::move(name);
+    method.name = {kind};
     method.tolerance = options.tolerance;
     method.toleranceKind = options.toleranceKind;
     method.channels = static_cast<int>(kChannelCount);
@@ -54,7 +54,7 @@ StudyMethod newton(std::string name, NewtonOptions options)
 StudyMethod closedForm()
 {
     StudyMethod method;
-    method.name = "closed-form";
+    method.name = {MethodName::Kind::ClosedForm};
     method.channels = static_cast<int>(kChannelCount);
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         return [closedForm = ClosedForm(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
@@ -69,7 +69,7 @@ StudyMethod closedForm()
 StudyMethod closedFormBatch()
 {
     StudyMethod method;
-    method.name = "closed-form-batch";
+    method.name = {MethodName::Kind::ClosedFormBatch};
     method.givesDegrees = true;
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         return [batch = ClosedFormBatch(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
@@ -90,7 +90,7 @@ StudyMethod closedFormBatch()
 StudyMethod finiteDifference()
 {
     StudyMethod method;
-    method.name = "finite-difference";
+    method.name = {MethodName::Kind::FiniteDifference};
     method.isExact = false;
     method.instants = StudyMethod::Instants::Sampling;
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
@@ -125,7 +125,7 @@ StudyMethod finiteDifference()
 StudyMethod harmonics(int count)
 {
     StudyMethod method;
-    method.name = "harmonic-" + std::to_string(count);
+    method.name = {MethodName::Kind::Harmonics, count};
     method.isExact = false;
     method.prepare = [count](const Case &which, std::span<const double> instants) -> StudyRun {
         const Mechanism mechanism(which.parameters);
@@ -156,25 +156,25 @@ std::vector<StudyMethod> makeMethods()
     // The report's way has the report's residual and cap; the others a residual that is the same at every scale, and a
     // cap that a toggle does not reach.
     struct Way {
-        const char *name;
+        MethodName::Kind kind;
         WarmStart warmStart;
         Elimination elimination;
     };
     constexpr std::array kWays{
-        Way{"newton-dense-taylor", WarmStart::Taylor, Elimination::Dense},
-        Way{"newton-structured", WarmStart::Previous, Elimination::Structured},
-        Way{"newton-structured-taylor", WarmStart::Taylor, Elimination::Structured},
+        Way{MethodName::Kind::NewtonDenseTaylor, WarmStart::Taylor, Elimination::Dense},
+        Way{MethodName::Kind::NewtonStructured, WarmStart::Previous, Elimination::Structured},
+        Way{MethodName::Kind::NewtonStructuredTaylor, WarmStart::Taylor, Elimination::Structured},
     };
     std::vector<StudyMethod> methods;
     for (const double tolerance : kTolerances) {
         NewtonOptions report;
         report.tolerance = tolerance;
-        methods.push_back(newton("newton-dense", report));
+        methods.push_back(newton(MethodName::Kind::NewtonDense, report));
     }
     for (const Way &way : kWays) {
         for (const double tolerance : kTolerances) {
             methods.push_back(newton(
-                way.name, {kAssemblyIterations, tolerance, ToleranceKind::Relative, way.warmStart, way.elimination}));
+                way.kind, {kAssemblyIterations, tolerance, ToleranceKind::Relative, way.warmStart, way.elimination}));
         }
     }
     methods.push_back(closedForm());

@@ -5,13 +5,12 @@
 
 #include "core/mechanism/channel.h"
 #include "core/newton/newton_options.h"
-#include "core/study/cases.h"
+#include "core/study/study.h"
 
 #include <array>
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace slidercrank
@@ -33,7 +32,7 @@ struct StudyMethod {
         Sampling ///< the equal steps of its sampling alone
     };
 
-    std::string name;
+    MethodName name;
     std::optional<double> tolerance; ///< of Newton-Raphson
     ToleranceKind toleranceKind = ToleranceKind::Absolute;
     int channels = 6;

@@ -39,6 +39,13 @@ std::string quoted(std::string_view text, std::string_view beforeSpecial)
     return result + '"';
 }
 
+std::string textOf(const Machine &machine)
+{
+    return (machine.processor.empty() ? "other" : machine.processor) + ", " + std::to_string(machine.threads) +
+           " threads" + (machine.compiler.empty() ? "" : ", " + machine.compiler) +
+           (machine.isOptimized ? "" : ", not optimized");
+}
+
 std::string jsonOf(const MethodResult &row)
 {
     std::string counts;
@@ -47,7 +54,7 @@ std::string jsonOf(const MethodResult &row)
         counts += wordOf(static_cast<Status>(i));
         counts += "\":" + std::to_string(row.counts[i]);
     }
-    return "{\"method\":" + quoted(row.method, "\\") + ",\"tolerance\":" + numberText(row.tolerance, "null") +
+    return "{\"method\":" + quoted(nameOf(row.method), "\\") + ",\"tolerance\":" + numberText(row.tolerance, "null") +
            ",\"channels\":" + std::to_string(row.channels) + ",\"nsPerState\":" + numberText(row.nsPerState, "null") +
            ",\"spread\":" + numberText(row.spread, "null") +
            ",\"iterationsPerState\":" + numberText(row.iterationsPerState, "null") +
@@ -58,12 +65,20 @@ std::string jsonOf(const MethodResult &row)
 
 } // namespace
 
+std::string nameOf(const MethodName &method)
+{
+    constexpr std::array kNames{"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor",
+                                "closed-form",  "closed-form-batch",   "finite-difference"};
+    return method.kind == MethodName::Kind::Harmonics ? "harmonic-" + std::to_string(method.harmonics)
+                                                      : kNames[static_cast<std::size_t>(method.kind)];
+}
+
 std::string studyJson(const StudyResult &result)
 {
-    std::string text = "{\"machine\":" + quoted(result.machine, "\\") + ",\"cases\":[";
+    std::string text = "{\"machine\":" + quoted(textOf(result.machine), "\\") + ",\"cases\":[";
     for (const CaseResult &which : result.cases) {
         text += &which == &result.cases.front() ? "\n" : ",\n";
-        text += "{\"name\":" + quoted(which.name, "\\") + ",\"methods\":[";
+        text += "{\"name\":" + quoted(nameOf(which.traits), "\\") + ",\"methods\":[";
         for (const MethodResult &row : which.methods) {
             text += &row == &which.methods.front() ? "\n" : ",\n";
             text += jsonOf(row);
@@ -83,10 +98,11 @@ std::string studyCsv(const StudyResult &result)
     text += ",silentFailures\n";
     for (const CaseResult &which : result.cases) {
         for (const MethodResult &row : which.methods) {
-            text += quoted(which.name, "\"") + ',' + row.method + ',' + numberText(row.tolerance, "") + ',' +
-                    std::to_string(row.channels) + ',' + numberText(row.nsPerState, "") + ',' +
-                    numberText(row.spread, "") + ',' + numberText(row.iterationsPerState, "") + ',' +
-                    numberText(row.maxError, "") + ',' + numberText(row.errorBound, "") + ',';
+            text += quoted(nameOf(which.traits), "\"") + ',' + nameOf(row.method) + ',' +
+                    numberText(row.tolerance, "") + ',' + std::to_string(row.channels) + ',' +
+                    numberText(row.nsPerState, "") + ',' + numberText(row.spread, "") + ',' +
+                    numberText(row.iterationsPerState, "") + ',' + numberText(row.maxError, "") + ',' +
+                    numberText(row.errorBound, "") + ',';
             text += wordOf(row.status);
             for (const std::size_t count : row.counts) {
                 text += ',' + std::to_string(count);

@@ -354,6 +354,26 @@
 <context>
     <name>slidercrank::CommandLine</name>
     <message>
+        <source>solved</source>
+        <translation>resueltos</translation>
+    </message>
+    <message>
+        <source>singular</source>
+        <translation>singulares</translation>
+    </message>
+    <message>
+        <source>iteration-limit</source>
+        <translation>no convergen</translation>
+    </message>
+    <message>
+        <source>not-assemblable</source>
+        <translation>no ensamblables</translation>
+    </message>
+    <message>
+        <source>not-finite</source>
+        <translation>no finitos</translation>
+    </message>
+    <message>
         <source>Read so, it agrees with this mechanism.</source>
         <translation>Leído así, coincide con este mecanismo.</translation>
     </message>
@@ -1053,253 +1073,6 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
 
 Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::CoreText</name>
-    <message>
-        <source>the unit is not known or does not suit the quantity: write for example [%1], rad in its place, or none.</source>
-        <translation>la unidad es desconocida o no corresponde a la magnitud: escriba por ejemplo [%1] o rad en su lugar, o ninguna.</translation>
-    </message>
-    <message>
-        <source>the unit is not known or does not suit the quantity: write for example [%1], m, cm or in in its place, or none.</source>
-        <translation>la unidad es desconocida o no corresponde a la magnitud: escriba por ejemplo [%1], m, cm o in en su lugar, o ninguna.</translation>
-    </message>
-    <message>
-        <source>the unit of the time is not known: write [s] or [ms], or none for seconds.</source>
-        <translation>la unidad del tiempo es desconocida: escriba [s] o [ms], o ninguna para segundos.</translation>
-    </message>
-    <message>
-        <source>two columns are chosen as the time: keep one of the two.</source>
-        <translation>dos columnas se han elegido como tiempo: deje una de las dos.</translation>
-    </message>
-    <message>
-        <source>two columns are chosen as %1: keep one of the two.</source>
-        <translation>dos columnas se han elegido como %1: deje una de las dos.</translation>
-    </message>
-    <message>
-        <source>there is a time column already: keep one of the two.</source>
-        <translation>ya hay una columna de tiempo: deje una de las dos.</translation>
-    </message>
-    <message>
-        <source>there is a column of that name already: keep one of the two.</source>
-        <translation>ya hay una columna con ese nombre: deje una de las dos.</translation>
-    </message>
-    <message>
-        <source>not a number: too large</source>
-        <translation>no es un número: demasiado grande</translation>
-    </message>
-    <message>
-        <source>not a number: this file writes a decimal comma</source>
-        <translation>no es un número: este archivo escribe coma decimal</translation>
-    </message>
-    <message>
-        <source>not a number: this file writes a decimal point</source>
-        <translation>no es un número: este archivo escribe punto decimal</translation>
-    </message>
-    <message>
-        <source>not a number</source>
-        <translation>no es un número</translation>
-    </message>
-    <message>
-        <source>no column beside the time has a known name: name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
-        <translation>ninguna columna aparte del tiempo tiene un nombre conocido: nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
-    </message>
-    <message>
-        <source>no column beside the time can be told for certain (%1: %2): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
-        <translation>ninguna columna aparte del tiempo se puede determinar con certeza (%1: %2): nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
-    </message>
-    <message>
-        <source>another column could be the same quantity</source>
-        <translation>otra columna podría ser la misma magnitud</translation>
-    </message>
-    <message>
-        <source>its unit is not known or does not suit the quantity</source>
-        <translation>su unidad es desconocida o no corresponde a la magnitud</translation>
-    </message>
-    <message>
-        <source>its values are not the derivative that its name says</source>
-        <translation>sus valores no son la derivada que dice su nombre</translation>
-    </message>
-    <message>
-        <source>neither its unit nor its values tell an angle from a length</source>
-        <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
-    </message>
-    <message>
-        <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>
-        <translation>hay números donde deberían estar los nombres de las columnas: ponga encima una línea como time,theta3,R4_x.</translation>
-    </message>
-    <message>
-        <source>there is no time column: name the column of the instants &quot;time&quot;.</source>
-        <translation>no hay columna de tiempo: llame &quot;time&quot; a la columna de los instantes.</translation>
-    </message>
-    <message>
-        <source>a quotation mark that is not closed at the end of the cell</source>
-        <translation>comillas que no se cierran al final de la celda</translation>
-    </message>
-    <message>
-        <source>too many cells</source>
-        <translation>demasiadas celdas</translation>
-    </message>
-    <message>
-        <source>too few cells</source>
-        <translation>faltan celdas</translation>
-    </message>
-    <message>
-        <source>no time</source>
-        <translation>sin tiempo</translation>
-    </message>
-    <message>
-        <source>this line and %1 more below it cannot be read either</source>
-        <translation>esta línea y otras %1 más abajo tampoco se pueden leer</translation>
-    </message>
-    <message>
-        <source>The file is a spreadsheet or an archive, not text: save the table as CSV.</source>
-        <translation>El archivo es una hoja de cálculo o un archivo comprimido, no texto: guarde la tabla como CSV.</translation>
-    </message>
-    <message>
-        <source>The file is a PDF document, not a table: export the table as CSV.</source>
-        <translation>El archivo es un documento PDF, no una tabla: exporte la tabla como CSV.</translation>
-    </message>
-    <message>
-        <source>The file is HTML or XML, not a table of text: export the table as CSV.</source>
-        <translation>El archivo es HTML o XML, no una tabla de texto: exporte la tabla como CSV.</translation>
-    </message>
-    <message>
-        <source>the file holds bytes that are not text: export the table as CSV.</source>
-        <translation>el archivo contiene bytes que no son texto: exporte la tabla como CSV.</translation>
-    </message>
-    <message>
-        <source>the time does not increase from the row before: sort the rows by time and keep one of each instant.</source>
-        <translation>el tiempo no crece respecto a la fila anterior: ordene las filas por tiempo y deje una por instante.</translation>
-    </message>
-    <message>
-        <source>Reading was stopped.</source>
-        <translation>Se detuvo la lectura.</translation>
-    </message>
-    <message>
-        <source>there are no numbers below the names of the columns.</source>
-        <translation>no hay números debajo de los nombres de las columnas.</translation>
-    </message>
-    <message>
-        <source>no row can be read; here the reason is: %1. Numbers look like 0.005, or like 0,005 where semicolons or tabs separate the columns.</source>
-        <translation>no se puede leer ninguna fila; aquí el motivo es: %1. Los números se escriben como 0.005, o como 0,005 donde las columnas se separan con punto y coma o tabuladores.</translation>
-    </message>
-    <message>
-        <source>no column beside the time holds a number.</source>
-        <translation>ninguna columna aparte del tiempo contiene un número.</translation>
-    </message>
-    <message>
-        <source>the line of units contradicts the heading, %1: correct one of the two.</source>
-        <translation>la línea de unidades contradice el encabezado, %1: corrija uno de los dos.</translation>
-    </message>
-    <message>
-        <source>The file is empty: it needs a line with the names of the columns, and numbers below.</source>
-        <translation>El archivo está vacío: necesita una línea con los nombres de las columnas, y números debajo.</translation>
-    </message>
-    <message>
-        <source>Table 1 of the report</source>
-        <translation>Tabla 1 del informe</translation>
-    </message>
-    <message>
-        <source>this mechanism</source>
-        <translation>este mecanismo</translation>
-    </message>
-    <message>
-        <source>the author&apos;s file</source>
-        <translation>el archivo del autor</translation>
-    </message>
-    <message>
-        <source>crossed</source>
-        <translation>cruzada</translation>
-    </message>
-    <message>
-        <source>toggle gap %1</source>
-        <translation>margen %1 hasta la singularidad</translation>
-    </message>
-    <message>
-        <source>exact toggle</source>
-        <translation>singularidad exacta</translation>
-    </message>
-    <message>
-        <source>change point</source>
-        <translation>punto de cambio</translation>
-    </message>
-    <message>
-        <source>a = b and c = 0</source>
-        <translation>a = b y c = 0</translation>
-    </message>
-    <message>
-        <source>rocker</source>
-        <translation>balancín</translation>
-    </message>
-    <message>
-        <source>one arc</source>
-        <translation>un arco</translation>
-    </message>
-    <message>
-        <source>two arcs</source>
-        <translation>dos arcos</translation>
-    </message>
-    <message>
-        <source>rocker by a hair</source>
-        <translation>balancín por un pelo</translation>
-    </message>
-    <message>
-        <source>gap %1</source>
-        <translation>margen %1</translation>
-    </message>
-    <message>
-        <source>locked</source>
-        <translation>bloqueado</translation>
-    </message>
-    <message>
-        <source>never assemblable</source>
-        <translation>nunca ensamblable</translation>
-    </message>
-    <message>
-        <source>lengths x %1</source>
-        <translation>longitudes x %1</translation>
-    </message>
-    <message>
-        <source>t near %1</source>
-        <translation>t cerca de %1</translation>
-    </message>
-    <message>
-        <source>%1 steps a turn</source>
-        <translation>%1 pasos por vuelta</translation>
-    </message>
-    <message>
-        <source>%1 threads</source>
-        <translation>%1 hilos</translation>
-    </message>
-    <message>
-        <source>not optimized</source>
-        <translation>sin optimizar</translation>
-    </message>
-    <message>
-        <source>other</source>
-        <translation>otra</translation>
-    </message>
-    <message>
-        <source>solved</source>
-        <translation>resueltos</translation>
-    </message>
-    <message>
-        <source>singular</source>
-        <translation>singulares</translation>
-    </message>
-    <message>
-        <source>iteration-limit</source>
-        <translation>no convergen</translation>
-    </message>
-    <message>
-        <source>not-assemblable</source>
-        <translation>no ensamblables</translation>
-    </message>
-    <message>
-        <source>not-finite</source>
-        <translation>no finitos</translation>
     </message>
 </context>
 <context>
@@ -3798,6 +3571,149 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     </message>
 </context>
 <context>
+    <name>slidercrank::ReadFaultText</name>
+    <message>
+        <source>the unit is not known or does not suit the quantity: write for example [%1], rad in its place, or none.</source>
+        <translation>la unidad es desconocida o no corresponde a la magnitud: escriba por ejemplo [%1] o rad en su lugar, o ninguna.</translation>
+    </message>
+    <message>
+        <source>the unit is not known or does not suit the quantity: write for example [%1], m, cm or in in its place, or none.</source>
+        <translation>la unidad es desconocida o no corresponde a la magnitud: escriba por ejemplo [%1], m, cm o in en su lugar, o ninguna.</translation>
+    </message>
+    <message>
+        <source>the unit of the time is not known: write [s] or [ms], or none for seconds.</source>
+        <translation>la unidad del tiempo es desconocida: escriba [s] o [ms], o ninguna para segundos.</translation>
+    </message>
+    <message>
+        <source>two columns are chosen as the time: keep one of the two.</source>
+        <translation>dos columnas se han elegido como tiempo: deje una de las dos.</translation>
+    </message>
+    <message>
+        <source>two columns are chosen as %1: keep one of the two.</source>
+        <translation>dos columnas se han elegido como %1: deje una de las dos.</translation>
+    </message>
+    <message>
+        <source>there is a time column already: keep one of the two.</source>
+        <translation>ya hay una columna de tiempo: deje una de las dos.</translation>
+    </message>
+    <message>
+        <source>there is a column of that name already: keep one of the two.</source>
+        <translation>ya hay una columna con ese nombre: deje una de las dos.</translation>
+    </message>
+    <message>
+        <source>not a number: too large</source>
+        <translation>no es un número: demasiado grande</translation>
+    </message>
+    <message>
+        <source>not a number: this file writes a decimal comma</source>
+        <translation>no es un número: este archivo escribe coma decimal</translation>
+    </message>
+    <message>
+        <source>not a number: this file writes a decimal point</source>
+        <translation>no es un número: este archivo escribe punto decimal</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>no es un número</translation>
+    </message>
+    <message>
+        <source>no column beside the time has a known name: name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <translation>ninguna columna aparte del tiempo tiene un nombre conocido: nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+    </message>
+    <message>
+        <source>no column beside the time can be told for certain (%1: %2): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <translation>ninguna columna aparte del tiempo se puede determinar con certeza (%1: %2): nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+    </message>
+    <message>
+        <source>another column could be the same quantity</source>
+        <translation>otra columna podría ser la misma magnitud</translation>
+    </message>
+    <message>
+        <source>its unit is not known or does not suit the quantity</source>
+        <translation>su unidad es desconocida o no corresponde a la magnitud</translation>
+    </message>
+    <message>
+        <source>its values are not the derivative that its name says</source>
+        <translation>sus valores no son la derivada que dice su nombre</translation>
+    </message>
+    <message>
+        <source>neither its unit nor its values tell an angle from a length</source>
+        <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
+    </message>
+    <message>
+        <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>
+        <translation>hay números donde deberían estar los nombres de las columnas: ponga encima una línea como time,theta3,R4_x.</translation>
+    </message>
+    <message>
+        <source>there is no time column: name the column of the instants &quot;time&quot;.</source>
+        <translation>no hay columna de tiempo: llame &quot;time&quot; a la columna de los instantes.</translation>
+    </message>
+    <message>
+        <source>a quotation mark that is not closed at the end of the cell</source>
+        <translation>comillas que no se cierran al final de la celda</translation>
+    </message>
+    <message>
+        <source>too many cells</source>
+        <translation>demasiadas celdas</translation>
+    </message>
+    <message>
+        <source>too few cells</source>
+        <translation>faltan celdas</translation>
+    </message>
+    <message>
+        <source>no time</source>
+        <translation>sin tiempo</translation>
+    </message>
+    <message>
+        <source>this line and %1 more below it cannot be read either</source>
+        <translation>esta línea y otras %1 más abajo tampoco se pueden leer</translation>
+    </message>
+    <message>
+        <source>The file is a spreadsheet or an archive, not text: save the table as CSV.</source>
+        <translation>El archivo es una hoja de cálculo o un archivo comprimido, no texto: guarde la tabla como CSV.</translation>
+    </message>
+    <message>
+        <source>The file is a PDF document, not a table: export the table as CSV.</source>
+        <translation>El archivo es un documento PDF, no una tabla: exporte la tabla como CSV.</translation>
+    </message>
+    <message>
+        <source>The file is HTML or XML, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es HTML o XML, no una tabla de texto: exporte la tabla como CSV.</translation>
+    </message>
+    <message>
+        <source>the file holds bytes that are not text: export the table as CSV.</source>
+        <translation>el archivo contiene bytes que no son texto: exporte la tabla como CSV.</translation>
+    </message>
+    <message>
+        <source>the time does not increase from the row before: sort the rows by time and keep one of each instant.</source>
+        <translation>el tiempo no crece respecto a la fila anterior: ordene las filas por tiempo y deje una por instante.</translation>
+    </message>
+    <message>
+        <source>Reading was stopped.</source>
+        <translation>Se detuvo la lectura.</translation>
+    </message>
+    <message>
+        <source>there are no numbers below the names of the columns.</source>
+        <translation>no hay números debajo de los nombres de las columnas.</translation>
+    </message>
+    <message>
+        <source>no row can be read; here the reason is: %1. Numbers look like 0.005, or like 0,005 where semicolons or tabs separate the columns.</source>
+        <translation>no se puede leer ninguna fila; aquí el motivo es: %1. Los números se escriben como 0.005, o como 0,005 donde las columnas se separan con punto y coma o tabuladores.</translation>
+    </message>
+    <message>
+        <source>no column beside the time holds a number.</source>
+        <translation>ninguna columna aparte del tiempo contiene un número.</translation>
+    </message>
+    <message>
+        <source>the line of units contradicts the heading, %1: correct one of the two.</source>
+        <translation>la línea de unidades contradice el encabezado, %1: corrija uno de los dos.</translation>
+    </message>
+    <message>
+        <source>The file is empty: it needs a line with the names of the columns, and numbers below.</source>
+        <translation>El archivo está vacío: necesita una línea con los nombres de las columnas, y números debajo.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ReferenceFileText</name>
     <message>
         <source>%1, line %2: %3</source>
@@ -4791,6 +4707,93 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>How fast is each method, and how exact? Run the study: every method is timed on the same instants and its error measured against 50 digits and more.</source>
         <translation>¿Cuán rápido es cada método, y cuán exacto? Haga la medición: cada método se cronometra en los mismos instantes y su error se mide frente a 50 cifras o más.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::StudyText</name>
+    <message>
+        <source>Table 1 of the report</source>
+        <translation>Tabla 1 del informe</translation>
+    </message>
+    <message>
+        <source>this mechanism</source>
+        <translation>este mecanismo</translation>
+    </message>
+    <message>
+        <source>the author&apos;s file</source>
+        <translation>el archivo del autor</translation>
+    </message>
+    <message>
+        <source>crossed</source>
+        <translation>cruzada</translation>
+    </message>
+    <message>
+        <source>toggle gap %1</source>
+        <translation>margen %1 hasta la singularidad</translation>
+    </message>
+    <message>
+        <source>exact toggle</source>
+        <translation>singularidad exacta</translation>
+    </message>
+    <message>
+        <source>change point</source>
+        <translation>punto de cambio</translation>
+    </message>
+    <message>
+        <source>a = b and c = 0</source>
+        <translation>a = b y c = 0</translation>
+    </message>
+    <message>
+        <source>rocker</source>
+        <translation>balancín</translation>
+    </message>
+    <message>
+        <source>one arc</source>
+        <translation>un arco</translation>
+    </message>
+    <message>
+        <source>two arcs</source>
+        <translation>dos arcos</translation>
+    </message>
+    <message>
+        <source>rocker by a hair</source>
+        <translation>balancín por un pelo</translation>
+    </message>
+    <message>
+        <source>gap %1</source>
+        <translation>margen %1</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueado</translation>
+    </message>
+    <message>
+        <source>never assemblable</source>
+        <translation>nunca ensamblable</translation>
+    </message>
+    <message>
+        <source>lengths x %1</source>
+        <translation>longitudes x %1</translation>
+    </message>
+    <message>
+        <source>t near %1</source>
+        <translation>t cerca de %1</translation>
+    </message>
+    <message>
+        <source>%1 steps a turn</source>
+        <translation>%1 pasos por vuelta</translation>
+    </message>
+    <message>
+        <source>%1 threads</source>
+        <translation>%1 hilos</translation>
+    </message>
+    <message>
+        <source>not optimized</source>
+        <translation>sin optimizar</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>otra</translation>
     </message>
 </context>
 <context>

@@ -315,43 +315,48 @@ std::vector<GoodFile> goodFiles()
 std::vector<BadFile> badFiles()
 {
     using namespace std::string_literals;
+    using Kind = ReadFault::Kind;
     std::vector<BadFile> files;
-    const auto add = [&](const char *name, std::string bytes, const char *reason) {
-        files.push_back({name, std::move(bytes), reason});
+    const auto add = [&](const char *name, std::string bytes, const ReadFault &fault) {
+        files.push_back({name, std::move(bytes), fault});
     };
     const std::string rows = "0,1,2\n1,2,3\n2,3,4\n";
-    add("nothing", "", "empty");
-    add("only a mark of UTF-16", "\xFF\xFE", "empty");
-    add("a spreadsheet", "PK\x03\x04\x14\x00\x06"s, "save the table as CSV");
-    add("an old spreadsheet", "\xD0\xCF\x11\xE0\xA1\xB1"s, "save the table as CSV");
-    add("a packed file", "\x1F\x8B\x08\x00"s, "save the table as CSV");
-    add("a PDF", "%PDF-1.7\n1 0 obj\n", "export the table as CSV");
-    add("a web page", "<!DOCTYPE html>\n<html><body>time,R4_x</body></html>\n", "export the table as CSV");
-    add("bytes that are no text", "time,R4_x\n0,1\n\0\0\1\2,3\n"s, "not text");
-    add("prose", "It was a dark and stormy night.\nThe rain fell in torrents.\n", "no time column");
-    add("numbers without names", written({.columns = kTwo, .header = false}), "put a line such as time,theta3,R4_x");
-    add("names that mean nothing", "time,a1b,zz\n" + rows, "no column beside the time has a known name");
-    add("no time", "R4_x,theta3\n3,1\n1,2\n2,3\n", "no time column");
-    add("the row's number is no time", "n,R4_x\n1,5\n2,6\n3,7\n", "no time column");
-    add("two times", "Time (s),Tiempo,R4_x\n" + rows, "keep one of the two");
-    add("two columns of one name", "time,R4_x,r4x\n" + rows, "keep one of the two");
-    add("a length in degrees", "time,R4_x [deg],theta3\n" + rows, "[mm]");
-    add("an angle in a line of units in metres", "time,theta3,R4_x\ns,m,m\n" + rows, "[°]");
-    add("units that contradict each other", "time,theta3 [rad],R4_x\ns,deg,mm\n" + rows, "contradicts the heading");
-    add("time in hours", "time [h],R4_x\n0,1\n1,2\n", "[s] or [ms]");
-    add("time that goes back", "time,R4_x\n0,1\n2,2\n1,3\n", "does not increase");
-    add("dates for the time", "timestamp,R4_x\n2024-05-17 12:30:00,1\n2024-05-17 12:30:01,2\n", "not a number");
-    add("only names", "time;R4_x\n", "no numbers below");
-    add("decimal commas between commas", "time,R4_x\n0,000,74,5436\n0,005,74,8173\n", "semicolons");
-    add("nothing but gaps", "time,R4_x\n0,\n1,nan\n", "no column beside the time holds a number");
+    add("nothing", "", {Kind::Empty});
+    add("only a mark of UTF-16", "\xFF\xFE", {Kind::Empty});
+    add("a spreadsheet", "PK\x03\x04\x14\x00\x06"s, {Kind::Spreadsheet});
+    add("an old spreadsheet", "\xD0\xCF\x11\xE0\xA1\xB1"s, {Kind::Spreadsheet});
+    add("a packed file", "\x1F\x8B\x08\x00"s, {Kind::Spreadsheet});
+    add("a PDF", "%PDF-1.7\n1 0 obj\n", {Kind::Pdf});
+    add("a web page", "<!DOCTYPE html>\n<html><body>time,R4_x</body></html>\n", {Kind::Markup});
+    add("bytes that are no text", "time,R4_x\n0,1\n\0\0\1\2,3\n"s, {Kind::NotText});
+    add("prose", "It was a dark and stormy night.\nThe rain fell in torrents.\n", {Kind::NoTime});
+    add("numbers without names", written({.columns = kTwo, .header = false}), {Kind::NamesMissing});
+    add("names that mean nothing", "time,a1b,zz\n" + rows, {Kind::NoChannel});
+    add("no time", "R4_x,theta3\n3,1\n1,2\n2,3\n", {Kind::NoTime});
+    add("the row's number is no time", "n,R4_x\n1,5\n2,6\n3,7\n", {Kind::NoTime});
+    add("two times", "Time (s),Tiempo,R4_x\n" + rows, {Kind::TimeTwice});
+    add("two columns of one name", "time,R4_x,r4x\n" + rows, {Kind::ChannelTwice, {R4x, Order::Position}});
+    add("a length in degrees", "time,R4_x [deg],theta3\n" + rows, {Kind::UnknownUnit, {R4x, Order::Position}});
+    add("an angle in a line of units in metres", "time,theta3,R4_x\ns,m,m\n" + rows,
+        {Kind::UnknownUnit, {Theta3, Order::Position}});
+    add("units that contradict each other", "time,theta3 [rad],R4_x\ns,deg,mm\n" + rows,
+        {Kind::UnitsContradict, {}, "theta3 [rad]"});
+    add("time in hours", "time [h],R4_x\n0,1\n1,2\n", {Kind::UnknownTimeUnit});
+    add("time that goes back", "time,R4_x\n0,1\n2,2\n1,3\n", {Kind::TimeNotRising});
+    add("dates for the time", "timestamp,R4_x\n2024-05-17 12:30:00,1\n2024-05-17 12:30:01,2\n", {Kind::NoRow});
+    add("only names", "time;R4_x\n", {Kind::NoNumbers});
+    add("decimal commas between commas", "time,R4_x\n0,000,74,5436\n0,005,74,8173\n",
+        {.kind = Kind::NoRow, .row = RowFault::TooManyCells});
+    add("nothing but gaps", "time,R4_x\n0,\n1,nan\n", {Kind::NoValues});
     add("two lengths that could each be the slider's",
         written({.columns = {{"time", {}},
                              {"Linear Displacement1 (mm)", kX},
                              {"Linear Displacement2 (mm)", {{R2x, Order::Position}}}}}),
-        "another column could be the same quantity");
+        {Kind::NoCertainChannel, {}, "Linear Displacement1 (mm)", ColumnReason::LikeOther});
     add("one of Inventor's letters, and nothing beside it", written({.columns = {{"Time", {}}, {"P[3.1]", kX}}}),
-        "neither its unit nor its values");
-    add("an angle in millimetres", written({.columns = {{"time", {}}, {"coupler angle (mm)", kTheta}}}), "unit");
+        {Kind::NoCertainChannel, {}, "P[3.1]", ColumnReason::AngleOrLength});
+    add("an angle in millimetres", written({.columns = {{"time", {}}, {"coupler angle (mm)", kTheta}}}),
+        {Kind::NoCertainChannel, {}, "coupler angle (mm)", ColumnReason::UnknownUnit});
     return files;
 }
 

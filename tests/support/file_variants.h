@@ -4,7 +4,7 @@
 // Files as programs and people write them, all of one motion (Table 1 with b = 60, 101 instants of one turn, six
 // significant digits), and files that no reader should take. What tests, and the fuzz target's corpus, share.
 
-#include "core/mechanism/channel.h"
+#include "core/reading/read_fault.h"
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct GoodFile {
 struct BadFile {
     std::string name;
     std::string bytes;
-    std::string reason; ///< part of the sentence
+    ReadFault fault;
 };
 
 std::vector<GoodFile> goodFiles();

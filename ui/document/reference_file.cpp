@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/reference_file.h"
 
-#include "ui/words/core_text.h"
+#include "ui/words/read_fault_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -63,7 +63,7 @@ struct ReferenceFileText {
 
 QString sentenceOf(const ReadError &error, const QString &file)
 {
-    const QString reason = coreText(error.reason);
+    const QString reason = sentenceOf(error.fault);
     if (error.line == 0) {
         return QStringLiteral("%1: %2").arg(file, reason);
     }

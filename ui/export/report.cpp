@@ -2,8 +2,9 @@
 #include "ui/export/report.h"
 
 #include "ui/words/axis_scale.h"
-#include "ui/words/core_text.h"
+#include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 #include "ui/words/written_number.h"
 
 #include <QCoreApplication>
@@ -102,14 +103,10 @@ QString leftOutText(const ReferenceData &data)
     if (!data.skipped.empty()) {
         parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
                      .arg(countText(data.skippedRowCount()), countText(data.skipped.front().line),
-                          QString::fromStdString(data.skipped.front().text), coreText(data.skipped.front().reason));
+                          QString::fromStdString(data.skipped.front().text), reasonOf(data.skipped.front()));
     }
-    if (!data.ignoredColumns.empty()) {
-        QStringList names;
-        for (const std::string &name : data.ignoredColumns) {
-            names << QString::fromStdString(name);
-        }
-        parts << Report::tr("the columns %1").arg(names.join(Report::tr(", ")));
+    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
+        parts << Report::tr("the columns %1").arg(ignored.join(Report::tr(", ")));
     }
     return parts.isEmpty() ? QString() : Report::tr("Left out of the file: %1.").arg(parts.join(Report::tr("; ")));
 }

@@ -7,8 +7,9 @@
 #include "ui/document/diagnosis.h"
 #include "ui/reference/empty_page.h"
 #include "ui/words/axis_scale.h"
-#include "ui/words/core_text.h"
+#include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 #include "ui/words/theme.h"
 #include "ui/words/written_number.h"
 
@@ -84,7 +85,6 @@ struct LeftOut {
 LeftOut leftOutOf(const ReferenceData &data)
 {
     constexpr std::size_t kMostDetails = 12;
-    const auto text = [](const std::string &utf8) { return QString::fromStdString(utf8).toHtmlEscaped(); };
     QStringList parts;
     QStringList details;
     if (!data.skipped.empty()) {
@@ -96,20 +96,16 @@ LeftOut leftOutOf(const ReferenceData &data)
             details << ErrorPanel::tr("Line %1, column %2: “%3” %4")
                            .arg(row.line)
                            .arg(row.column)
-                           .arg(text(row.text), coreText(row.reason));
+                           .arg(textOf(row.text).toHtmlEscaped(), reasonOf(row));
         }
         if (skipped > kMostDetails) {
             details << ErrorPanel::tr("… and %1 more").arg(skipped - kMostDetails);
         }
     }
-    if (!data.ignoredColumns.empty()) {
-        QStringList names;
-        for (const std::string &name : data.ignoredColumns) {
-            names << text(name);
-        }
-        parts << (names.size() == 1 ? ErrorPanel::tr("1 column was ignored")
-                                    : ErrorPanel::tr("%1 columns were ignored").arg(names.size()));
-        details << ErrorPanel::tr("Ignored: %1").arg(names.join(ErrorPanel::tr(", ")));
+    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
+        parts << (ignored.size() == 1 ? ErrorPanel::tr("1 column was ignored")
+                                      : ErrorPanel::tr("%1 columns were ignored").arg(ignored.size()));
+        details << ErrorPanel::tr("Ignored: %1").arg(ignored.join(ErrorPanel::tr(", ")).toHtmlEscaped());
     }
     if (parts.isEmpty()) {
         return {};

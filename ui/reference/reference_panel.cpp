@@ -6,8 +6,8 @@
 #include "ui/controls/paragraph.h"
 #include "ui/reference/empty_page.h"
 #include "ui/words/column_text.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/read_fault_text.h"
 #include "ui/words/theme.h"
 #include "ui/words/written_number.h"
 
@@ -324,7 +324,7 @@ void ReferencePanel::fillSkipped()
         ->setText(tr("Rows left out (%1)").arg(countText(m_reference->data.skippedRowCount())));
     std::vector<TableRow> rows;
     for (const SkippedRow &row : m_reference->data.skipped) {
-        rows.push_back(rowOfTexts({numberOf(row.line), numberOf(row.column), textOf(row.text), coreText(row.reason)}));
+        rows.push_back(rowOfTexts({numberOf(row.line), numberOf(row.column), textOf(row.text), reasonOf(row)}));
     }
     m_skipped->setRows(std::move(rows));
     m_skipped->fitToContents(kAir, kAir);

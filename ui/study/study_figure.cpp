@@ -272,44 +272,32 @@ bool isSolvedThroughout(const MethodResult &row)
 
 MethodKind kindOf(const MethodResult &row)
 {
-    if (row.method.starts_with("newton-dense")) {
-        return MethodKind::NewtonDense;
+    switch (row.method.kind) {
+    case MethodName::Kind::NewtonDense:
+    case MethodName::Kind::NewtonDenseTaylor: return MethodKind::NewtonDense;
+    case MethodName::Kind::NewtonStructured:
+    case MethodName::Kind::NewtonStructuredTaylor: return MethodKind::NewtonStructured;
+    case MethodName::Kind::ClosedForm:
+    case MethodName::Kind::ClosedFormBatch: return MethodKind::ClosedForm;
+    case MethodName::Kind::FiniteDifference:
+    case MethodName::Kind::Harmonics: return MethodKind::Approximation;
     }
-    if (row.method.starts_with("newton")) {
-        return MethodKind::NewtonStructured;
-    }
-    return row.method.starts_with("closed-form") ? MethodKind::ClosedForm : MethodKind::Approximation;
+    return {};
 }
 
 QString titleOf(const MethodResult &row)
 {
-    const std::string &name = row.method;
-    if (name == "newton-dense") {
-        return StudyFigureText::tr("Newton dense (report)");
+    switch (row.method.kind) {
+    case MethodName::Kind::NewtonDense: return StudyFigureText::tr("Newton dense (report)");
+    case MethodName::Kind::NewtonDenseTaylor: return StudyFigureText::tr("Newton dense, Taylor");
+    case MethodName::Kind::NewtonStructured: return StudyFigureText::tr("Newton structured");
+    case MethodName::Kind::NewtonStructuredTaylor: return StudyFigureText::tr("Newton structured, Taylor");
+    case MethodName::Kind::ClosedForm: return StudyFigureText::tr("closed form");
+    case MethodName::Kind::ClosedFormBatch: return StudyFigureText::tr("closed form, batch");
+    case MethodName::Kind::FiniteDifference: return StudyFigureText::tr("differences");
+    case MethodName::Kind::Harmonics: return StudyFigureText::tr("%1 harmonics").arg(row.method.harmonics);
     }
-    if (name == "newton-dense-taylor") {
-        return StudyFigureText::tr("Newton dense, Taylor");
-    }
-    if (name == "newton-structured") {
-        return StudyFigureText::tr("Newton structured");
-    }
-    if (name == "newton-structured-taylor") {
-        return StudyFigureText::tr("Newton structured, Taylor");
-    }
-    if (name == "closed-form") {
-        return StudyFigureText::tr("closed form");
-    }
-    if (name == "closed-form-batch") {
-        return StudyFigureText::tr("closed form, batch");
-    }
-    if (name == "finite-difference") {
-        return StudyFigureText::tr("differences");
-    }
-    constexpr std::string_view kHarmonic = "harmonic-";
-    if (name.starts_with(kHarmonic)) {
-        return StudyFigureText::tr("%1 harmonics").arg(QString::fromStdString(name.substr(kHarmonic.size())));
-    }
-    return QString::fromStdString(name);
+    return {};
 }
 
 QString descriptionOf(const MethodResult &row)

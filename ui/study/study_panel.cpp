@@ -6,8 +6,8 @@
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
 #include "ui/words/axis_scale.h"
-#include "ui/words/core_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/study_text.h"
 #include "ui/words/written_number.h"
 
 #include <QComboBox>
@@ -345,7 +345,7 @@ void StudyPanel::showResult()
     const QSignalBlocker quiet(m_cases);
     m_cases->clear();
     for (const CaseResult &which : m_result->cases) {
-        m_cases->addItem(coreNames(which.name));
+        m_cases->addItem(caseText(which.traits));
     }
     showCase();
 }
@@ -402,11 +402,11 @@ void StudyPanel::showSummary()
             text += tr(" (cancelled)");
         }
         const CaseResult *which = shownCase();
-        const bool ofThisMechanism = which && which->name == studyCase(which->parameters).name;
+        const bool ofThisMechanism = which && which->traits == studyCase(which->parameters).traits;
         if (ofThisMechanism && which->parameters != m_parameters) {
             text += tr(". The mechanism has changed since: run again");
         }
-        text += tr(". Times of %1").arg(coreNames(m_result->machine));
+        text += tr(". Times of %1").arg(machineText(m_result->machine));
     }
     m_summary->setText(text);
     m_summary->setToolTip(text);
@@ -430,7 +430,7 @@ std::optional<QString> StudyPanel::exportPicture(const QString &path) const
         return tr("There is nothing to export yet: run the study first.");
     }
     const SeriesColours light = seriesColours(paletteFor(Theme::Light));
-    return exportFigure(path, {kExportSize, 2.0}, tr("Speed and accuracy: %1").arg(coreNames(which->name)),
+    return exportFigure(path, {kExportSize, 2.0}, tr("Speed and accuracy: %1").arg(caseText(which->traits)),
                         [&](QPainter &painter, const QSize &size) { drawStudy(painter, size, *which, light); });
 }
 

@@ -4,7 +4,6 @@
 #include "ui/words/finding_text.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 namespace slidercrank
 {
@@ -56,6 +55,17 @@ QString headingText(const FileLayout &layout, std::size_t column)
 {
     const QString heading = textOf(layout.columns[column].heading);
     return heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading;
+}
+
+QStringList ignoredHeadings(const FileLayout &layout)
+{
+    QStringList headings;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        if (layout.columns[i].role == ColumnRole::Ignored) {
+            headings += headingText(layout, i);
+        }
+    }
+    return headings;
 }
 
 QString meaningText(const FileColumn &column)

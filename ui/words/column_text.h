@@ -7,6 +7,7 @@
 #include "core/reading/rounding.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace slidercrank
 {
@@ -15,6 +16,9 @@ QString textOf(std::string_view utf8);
 
 /// As printed; "column 3" where nothing is.
 QString headingText(const FileLayout &layout, std::size_t column);
+
+/// Of the columns that mean no channel, or hold no number.
+QStringList ignoredHeadings(const FileLayout &layout);
 
 /// "time", "θ³", or a dash for a column that is ignored.
 QString meaningText(const FileColumn &column);

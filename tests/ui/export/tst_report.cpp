@@ -182,8 +182,10 @@ private slots:
     {
         auto reference = std::make_shared<Reference>(*sampleFile());
         QVERIFY(!allText(reportOf(contentWith(60.0, reference))).contains("Left out"));
-        reference->data.skipped.push_back({17, 2, "oops", "not a number"});
-        reference->data.ignoredColumns = {"colour", "taste"};
+        reference->data.skipped.push_back({17, 2, "oops", RowFault::NotANumber});
+        for (const char *heading : {"colour", "taste"}) {
+            reference->data.layout.columns.emplace_back().heading = heading;
+        }
         const QString text = allText(reportOf(contentWith(60.0, reference)));
         QVERIFY2(text.contains("Left out of the file: 1 rows, the first in line 17 (\"oops\": not a number); the "
                                "columns colour, taste."),

@@ -306,8 +306,8 @@ private slots:
     {
         auto result = resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)});
         auto reference = std::make_shared<Reference>(*result->reference);
-        reference->data.skipped = {{12, 3, "a<b", "is not a number"}, {15, 1, "", "is empty"}};
-        reference->data.ignoredColumns = {"force"};
+        reference->data.skipped = {{12, 3, "a<b", RowFault::NotANumber}, {15, 1, "", RowFault::NoTime}};
+        reference->data.layout.columns.emplace_back().heading = "force";
         result->reference = reference;
         ErrorPanel panel;
         panel.show();

@@ -50,7 +50,7 @@ std::shared_ptr<Reference> referenceOf(const QByteArray &bytes)
     if (ReferenceData *data = std::get_if<ReferenceData>(&outcome)) {
         reference->data = std::move(*data);
     } else {
-        qFatal("%s", std::get<ReadError>(outcome).reason.c_str());
+        qFatal("cannot be read");
     }
     return reference;
 }

@@ -42,8 +42,7 @@ void runOnce(StudyPanel &panel)
 CaseResult smallCase()
 {
     CaseResult result;
-    result.name = "small";
-    const auto add = [&](const char *method, double time, double error) {
+    const auto add = [&](MethodName method, double time, double error) {
         MethodResult row;
         row.method = method;
         row.nsPerState = time;
@@ -53,10 +52,10 @@ CaseResult smallCase()
         row.silentFailures = 0;
         result.methods.push_back(row);
     };
-    add("newton-dense", 3000.0, 3e-15);
-    add("closed-form", 50.0, 5e-16);
-    add("closed-form-batch", 5.0, 0.0);
-    add("harmonic-2", 40.0, 0.1);
+    add({MethodName::Kind::NewtonDense}, 3000.0, 3e-15);
+    add({MethodName::Kind::ClosedForm}, 50.0, 5e-16);
+    add({MethodName::Kind::ClosedFormBatch}, 5.0, 0.0);
+    add({MethodName::Kind::Harmonics, 2}, 40.0, 0.1);
     return result;
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A text's table with what each column of it is: all that there is to know before the rows are read.
+
+#include "core/reading/reference_data.h"
+#include "core/reading/table_layout.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// What a column's cells are.
+struct TableColumn {
+    ColumnRole role = ColumnRole::Ignored;
+    std::size_t series = 0; ///< its place in TableLayout::channels
+    double factor = 1.0;    ///< of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s
+};
+
+struct TableLayout {
+    Table table;
+    std::vector<TableColumn> columns;
+    std::vector<Channel> channels;
+    std::size_t timeColumn = 0;
+    bool isSampled = false; ///< names did not tell all: values from all over the table were asked
+};
+
+/// Of any bytes, or of those that a file begins with. Where they are not UTF-8, `converted` holds the text that the
+/// table refers to. The error has the table's layout, if there is one, for a person to choose from.
+std::variant<TableLayout, ReadError> layOut(std::string_view bytes, std::string &converted, const ReadOptions &options);
+
+} // namespace slidercrank

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/words/read_fault_text.h"
+
+#include "ui/words/column_text.h"
+
+#include <QCoreApplication>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct ReadFaultText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ReadFaultText)
+
+public:
+    /// In English, to be translated; %1 stands for the rows below.
+    static const char *clauseOf(RowFault fault)
+    {
+        switch (fault) {
+        case RowFault::NotANumber: return QT_TR_NOOP("not a number");
+        case RowFault::TooLarge: return QT_TR_NOOP("not a number: too large");
+        case RowFault::PointForComma: return QT_TR_NOOP("not a number: this file writes a decimal comma");
+        case RowFault::CommaForPoint: return QT_TR_NOOP("not a number: this file writes a decimal point");
+        case RowFault::OpenQuotation: return QT_TR_NOOP("a quotation mark that is not closed at the end of the cell");
+        case RowFault::TooManyCells: return QT_TR_NOOP("too many cells");
+        case RowFault::TooFewCells: return QT_TR_NOOP("too few cells");
+        case RowFault::NoTime: return QT_TR_NOOP("no time");
+        case RowFault::NotListed: return QT_TR_NOOP("this line and %1 more below it cannot be read either");
+        }
+        return "";
+    }
+};
+
+/// With how many rows the clause speaks of, if it does.
+QString counted(const QString &clause, const SkippedRow &row)
+{
+    return row.fault == RowFault::NotListed ? clause.arg(row.rows - 1) : clause;
+}
+
+/// Why a column whose name suggests a channel is none.
+QString clauseOf(ColumnReason reason)
+{
+    switch (reason) {
+    case ColumnReason::LikeOther: return ReadFaultText::tr("another column could be the same quantity");
+    case ColumnReason::NotDerivative: return ReadFaultText::tr("its values are not the derivative that its name says");
+    case ColumnReason::AngleOrLength:
+        return ReadFaultText::tr("neither its unit nor its values tell an angle from a length");
+    case ColumnReason::UnknownUnit:
+    default: return ReadFaultText::tr("its unit is not known or does not suit the quantity");
+    }
+}
+
+} // namespace
+
+QString reasonOf(const SkippedRow &row)
+{
+    return counted(ReadFaultText::tr(ReadFaultText::clauseOf(row.fault)), row);
+}
+
+QString englishReasonOf(const SkippedRow &row)
+{
+    return counted(QString::fromUtf8(ReadFaultText::clauseOf(row.fault)), row);
+}
+
+QString sentenceOf(const ReadFault &fault)
+{
+    using Kind = ReadFault::Kind;
+    switch (fault.kind) {
+    case Kind::Empty:
+        return ReadFaultText::tr(
+            "The file is empty: it needs a line with the names of the columns, and numbers below.");
+    case Kind::Spreadsheet:
+        return ReadFaultText::tr("The file is a spreadsheet or an archive, not text: save the table as CSV.");
+    case Kind::Pdf: return ReadFaultText::tr("The file is a PDF document, not a table: export the table as CSV.");
+    case Kind::Markup:
+        return ReadFaultText::tr("The file is HTML or XML, not a table of text: export the table as CSV.");
+    case Kind::NotText: return ReadFaultText::tr("the file holds bytes that are not text: export the table as CSV.");
+    case Kind::UnitsContradict:
+        return ReadFaultText::tr("the line of units contradicts the heading, %1: correct one of the two.")
+            .arg(textOf(fault.heading));
+    case Kind::NamesMissing:
+        return ReadFaultText::tr("numbers stand where the names of the columns should: put a line such as "
+                                 "time,theta3,R4_x above them.");
+    case Kind::UnknownUnit:
+        return (isAngle(fault.channel.coordinate)
+                    ? ReadFaultText::tr("the unit is not known or does not suit the quantity: write for example [%1], "
+                                        "rad in its place, or none.")
+                    : ReadFaultText::tr("the unit is not known or does not suit the quantity: write for example [%1], "
+                                        "m, cm or in in its place, or none."))
+            .arg(textOf(authorUnitOf(fault.channel)));
+    case Kind::UnknownTimeUnit:
+        return ReadFaultText::tr("the unit of the time is not known: write [s] or [ms], or none for seconds.");
+    case Kind::ChannelTwice: return ReadFaultText::tr("there is a column of that name already: keep one of the two.");
+    case Kind::TimeTwice: return ReadFaultText::tr("there is a time column already: keep one of the two.");
+    case Kind::ChannelChosenTwice:
+        return ReadFaultText::tr("two columns are chosen as %1: keep one of the two.")
+            .arg(textOf(nameOf(fault.channel)));
+    case Kind::TimeChosenTwice: return ReadFaultText::tr("two columns are chosen as the time: keep one of the two.");
+    case Kind::NoTime: return ReadFaultText::tr("there is no time column: name the column of the instants \"time\".");
+    case Kind::NoChannel:
+        return ReadFaultText::tr("no column beside the time has a known name: name them as in theta3, theta3_diff, "
+                                 "theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.");
+    case Kind::NoCertainChannel:
+        return ReadFaultText::tr("no column beside the time can be told for certain (%1: %2): name them as in theta3, "
+                                 "theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.")
+            .arg(textOf(fault.heading), clauseOf(fault.column));
+    case Kind::NoNumbers: return ReadFaultText::tr("there are no numbers below the names of the columns.");
+    case Kind::NoRow:
+        return ReadFaultText::tr("no row can be read; here the reason is: %1. Numbers look like 0.005, or like 0,005 "
+                                 "where semicolons or tabs separate the columns.")
+            .arg(ReadFaultText::tr(ReadFaultText::clauseOf(fault.row)));
+    case Kind::NoValues: return ReadFaultText::tr("no column beside the time holds a number.");
+    case Kind::TimeNotRising:
+        return ReadFaultText::tr("the time does not increase from the row before: sort the rows by time and keep one "
+                                 "of each instant.");
+    case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
+    }
+    return {};
+}
+
+} // namespace slidercrank
