@@ -288,7 +288,7 @@ void tst_closed_form::isExactUpToARockersLimits()
     constexpr double kNearTheLimit = 1e-4;
     constexpr double kAtTheLimit = 1e-30; // of the reach: what an angle in two parts cannot tell from the limit
     const double reach = parameters.a + parameters.b + std::abs(parameters.c);
-    const Case which{"", parameters, {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
+    const Case which{{}, parameters, {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
 
     // A whole turn, both sides of each limit, and the doubles around it: of t, and of θ20 at t = 0.
     std::vector<std::pair<Parameters, double>> places;
