@@ -626,7 +626,7 @@ private slots:
         QVERIFY(!named<QAbstractButton>(window, "loopButton")->isChecked());
         QCOMPARE(window.findChild<Timeline *>()->speed(), 5.0);
         QVERIFY(window.findChild<Timeline *>()->isPlaying());
-        QCOMPARE(named<QSplitter>(window, "columns")->sizes(), sizes);
+        QTRY_COMPARE(named<QSplitter>(window, "columns")->sizes(), sizes);
         QCOMPARE(window.focusWidget(), named<QComboBox>(window, "speedBox"));
         window.findChild<FoldingTabs *>()->setFolded(true);
         speak(Language::English);
