@@ -3,6 +3,8 @@
 
 // Where a subcommand writes: a file, whole or not at all; standard output; or what is no plain file (a device, a pipe).
 
+#include "app/command_line.h"
+
 #include <QByteArray>
 #include <QFile>
 #include <QSaveFile>
