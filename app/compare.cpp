@@ -55,7 +55,7 @@ QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
     for (const FileColumn &column : data.layout.columns) {
         if (column.role == ColumnRole::Ignored) {
             const auto number = std::to_string(&column - data.layout.columns.data() + 1);
-            ignored += jsonString(textOf(column.heading.empty() ? "column " + number : column.heading));
+            ignored += jsonString(QString::fromUtf8(column.heading.empty() ? "column " + number : column.heading));
         }
     }
     return "{\"file\":" + jsonString(compared.file) + ",\"mechanism\":" + jsonMechanism(mechanism) +

@@ -38,10 +38,7 @@ QString roleName(const ColumnChoice &choice)
     switch (choice.role) {
     case ColumnRole::Ignored: return QStringLiteral("ignored");
     case ColumnRole::Time: return QStringLiteral("time");
-    case ColumnRole::Channel: {
-        const std::string_view name = nameOf(choice.channel);
-        return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
-    }
+    case ColumnRole::Channel: return QString::fromUtf8(nameOf(choice.channel));
     }
     return {};
 }

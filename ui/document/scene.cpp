@@ -62,11 +62,6 @@ QString wordOf(const std::array<Word<Value>, count> &words, Value value)
     return {};
 }
 
-QString toQString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 // Writing
 
 QJsonValue jsonOf(const std::optional<Interval> &interval)
@@ -86,7 +81,7 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
 {
     QJsonArray columns;
     for (const ColumnChoice &choice : reference.columns) {
-        QString use = toQString(nameOf(choice.channel));
+        QString use = QString::fromUtf8(nameOf(choice.channel));
         if (choice.role != ColumnRole::Channel) {
             use = choice.role == ColumnRole::Time ? QStringLiteral("time") : QStringLiteral("ignored");
         }
@@ -98,7 +93,7 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
     for (const Convention &convention : reference.conventions) {
         QJsonArray channels;
         for (const Channel channel : convention.channels) {
-            channels += toQString(nameOf(channel));
+            channels += QString::fromUtf8(nameOf(channel));
         }
         conventions += QJsonObject{{QStringLiteral("kind"), wordOf(kConventions, convention.kind)},
                                    {QStringLiteral("channels"), channels},

@@ -16,8 +16,7 @@ QString plotName(std::size_t plot)
     if (isErrorPlot(plot)) {
         return kErrors[plot / kPlotColumns];
     }
-    const std::string_view name = nameOf(kPlottedChannels[channelOf(plot)]);
-    return QStringLiteral("plot_") + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    return QStringLiteral("plot_") + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
 }
 
 } // namespace slidercrank

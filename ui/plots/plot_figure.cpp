@@ -163,8 +163,7 @@ QString quantity(std::size_t channel)
 
 QString channelUnit(std::size_t channel)
 {
-    const std::string_view unit = authorUnitOf(kPlottedChannels[channel]);
-    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+    return QString::fromUtf8(authorUnitOf(kPlottedChannels[channel]));
 }
 
 ShownData::ShownData(const Result &result, const PlotSettings &shown)

@@ -171,7 +171,7 @@ void fillUnits(QComboBox &combo, int meaning, const FileColumn &column)
         }
     }
     combo.addItem(column.unit.empty() ? ColumnMapping::tr("none given: %1").arg(author)
-                                      : ColumnMapping::tr("as printed: %1").arg(textOf(column.unit)),
+                                      : ColumnMapping::tr("as printed: %1").arg(QString::fromUtf8(column.unit)),
                   QString());
     for (const QString &unit : units) {
         combo.addItem(unit, unit);
@@ -186,7 +186,7 @@ QString firstValues(const FileLayout &layout, std::size_t column)
     QStringList values;
     for (std::size_t row = 0; row < std::min(kValues, layout.rows.size()); ++row) {
         if (column < layout.rows[row].size()) {
-            values << textOf(layout.rows[row][column]);
+            values << QString::fromUtf8(layout.rows[row][column]);
         }
     }
     return values.join(QStringLiteral("  "));

@@ -96,7 +96,7 @@ LeftOut leftOutOf(const ReferenceData &data)
             details << ErrorPanel::tr("Line %1, column %2: “%3” %4")
                            .arg(row.line)
                            .arg(row.column)
-                           .arg(textOf(row.text).toHtmlEscaped(), reasonOf(row));
+                           .arg(QString::fromUtf8(row.text).toHtmlEscaped(), reasonOf(row));
         }
         if (skipped > kMostDetails) {
             details << ErrorPanel::tr("… and %1 more").arg(skipped - kMostDetails);

@@ -324,7 +324,8 @@ void ReferencePanel::fillSkipped()
         ->setText(tr("Rows left out (%1)").arg(countText(m_reference->data.skippedRowCount())));
     std::vector<TableRow> rows;
     for (const SkippedRow &row : m_reference->data.skipped) {
-        rows.push_back(rowOfTexts({numberOf(row.line), numberOf(row.column), textOf(row.text), reasonOf(row)}));
+        rows.push_back(
+            rowOfTexts({numberOf(row.line), numberOf(row.column), QString::fromUtf8(row.text), reasonOf(row)}));
     }
     m_skipped->setRows(std::move(rows));
     m_skipped->fitToContents(kAir, kAir);

@@ -46,14 +46,9 @@ QString otherHeading(const FileLayout &layout, std::size_t column)
 
 } // namespace
 
-QString textOf(std::string_view utf8)
-{
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
-
 QString headingText(const FileLayout &layout, std::size_t column)
 {
-    const QString heading = textOf(layout.columns[column].heading);
+    const QString heading = QString::fromUtf8(layout.columns[column].heading);
     return heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading;
 }
 
@@ -81,12 +76,13 @@ QString meaningText(const FileColumn &column)
 QString unitText(const FileColumn &column)
 {
     if (!column.unit.empty()) {
-        return textOf(column.unit);
+        return QString::fromUtf8(column.unit);
     }
     switch (column.role) {
     case ColumnRole::Ignored: return QStringLiteral("–");
     case ColumnRole::Time: return ColumnText::tr("s (none given)");
-    case ColumnRole::Channel: return ColumnText::tr("%1 (none given)").arg(textOf(authorUnitOf(column.channel)));
+    case ColumnRole::Channel:
+        return ColumnText::tr("%1 (none given)").arg(QString::fromUtf8(authorUnitOf(column.channel)));
     }
     return {};
 }

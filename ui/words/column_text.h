@@ -12,8 +12,6 @@
 namespace slidercrank
 {
 
-QString textOf(std::string_view utf8);
-
 /// As printed; "column 3" where nothing is.
 QString headingText(const FileLayout &layout, std::size_t column);
 

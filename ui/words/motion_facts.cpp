@@ -240,8 +240,7 @@ QString peakName(Channel channel)
 
 QString peakText(Channel channel, double value)
 {
-    const std::string_view unit = authorUnitOf(channel);
-    return amount(inAuthorUnit(channel, value), QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
+    return amount(inAuthorUnit(channel, value), QString::fromUtf8(authorUnitOf(channel)));
 }
 
 void addPeak(FactList &list, const Peak &peak)

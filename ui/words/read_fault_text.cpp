@@ -79,7 +79,7 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::NotText: return ReadFaultText::tr("the file holds bytes that are not text: export the table as CSV.");
     case Kind::UnitsContradict:
         return ReadFaultText::tr("the line of units contradicts the heading, %1: correct one of the two.")
-            .arg(textOf(fault.heading));
+            .arg(QString::fromUtf8(fault.heading));
     case Kind::NamesMissing:
         return ReadFaultText::tr("numbers stand where the names of the columns should: put a line such as "
                                  "time,theta3,R4_x above them.");
@@ -89,14 +89,14 @@ QString sentenceOf(const ReadFault &fault)
                                         "rad in its place, or none.")
                     : ReadFaultText::tr("the unit is not known or does not suit the quantity: write for example [%1], "
                                         "m, cm or in in its place, or none."))
-            .arg(textOf(authorUnitOf(fault.channel)));
+            .arg(QString::fromUtf8(authorUnitOf(fault.channel)));
     case Kind::UnknownTimeUnit:
         return ReadFaultText::tr("the unit of the time is not known: write [s] or [ms], or none for seconds.");
     case Kind::ChannelTwice: return ReadFaultText::tr("there is a column of that name already: keep one of the two.");
     case Kind::TimeTwice: return ReadFaultText::tr("there is a time column already: keep one of the two.");
     case Kind::ChannelChosenTwice:
         return ReadFaultText::tr("two columns are chosen as %1: keep one of the two.")
-            .arg(textOf(nameOf(fault.channel)));
+            .arg(QString::fromUtf8(nameOf(fault.channel)));
     case Kind::TimeChosenTwice: return ReadFaultText::tr("two columns are chosen as the time: keep one of the two.");
     case Kind::NoTime: return ReadFaultText::tr("there is no time column: name the column of the instants \"time\".");
     case Kind::NoChannel:
@@ -105,7 +105,7 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::NoCertainChannel:
         return ReadFaultText::tr("no column beside the time can be told for certain (%1: %2): name them as in theta3, "
                                  "theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.")
-            .arg(textOf(fault.heading), clauseOf(fault.column));
+            .arg(QString::fromUtf8(fault.heading), clauseOf(fault.column));
     case Kind::NoNumbers: return ReadFaultText::tr("there are no numbers below the names of the columns.");
     case Kind::NoRow:
         return ReadFaultText::tr("no row can be read; here the reason is: %1. Numbers look like 0.005, or like 0,005 "

@@ -18,7 +18,7 @@ struct StudyText {
 
 QString traitText(const CaseTrait &trait)
 {
-    const QString value = textOf(trait.value);
+    const QString value = QString::fromUtf8(trait.value);
     switch (trait.kind) {
     case CaseTrait::Kind::Formula: return value;
     case CaseTrait::Kind::ReportTable: return StudyText::tr("Table 1 of the report");
@@ -56,10 +56,10 @@ QString caseText(const std::vector<CaseTrait> &traits)
 
 QString machineText(const Machine &machine)
 {
-    QStringList parts{machine.processor.empty() ? StudyText::tr("other") : textOf(machine.processor),
+    QStringList parts{machine.processor.empty() ? StudyText::tr("other") : QString::fromUtf8(machine.processor),
                       StudyText::tr("%1 threads").arg(machine.threads)};
     if (!machine.compiler.empty()) {
-        parts += textOf(machine.compiler);
+        parts += QString::fromUtf8(machine.compiler);
     }
     if (!machine.isOptimized) {
         parts += StudyText::tr("not optimized");
