@@ -348,7 +348,7 @@ Samples samplesOf(const Courses &courses, bool theta3, bool R4x)
         }
     }
     Samples samples;
-    for (const std::size_t row : spread(rows, kMostRows)) {
+    for (const std::size_t row : thinned(rows, kMostRows)) {
         samples.time.push_back(courses.time[row]);
         if (theta3) {
             samples.theta3.push_back(courses.theta3->values[row]);
