@@ -11,17 +11,16 @@ MotionConstants motionConstants(const Mechanism &mechanism)
 {
     const Clearance lengths(mechanism);
     const bool open = mechanism.branch() == Branch::Open;
-    constexpr double kSplitter = 134217729.0; // 2^27 + 1
-    constexpr double kLargestAngle = 1.6e6;   // rad: what the kernel can reduce
-    constexpr double kLatest = 1e290;         // s: what can be split
+    constexpr double kLargestAngle = 1.6e6; // rad: what the kernel can reduce
+    constexpr double kLatest = 1e290;       // s: what can be split
     const double omega = mechanism.omega2();
-    const double scaled = kSplitter * lengths.side() * omega;
+    const TwoPart sideOmega = split(lengths.side() * omega);
     const double angleLeft = kLargestAngle - std::abs(mechanism.theta20());
 
     MotionConstants k;
     k.sideOmega = lengths.side() * omega;
-    k.sideOmegaUpper = scaled - (scaled - k.sideOmega);
-    k.sideOmegaLower = k.sideOmega - k.sideOmegaUpper;
+    k.sideOmegaUpper = sideOmega.hi;
+    k.sideOmegaLower = sideOmega.lo;
     k.sideTheta20 = lengths.side() * mechanism.theta20();
     k.latest = angleLeft < std::abs(omega) * kLatest ? angleLeft / std::abs(omega) : kLatest;
     k.scale = lengths.scale();

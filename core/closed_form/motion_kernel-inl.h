@@ -86,7 +86,7 @@ HWY_INLINE void exactTurn(D d, const MotionConstants &k, V t, V &product, V &err
 #else
     const V upper = hn::Set(d, k.sideOmegaUpper);
     const V lower = hn::Set(d, k.sideOmegaLower);
-    const V scaled = hn::Mul(hn::Set(d, 134217729.0), t); // 2^27 + 1
+    const V scaled = hn::Mul(hn::Set(d, kSplitter), t);
     const V tUpper = hn::Sub(scaled, hn::Sub(scaled, t));
     const V tLower = hn::Sub(t, tUpper);
     const V left = hn::Add(hn::Sub(hn::Mul(upper, tUpper), product), hn::Mul(upper, tLower));

@@ -14,14 +14,19 @@
 //     started late      t → t + τ                θ20 + ω2 τ
 //     timed otherwise   t → f t and every derivative by its power of f     ω2 / f
 //
-// (θ and x with their derivatives; θ up to whole turns; of θ alone, the crank reversed: ω2 → -ω2, θ20 → 180° - θ20).
-// So the sense of rotation, the length unit of the whole file, the instants and derivatives per millisecond, a late
-// start and the other assembly are found only where the file agrees with the mechanism at hand; where it does not, they
-// are taken for another mechanism and no finding. And without the mechanism at hand, θ turned by 180° and x negated are
-// one fault with two names: the name is then the one that brings the data nearer to the mechanism at hand if it
-// resembles it, else the half turn. In a file of θ̇3 and θ̈3 only, the other assembly is the other sign, and named so;
-// where one of two columns is negated, it is the derivative. A crossed mechanism's angles negated are its mirror
-// image's less a whole turn, and named so.
+// θ and x with their derivatives, θ up to whole turns; and of θ alone
+//
+//     crank reversed     θ → θ                   ω2 → -ω2, θ20 → 180° - θ20
+//
+// So the sense of rotation, the length unit of the whole file, instants and derivatives per millisecond, a late start
+// and the other assembly are found only where the file agrees with the mechanism at hand; where it does not, they are
+// taken for another mechanism and no finding. And some faults have two names:
+//
+//     θ turned by 180°, or x negated (without the mechanism at hand): what brings the data nearer to the mechanism at
+//         hand if it resembles it, else the half turn
+//     the other assembly, or the other sign, in a file of θ̇3 and θ̈3 only: the sign
+//     one of two columns negated, or the other: the derivative
+//     a crossed mechanism's angles negated, or its mirror image's less a whole turn: the latter
 //
 // A finding makes the error at least twenty times smaller, and leaves the file's rounding or at most 1 % of how much
 // the column varies. A derivative is none when it is farther off than that from the motion that all other columns agree

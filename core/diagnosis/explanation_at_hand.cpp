@@ -4,9 +4,12 @@
 #include "core/diagnosis/column_reading.h"
 #include "core/identification/round_numbers.h"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 
@@ -25,33 +28,13 @@ constexpr int kPhases = 128;
 /// A column is the motion with a shift when its root mean square error is no larger, as part of how much it varies.
 constexpr double kLikely = 0.05;
 
-/// Where f is least between the two, if it has one minimum there. Source: J. Kiefer, "Sequential minimax search for a
-/// maximum", 1953 (golden section).
+/// Where f is least between the two, if it has one minimum there.
 template <class Function>
 double minimumBetween(double low, double high, Function f)
 {
-    constexpr int kSteps = 32; // a millionth of the way: no finer can be seen in f
-    const double ratio = 1.0 / std::numbers::phi;
-    double left = high - ratio * (high - low);
-    double right = low + ratio * (high - low);
-    double atLeft = f(left);
-    double atRight = f(right);
-    for (int i = 0; i < kSteps; ++i) {
-        if (atLeft <= atRight) {
-            high = right;
-            right = left;
-            atRight = atLeft;
-            left = high - ratio * (high - low);
-            atLeft = f(left);
-        } else {
-            low = left;
-            left = right;
-            atLeft = atRight;
-            right = low + ratio * (high - low);
-            atRight = f(right);
-        }
-    }
-    return 0.5 * (low + high);
+    constexpr int kBits = 26; // no finer can be seen in f
+    std::uintmax_t most = 50;
+    return boost::math::tools::brent_find_minima(f, low, high, kBits, most).first;
 }
 
 Parameters started(Parameters parameters, double shift)

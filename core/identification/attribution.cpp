@@ -77,8 +77,8 @@ std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &m
     const FitUnits units = unitsFor(data, supply, mechanism.a());
     const Parameters given = units.toFit(mechanism.parameters());
     const Courses courses = coursesOf(data, supply, units);
-    const Observations few = observe(data, units, spread(rowsBefore(supply.rows, courses.endRow), kSearchRows));
-    const Observations all = observe(data, units, spread(supply.rows, kFitRows));
+    const Observations few = observe(data, units, thinned(rowsBefore(supply.rows, courses.endRow), kSearchRows));
+    const Observations all = observe(data, units, thinned(supply.rows, kFitRows));
     const double before = misfit(all, given);
 
     std::vector<Attribution> attributions;

@@ -188,7 +188,7 @@ double rmsInSteps(Observations observations, const Parameters &parameters)
 bool moves(const Observations &observations)
 {
     return std::any_of(observations.channels.begin(), observations.channels.end(), [](const ObservedChannel &channel) {
-        return channel.spread > *std::max_element(channel.steps.begin(), channel.steps.end());
+        return channel.deviation > *std::max_element(channel.steps.begin(), channel.steps.end());
     });
 }
 
@@ -197,7 +197,7 @@ Fit fitToFew(const ReferenceData &data, const FitUnits &units, const Supply &sup
              const Parameters &given, const FreeParameters &isFree, const std::stop_token &stop)
 {
     const std::span<const std::size_t> rows = rowsBefore(supply.rows, courses.endRow);
-    const Observations few = lowestOrders(observe(data, units, spread(rows, kScreeningRows)));
+    const Observations few = lowestOrders(observe(data, units, thinned(rows, kScreeningRows)));
     std::vector<Parameters> starts = startsFrom(courses, likelySpeeds(courses), given.a);
     starts.push_back(given);
     const Fit first = screened(few, starts, isFree, stop);
@@ -211,7 +211,7 @@ Fit fitToFew(const ReferenceData &data, const FitUnits &units, const Supply &sup
         for (std::size_t i = 0, count = speeds.size(); i < count; ++i) {
             speeds.push_back(0.5 * speeds[i]);
         }
-        const Observations fewer = lowestOrders(observe(data, units, spread(rows, kGridRows)));
+        const Observations fewer = lowestOrders(observe(data, units, thinned(rows, kGridRows)));
         const bool bothDirections = supply.has(Theta3) && supply.has(R4x);
         starts = startsFromGrid(fewer, speeds, bothDirections, given.a, stop);
     }
@@ -286,7 +286,7 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
     }
     FitUnits units = unitsFor(data, supply, start.a());
     units.origin = 0.5 * (data.time[supply.rows.front()] + data.time[supply.rows.back()]);
-    Observations all = observe(data, units, spread(supply.rows, kMostFitRows));
+    Observations all = observe(data, units, thinned(supply.rows, kMostFitRows));
     if (!moves(all)) {
         return endedBy(IdentificationStatus::NothingMoves);
     }

@@ -284,7 +284,7 @@ Fit fitGrowing(const ReferenceData &data, const FitUnits &units, const Supply &s
     for (std::size_t count = rowsBefore(rows, end).size(); count < rows.size() || iterations == 0;) {
         count = std::min(kGrowth * count, rows.size());
         const std::size_t most = count == rows.size() ? kMostFitRows : kRowsOnTheWay;
-        const Observations more = lowestOrders(observe(data, units, spread(rows.first(count), most)));
+        const Observations more = lowestOrders(observe(data, units, thinned(rows.first(count), most)));
         result = fit(more, result.parameters, isFree, kMostIterations, stop);
         iterations += result.iterations;
         if (result.stopped || !std::isfinite(result.rms)) {

@@ -2,9 +2,11 @@
 #include "core/identification/motion_start.h"
 
 #include <Eigen/QR>
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -293,35 +295,18 @@ Candidate fromR4x(const Samples &samples, double speed, Order order)
     return {speed, misfit, {a, b, c, speed, std::atan2(v, u), R >= 0.0 ? Branch::Open : Branch::Crossed}};
 }
 
-// ---- the search over the speed
-// -----------------------------------------------------------------------------------------------------
+// ---- the search over the speed -------------------------------------------------------------------------------------
 
 using Route = std::function<Candidate(double speed)>;
 
-/// Golden section between two speeds.
-Candidate refined(const Route &route, double from, double to, Candidate best)
+/// The best between two speeds.
+Candidate refined(const Route &route, double from, double to, const Candidate &best)
 {
-    constexpr int kSections = 12;
-    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-    Candidate left = route(to - golden * (to - from));
-    Candidate right = route(from + golden * (to - from));
-    for (int i = 0; i < kSections; ++i) {
-        if (left.misfit < right.misfit) {
-            to = right.speed;
-            right = left;
-            left = route(to - golden * (to - from));
-        } else {
-            from = left.speed;
-            left = right;
-            right = route(from + golden * (to - from));
-        }
-    }
-    for (const Candidate &candidate : {left, right}) {
-        if (candidate.misfit < best.misfit) {
-            best = candidate;
-        }
-    }
-    return best;
+    constexpr int kBits = 16; // a fit does the rest
+    std::uintmax_t most = 14;
+    const auto misfitAt = [&](double speed) { return route(speed).misfit; };
+    const Candidate found = route(boost::math::tools::brent_find_minima(misfitAt, from, to, kBits, most).first);
+    return found.misfit < best.misfit ? found : best;
 }
 
 /// The best few of the local minima over the speed.
@@ -363,7 +348,7 @@ Samples samplesOf(const Courses &courses, bool theta3, bool R4x)
         }
     }
     Samples samples;
-    for (const std::size_t row : spread(rows, kMostRows)) {
+    for (const std::size_t row : thinned(rows, kMostRows)) {
         samples.time.push_back(courses.time[row]);
         if (theta3) {
             samples.theta3.push_back(courses.theta3->values[row]);

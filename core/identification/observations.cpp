@@ -63,7 +63,7 @@ FitUnits unitsFor(const ReferenceData &data, const Supply &supply, double length
     return units;
 }
 
-std::vector<std::size_t> spread(std::span<const std::size_t> rows, std::size_t most)
+std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t most)
 {
     const std::size_t count = std::min(rows.size(), most);
     std::vector<std::size_t> result(count);
@@ -151,14 +151,14 @@ Observations observe(const ReferenceData &data, const FitUnits &units, std::span
             squares += channel.weights[i] * deviation * deviation;
             channel.steps[i] = std::max(channel.steps[i], smallestStep);
         }
-        channel.spread = std::max(std::sqrt(squares / count), smallestStep);
-        if (!(channel.spread > 0.0)) {
+        channel.deviation = std::max(std::sqrt(squares / count), smallestStep);
+        if (!(channel.deviation > 0.0)) {
             // Zero throughout: says next to nothing.
-            channel.spread = 1.0;
-            std::fill(channel.steps.begin(), channel.steps.end(), channel.spread);
+            channel.deviation = 1.0;
+            std::fill(channel.steps.begin(), channel.steps.end(), channel.deviation);
         }
         for (double &weight : channel.weights) {
-            weight /= channel.spread;
+            weight /= channel.deviation;
         }
         observations.channels.push_back(std::move(channel));
     }

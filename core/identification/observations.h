@@ -52,11 +52,11 @@ struct ObservedChannel {
     std::vector<double> values;
     std::vector<double> steps; ///< of the file's rounding
     std::vector<double> weights;
-    double spread = 0.0; ///< standard deviation of the values
+    double deviation = 0.0; ///< standard deviation of the values
 };
 
 /// At most so many of the rows, evenly spread.
-std::vector<std::size_t> spread(std::span<const std::size_t> rows, std::size_t most);
+std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t most);
 
 /// Those of ascending rows that come before `end`.
 std::span<const std::size_t> rowsBefore(std::span<const std::size_t> rows, std::size_t end);
@@ -67,7 +67,7 @@ struct Observations {
     std::vector<ObservedChannel> channels; ///< only those that the file has, and that have values in these rows
 };
 
-/// Weights are 1 / spread: every channel counts alike.
+/// Weights are 1 / deviation: every channel counts alike.
 Observations observe(const ReferenceData &data, const FitUnits &units, std::span<const std::size_t> rows);
 
 std::size_t valueCount(const Observations &observations);

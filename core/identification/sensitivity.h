@@ -12,12 +12,14 @@
 //
 //     s_p    = (b b_p - h h_p) / s
 //     θ3_p   = (h_p - h b_p / b) / s
-//     θ3'_p  = (h'_p - θ3' s_p) / s                                          s'_p  = -h_p θ3' - h θ3'_p
-//     θ3''_p = (h''_p + h_p θ3'² + 2 h θ3' θ3'_p - θ3'' s_p) / s             s''_p = -h'_p θ3' - h' θ3'_p - h_p θ3'' -
-//     h θ3''_p
+//     θ3'_p  = (h'_p - θ3' s_p) / s
+//     θ3''_p = (h''_p + h_p θ3'² + 2 h θ3' θ3'_p - θ3'' s_p) / s
+//     s'_p   = -h_p θ3' - h θ3'_p
+//     s''_p  = -h'_p θ3' - h' θ3'_p - h_p θ3'' - h θ3''_p
 //
-// The k-th time derivative of a channel f is ω^k f^(k), and θ2 = ω t + θ20, so that its derivative by θ20 is ω^k
-// f^(k+1) and by ω  k ω^(k-1) f^(k) + t ω^k f^(k+1).
+// The k-th time derivative of a channel f is ω^k f^(k), and θ2 = ω t + θ20, so that its derivatives are
+//
+//     by θ20  ω^k f^(k+1)              by ω  k ω^(k-1) f^(k) + t ω^k f^(k+1)
 //
 // Derived from the equations of closed_form.h. Plain sums: a fit knows its parameters to the digits of a file, and
 // needs no form that is exact at a toggle. Any consistent units; angles in rad.

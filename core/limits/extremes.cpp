@@ -6,8 +6,11 @@
 #include "core/limits/mobility.h"
 #include "core/mechanism/turn.h"
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -64,29 +67,21 @@ public:
                 {motion.R4xDDot, m_a * sine + sJerk, motion.theta3DDot, theta3Jerk}};
     }
 
-    /// The u at which that slope changes its sign, between two at which the signs differ: false position in the
-    /// Illinois manner (M. Dowell and P. Jarratt, BIT 11, 1971).
+    /// The u at which that slope changes its sign, between two at which the signs differ.
     double turningPoint(std::size_t rate, double low, double high, double atLow, double atHigh) const
     {
-        constexpr int kMostSteps = 80;
-        constexpr double kLastDigit = 4.0 * std::numeric_limits<double>::epsilon();
-        for (int step = 0; step < kMostSteps && std::abs(high - low) > kLastDigit * std::max(1.0, std::abs(low));
-             ++step) {
-            const double u = low - atLow * ((high - low) / (atHigh - atLow));
-            const double slope = at(phi(u)).slope[rate];
-            if (slope == 0.0 || !std::isfinite(slope)) {
-                return u;
-            }
-            if ((slope < 0.0) != (atHigh < 0.0)) {
-                low = high;
-                atLow = atHigh;
-            } else {
-                atLow *= 0.5;
-            }
-            high = u;
-            atHigh = slope;
+        if (!(std::min(atLow, atHigh) < 0.0 && std::max(atLow, atHigh) > 0.0)) {
+            return atLow == 0.0 ? low : high; // or not a number
         }
-        return high;
+        const auto isClose = [](double from, double to) {
+            return to - from <= 4.0 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(from));
+        };
+        std::uintmax_t most = 80;
+        const auto slopeAt = [&](double u) {
+            const double slope = at(phi(u)).slope[rate];
+            return std::isfinite(slope) ? slope : 0.0;
+        };
+        return boost::math::tools::toms748_solve(slopeAt, low, high, atLow, atHigh, isClose, most).second;
     }
 
 private:

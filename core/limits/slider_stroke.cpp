@@ -4,8 +4,11 @@
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace slidercrank
@@ -67,22 +70,19 @@ std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const Motio
 
 double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, double R4x)
 {
-    const bool outwards = stroke.R4xFrom < stroke.R4xTo;
-    const auto isShort = [&](double place) { return outwards ? place < R4x : place > R4x; };
-    if (!isShort(stroke.R4xFrom)) {
+    const double sense = stroke.R4xFrom < stroke.R4xTo ? 1.0 : -1.0;
+    const double before = sense * (stroke.R4xFrom - R4x);
+    const double behind = sense * (stroke.R4xTo - R4x);
+    if (!(before < 0.0)) {
         return stroke.from;
     }
-    if (isShort(stroke.R4xTo)) {
+    if (!(behind > 0.0)) {
         return stroke.to;
     }
-    double below = stroke.from;
-    double above = stroke.to;
-    constexpr int kHalvings = 60; // down to the last digit of an angle
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (below + above);
-        (isShort(sliderAt(mechanism, middle)) ? below : above) = middle;
-    }
-    return above;
+    const boost::math::tools::eps_tolerance<double> closeEnough;
+    std::uintmax_t most = 100;
+    const auto passed = [&](double theta2) { return sense * (sliderAt(mechanism, theta2) - R4x); };
+    return boost::math::tools::toms748_solve(passed, stroke.from, stroke.to, before, behind, closeEnough, most).second;
 }
 
 } // namespace slidercrank

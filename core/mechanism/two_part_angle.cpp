@@ -10,17 +10,6 @@ namespace slidercrank
 namespace
 {
 
-#if !defined(__FMA__) && !defined(__aarch64__)
-/// The upper 26 and the lower 27 bits of x (Veltkamp).
-TwoPart split(double x)
-{
-    constexpr double kSplitter = 134217729.0; // 2^27 + 1
-    const double scaled = kSplitter * x;
-    const double upper = scaled - (scaled - x);
-    return {upper, x - upper};
-}
-#endif
-
 TwoPart sum(TwoPart x, double y)
 {
     const TwoPart total = twoSum(x.hi, y);

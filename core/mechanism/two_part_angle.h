@@ -25,6 +25,16 @@ constexpr TwoPart twoSum(double x, double y)
     return {sum, (x - xRounded) + (y - yRounded)};
 }
 
+inline constexpr double kSplitter = 0x1p27 + 1.0;
+
+/// The upper 26 and the lower 27 bits of x (Veltkamp), |x| < 1e290.
+constexpr TwoPart split(double x)
+{
+    const double scaled = kSplitter * x;
+    const double upper = scaled - (scaled - x);
+    return {upper, x - upper};
+}
+
 /// x y without error, for |x|, |y| < 1e290 and a product that neither overflows nor underflows.
 TwoPart twoProduct(double x, double y);
 

@@ -69,13 +69,16 @@ NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonIns
 /// The same in place, from the instant that `instant` holds to the one at t: a run then copies nothing.
 void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options = {});
 
-/// A residual of r mm leaves sin θ3 uncertain by 2r/b where all four rows that make it up pull one way, so θ3 by δ with
-/// cos θ3 δ + δ²/2 = 2r/b, and velocity and acceleration, which go with 1/cos θ3 to 1/cos³ θ3, by δ/cos θ3 to three
-/// times that. They are given where r/b is at most this part of cos² θ3, and of cos² θ3 times as much less as their
-/// terms cancel: δ/cos θ3 is then 0.2 % and the acceleration is off by 0.6 % at most. Where r is 0, rounding leaves θ3
-/// uncertain all the same, by up to what r/b = 5e-16 would (as measured beside random toggles), and 2.2e-16 stands for
-/// it. Iteration goes on past the tolerance until r is small enough for that, and at most this part of a, or is no more
-/// than rounding.
+/// Velocity and acceleration are given where r/b, r (mm) being the residual, is at most this part of cos² θ3, or of as
+/// much less as their terms cancel. For a residual of r
+///
+///     leaves sin θ3 uncertain by 2r/b, where all four rows that make it up pull one way,
+///     so θ3 by δ, with cos θ3 δ + δ²/2 = 2r/b,
+///     velocity and acceleration, which go with 1/cos θ3 to 1/cos³ θ3, by δ/cos θ3 to three times that: 0.2 % to 0.6 %.
+///
+/// Where r is 0, rounding leaves θ3 uncertain all the same, by up to what r/b = 5e-16 would (as measured beside random
+/// toggles), and 2.2e-16 stands for it. Iteration goes on past the tolerance until r is small enough for that, and at
+/// most this part of a, or is no more than rounding.
 inline constexpr double kResolvedPart = 1.0 / 1024.0;
 
 } // namespace slidercrank

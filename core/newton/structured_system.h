@@ -112,8 +112,8 @@ inline void StructuredSystem::moveTo(const Coordinates &q)
 
 // By a small angle δ,
 //
-//     sin (θ + δ) = sin θ + (cos θ sin δ - sin θ (1 - cos δ)),  cos (θ + δ) = cos θ - (sin θ sin δ + cos θ (1 - cos
-//     δ)),
+//     sin (θ + δ) = sin θ + (cos θ sin δ - sin θ (1 - cos δ)),
+//     cos (θ + δ) = cos θ - (sin θ sin δ + cos θ (1 - cos δ)),
 //
 // where the terms in brackets are so small that only the sums round.
 inline void StructuredSystem::turnTo(const Coordinates &q)
