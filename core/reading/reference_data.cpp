@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <future>
 #include <mutex>
 #include <numeric>
 #include <thread>
@@ -340,11 +341,12 @@ std::variant<ReferenceData, ReadError> readRows(TableLayout layout, const std::s
         return goOn;
     };
     {
-        std::vector<std::jthread> aside;
+        std::vector<std::future<void>> aside;
         for (std::size_t i = 1; i < parts.size(); ++i) {
-            aside.emplace_back([&, i] { readPart(parts[i], layout, readAside); });
+            aside.push_back(std::async(std::launch::async, [&, i] { readPart(parts[i], layout, readAside); }));
         }
         readPart(parts.front(), layout, readHere);
+        std::ranges::for_each(aside, [](std::future<void> &other) { other.get(); }); // throws what that threw
     }
     if (stop.stop_requested()) {
         return ReadError{0, 0, {}, {ReadFault::Kind::Stopped}};
@@ -566,15 +568,16 @@ std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, st
         }
     };
     {
-        std::vector<std::jthread> aside;
+        std::vector<std::future<void>> aside;
         for (std::size_t i = 1; i < threadsFor(size); ++i) {
-            aside.emplace_back([&] { readSome([] {}); });
+            aside.push_back(std::async(std::launch::async, [&] { readSome([] {}); }));
         }
         readSome([&] {
             if (options.progress) {
                 options.progress(done, size);
             }
         });
+        std::ranges::for_each(aside, [](std::future<void> &other) { other.get(); }); // throws what that threw
     }
     if (!isPlain || stop.stop_requested() || rows.all().time().empty()) {
         return std::nullopt;

@@ -286,6 +286,7 @@ QWidget *MainWindow::makeStudyPanel()
     auto *panel = new StudyPanel(this);
     panel->setParameters(m_session->parameters());
     connect(m_session, &Session::parametersChanged, panel, &StudyPanel::setParameters);
+    connect(panel, &StudyPanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
 
