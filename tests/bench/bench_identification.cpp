@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What it costs to find the mechanism that made 201 rows, and the parameter that explains a difference. The start is
-// Table 1 of the report, which the data are far from.
+// What it costs to find the mechanism that made 201 rows, the parameter that explains a difference, and how a file is
+// to be read. The start is Table 1 of the report, which the data are far from.
 
+#include "core/diagnosis/conventions.h"
 #include "core/identification/identification.h"
 #include "tests/support/printed_motion.h"
 
@@ -58,6 +59,25 @@ void attributeToOne(benchmark::State &state, const Parameters &truth)
 }
 BENCHMARK_CAPTURE(attributeToOne, authors_file, kAuthors)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(attributeToOne, far_off, kFarOff)->Unit(benchmark::kMillisecond);
+
+/// Of a file with its angles in radians, against Table 1.
+void findRadians(benchmark::State &state, const Parameters &truth, int rows, double duration)
+{
+    Printing printing;
+    printing.rows = rows;
+    printing.to = duration;
+    const std::vector<Channel> angles{
+        {Theta3, Order::Position}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}};
+    const Convention toRadians{Convention::Kind::AngleUnit, angles, 1.0 / kDegreesPerRadian};
+    const ReferenceData data = applied(toRadians, printedData(truth, printing));
+    for (auto _ : state) {
+        const std::vector<ConventionFinding> found = findConventions(data, Mechanism());
+        benchmark::DoNotOptimize(found.data());
+    }
+}
+BENCHMARK_CAPTURE(findRadians, at_hand, Parameters(), 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(findRadians, authors_file, kAuthors, 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(findRadians, many_rows, kAuthors, 1'000'000, 1e4)->Unit(benchmark::kMillisecond);
 
 } // namespace
 

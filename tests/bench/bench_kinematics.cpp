@@ -6,6 +6,7 @@
 
 #include "core/closed_form/batch.h"
 #include "core/closed_form/state_at.h"
+#include "core/limits/extremes.h"
 #include "core/newton/newton.h"
 #include "core/run/trajectory.h"
 #include "core/study/cases.h"
@@ -200,6 +201,21 @@ BENCHMARK_CAPTURE(newton36, denseTaylor, nominal(), WarmStart::Taylor, Eliminati
 BENCHMARK_CAPTURE(newton36, structured, nominal(), WarmStart::Previous, Elimination::Structured);
 BENCHMARK_CAPTURE(newton36, structuredTaylor, nominal(), WarmStart::Taylor, Elimination::Structured);
 BENCHMARK_CAPTURE(newton36, structuredTaylorRocker, rocker(), WarmStart::Taylor, Elimination::Structured);
+
+/// The peaks of a turn, as the window shows them at every move of a slider; `gap` from the change point, where they
+/// are hardest to find.
+void motionPeaks(benchmark::State &state, double gap)
+{
+    Parameters p;
+    p.b = 45.0 * (1.0 + gap);
+    const Mechanism mechanism(p);
+    for (auto _ : state) {
+        const std::vector<Peak> peaks = slidercrank::motionPeaks(mechanism);
+        benchmark::DoNotOptimize(peaks.data());
+    }
+}
+BENCHMARK_CAPTURE(motionPeaks, wide, 0.5)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(motionPeaks, narrow, 1e-12)->Unit(benchmark::kMicrosecond);
 
 } // namespace
 

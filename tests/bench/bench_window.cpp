@@ -3,6 +3,7 @@
 // What the window costs: a slider moved until nine plots are painted, playing, doing nothing, starting, memory. Run
 // with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display.
 
+#include "ui/limits/limits_panel.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/parameters/timeline.h"
 #include "ui/plots/plot_grid.h"
@@ -222,6 +223,27 @@ void playingFrame(benchmark::State &state)
     }
 }
 BENCHMARK(playingFrame)->ArgName("arrows")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// The limits and peaks of another mechanism, filled in and painted.
+void limitsToPainted(benchmark::State &state)
+{
+    constexpr int kMechanisms = 20;
+    std::vector<std::shared_ptr<const Result>> results;
+    for (int i = 0; i < kMechanisms; ++i) {
+        Parameters parameters;
+        parameters.b = 65.0 + 0.5 * i;
+        results.push_back(compute({Mechanism(parameters), {}, {}, nullptr}, {}));
+    }
+    LimitsPanel panel;
+    panel.resize(960, 200);
+    panel.show();
+    std::size_t moves = 0;
+    for (auto _ : state) {
+        panel.setResult(results[++moves % results.size()]);
+        QCoreApplication::processEvents();
+    }
+}
+BENCHMARK(limitsToPainted)->Unit(benchmark::kMillisecond);
 
 const QString kProbe = QStringLiteral("--start-probe");
 

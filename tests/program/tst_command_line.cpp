@@ -2,6 +2,8 @@
 
 // The program as a person or a script meets it: the real executable, its arguments, its two streams, its exit status.
 
+#include "tests/support/waiting.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -47,7 +49,7 @@ Outcome run(const QStringList &arguments, const QProcessEnvironment &environment
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
     Outcome outcome;
-    if (process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit) {
+    if (process.waitForFinished(slidercrank::kPatience) && process.exitStatus() == QProcess::NormalExit) {
         outcome.status = process.exitCode();
     }
     outcome.out = process.readAllStandardOutput();
@@ -668,9 +670,9 @@ void TestCommandLine::writesIntoAPipeWithoutReplacingIt()
     QVERIFY(reader.waitForStarted());
     // Little enough for the pipes between the three of us: nobody reads while run() waits.
     const Outcome outcome = run({"solve", "--steps", "20", "--output", pipe});
-    const bool read = reader.waitForFinished(10'000);
+    const bool read = reader.waitForFinished(slidercrank::kPatience);
     reader.kill();
-    reader.waitForFinished();
+    reader.waitForFinished(slidercrank::kPatience);
     QVERIFY(read);
     QCOMPARE(outcome.status, 0);
     QCOMPARE(reader.readAllStandardOutput(), run(QStringLiteral("solve --steps 20")).out);
@@ -1654,7 +1656,7 @@ void TestCommandLine::filmsFrames()
     QProcess process;
     process.start(judge, {"-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames", "-of",
                           "csv=p=0", line.last()});
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(slidercrank::kPatience));
     QCOMPARE(process.readAllStandardOutput().trimmed(), QByteArray("122,102,16")); // even sides
 }
 
@@ -1679,9 +1681,9 @@ void TestCommandLine::leavesNothingBehindWhenInterrupted()
     process.setProcessEnvironment(withoutDisplay());
     process.start(QStringLiteral(SLIDERCRANK_PROGRAM),
                   {"render", "--what", "frames", "--duration", "1000", "--output", folder.filePath(name)});
-    QTRY_VERIFY(!QDir(folder.path()).isEmpty()); // it is at work
+    AWAIT(!QDir(folder.path()).isEmpty()); // it is at work
     process.terminate();
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(slidercrank::kPatience));
     QCOMPARE(process.exitStatus(), QProcess::CrashExit); // by the signal
     QCOMPARE(process.readAllStandardError(), QByteArray());
     QVERIFY(QDir(folder.path()).isEmpty());
@@ -1730,7 +1732,7 @@ void TestCommandLine::reportsTheSameNumbersAsItCompares()
         run(QStringList{"render", "--what", "report", "--reference", sample(), "--output", path} + options);
         QProcess process;
         process.start(reader, {QStringLiteral("-layout"), path, QStringLiteral("-")});
-        process.waitForFinished();
+        process.waitForFinished(slidercrank::kPatience);
         return QString::fromUtf8(process.readAllStandardOutput()).replace(QChar::Nbsp, u' ');
     };
     const QString different = textOf({});

@@ -13,6 +13,9 @@
 #include "ui/words/language.h"
 #include "ui/words/study_text.h"
 
+#include "tests/support/study_of_a_turn.h"
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAction>
@@ -179,12 +182,9 @@ void fill(MainWindow &window)
 {
     QSignalSpy diagnosed(&window.session(), &Session::diagnosisChanged);
     window.openSample();
-    QTRY_VERIFY(window.session().diagnosis());
+    AWAIT(window.session().diagnosis());
     openTabs(window);
-    auto *study = window.findChild<StudyPanel *>();
-    QSignalSpy finished(study, &StudyPanel::finished);
-    study->runThisMechanism();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    window.findChild<StudyPanel *>()->setResult(studyOfATurn());
 }
 
 bool isNarrow(const QWidget &widget, const QString &text, int room)
@@ -265,7 +265,7 @@ Run runIn(const QString &locale, const QStringList &arguments)
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
-    process.waitForFinished(60000);
+    process.waitForFinished(kPatience);
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
@@ -333,7 +333,7 @@ private slots:
         process.start(QStringLiteral(SLIDERCRANK_LUPDATE),
                       {QStringLiteral("-silent"), QStringLiteral("-I"), QStringLiteral("."), QStringLiteral("ui"),
                        QStringLiteral("app"), QStringLiteral("-ts"), path});
-        QVERIFY(process.waitForFinished(60000));
+        QVERIFY(process.waitForFinished(kPatience));
         QCOMPARE(process.exitCode(), 0);
         const auto keysOf = [](const QString &file) {
             QStringList keys;
@@ -451,7 +451,7 @@ private slots:
         Session session;
         QSignalSpy refused(&session, &Session::referenceRefused);
         session.loadReference(path);
-        QTRY_COMPARE(refused.count(), 1);
+        AWAIT_COMPARE(refused.count(), 1);
         const QString sentence = refused.first().at(1).toString();
         QVERIFY2(englishIn(sentence).isEmpty(), qPrintable(sentence));
     }
@@ -490,7 +490,7 @@ private slots:
         auto *tabs = window.findChild<FoldingTabs *>();
         for (int i = 0; i < window.findChild<QTabBar *>(QStringLiteral("tabBar"))->count(); ++i) {
             tabs->setCurrent(i);
-            QTest::qWait(50);
+            settle(window);
             const QStringList found = cutOff(window);
             QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
         }
@@ -523,7 +523,7 @@ private slots:
         window.findChild<StudyPanel *>()->runThisMechanism();
         speak(Language::Spanish);
         QSignalSpy finished(window.findChild<StudyPanel *>(), &StudyPanel::finished);
-        QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+        AWAIT_COMPARE(finished.count(), 1);
         QVERIFY(window.findChild<QAbstractItemView *>(QStringLiteral("studyTable"))->model()->rowCount() > 5);
     }
 

@@ -66,7 +66,7 @@ private:
     std::shared_ptr<const Result> m_result;
     double m_time = 0.0;
     bool m_stale = false; ///< what is on show is of another instant
-    QTimer m_pause;       ///< runs while the last instant has only just been shown
+    QTimer m_pause{this}; ///< runs while the last instant has only just been shown
 
     SolverForm *m_form = nullptr;
     QBoxLayout *m_beside = nullptr;

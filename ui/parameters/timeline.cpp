@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 namespace slidercrank
@@ -29,6 +30,11 @@ namespace
 {
 
 constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
+
+double steadySeconds()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 QString speedText(double speed)
 {
@@ -126,6 +132,7 @@ private:
 
 Timeline::Timeline(QWidget *parent)
     : QWidget(parent)
+    , m_clock(steadySeconds)
 {
     named("timeline", this, tr("Timeline"));
     m_frames.setInterval(16);
@@ -347,13 +354,13 @@ void Timeline::restartClock(double from)
 {
     m_playedFrom = from;
     m_requested = from;
-    m_clock.start();
+    m_playedSince = m_clock();
 }
 
 void Timeline::nextFrame()
 {
     const double run = last() - first();
-    double time = m_playedFrom + m_speed * static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+    double time = m_playedFrom + m_speed * (m_clock() - m_playedSince);
     bool ended = false;
     if (time >= last()) {
         if (m_loop->isChecked() && run > 0.0) {

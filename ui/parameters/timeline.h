@@ -8,9 +8,10 @@
 #include "core/run/trajectory.h"
 #include "ui/document/result.h"
 
-#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
+
+#include <functional>
 
 class QComboBox;
 
@@ -30,6 +31,9 @@ public:
 
     bool isPlaying() const { return m_frames.isActive(); }
     double speed() const { return m_speed; } ///< model seconds a second of the clock
+
+    /// It tells seconds since whenever.
+    void setClock(const std::function<double()> &clock) { m_clock = clock; }
 
 public slots:
     void setSampling(const slidercrank::Sampling &sampling);
@@ -68,10 +72,11 @@ private:
     Parameters m_parameters;
     Pose m_pose;
 
-    // While playing: the instant is m_playedFrom + m_speed · m_clock.
-    QTimer m_frames;
-    QElapsedTimer m_clock;
+    // While playing: the instant is m_playedFrom + m_speed · (m_clock() - m_playedSince).
+    QTimer m_frames{this};
+    std::function<double()> m_clock;
     double m_playedFrom = 0.0;
+    double m_playedSince = 0.0;
     double m_requested = 0.0;
     double m_speed = 1.0;
 

@@ -55,7 +55,7 @@ private:
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const Diagnosis> m_diagnosis;
     bool m_stale = false; ///< these are not on show yet
-    QTimer m_pause;       ///< runs for a while after each filling
+    QTimer m_pause{this}; ///< runs for a while after each filling
     QStackedWidget *m_pages = nullptr;
     QLabel *m_verdict = nullptr;
     FindingList *m_findings = nullptr;

@@ -280,15 +280,13 @@ void StudyPanel::listen()
 
 void StudyPanel::takeOver(StudyPanel &other)
 {
-    m_result = other.m_result;
     delete std::exchange(m_study, std::exchange(other.m_study, nullptr));
     m_study->disconnect(&other);
     m_study->setParent(this);
     listen();
     m_progress->setValue(other.m_progress->value());
-    showResult();
+    setResult(other.m_result);
     m_cases->setCurrentIndex(other.m_cases->currentIndex());
-    updateButtons();
 }
 
 void StudyPanel::setParameters(const Parameters &parameters)
@@ -330,15 +328,16 @@ void StudyPanel::run(StudyRequest request)
         },
         [panel](const std::shared_ptr<const StudyResult> &result) {
             if (!result->cases.empty()) {
-                panel()->m_result = result;
-                panel()->showResult();
+                panel()->setResult(result);
             }
         },
         [panel](const QString &sentence) { emit panel()->problemFound(sentence); });
 }
 
-void StudyPanel::showResult()
+void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
 {
+    m_result = result;
+    updateButtons();
     if (!m_result) {
         return;
     }

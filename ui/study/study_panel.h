@@ -43,6 +43,7 @@ public:
 
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
+    void setResult(const std::shared_ptr<const slidercrank::StudyResult> &result); ///< in place of the one on show
     void runThisMechanism();
     void runHardCases();
     void cancel();
@@ -57,7 +58,6 @@ protected:
 private:
     void run(StudyRequest request);
     void listen();
-    void showResult();
     const CaseResult *shownCase() const;
     void showCase();
     void fillTable(const CaseResult &which);

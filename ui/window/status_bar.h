@@ -41,7 +41,7 @@ private:
 
     QProgressBar *m_progress;
     QToolButton *m_cancel;
-    QTimer m_moment;
+    QTimer m_moment{this};
     int m_underWay = 0;
 };
 

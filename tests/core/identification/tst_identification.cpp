@@ -2,6 +2,7 @@
 #include "core/identification/identification.h"
 
 #include "core/identification/sensitivity.h"
+#include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
 
@@ -190,7 +191,7 @@ private slots:
         const bool onlyR4x =
             !channels.contains('1') || (channels[0] == '0' && channels[2] == '0' && channels[4] == '0');
         RandomMechanisms random(kSeed);
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < runs(100, 1000); ++i) {
             const Parameters truth = ordinary(random);
             const double turns = random.uniform(0.6, 3.0);
             const int rows = static_cast<int>(random.uniform(80.0, 500.0));

@@ -5,7 +5,6 @@
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <set>
@@ -132,7 +131,6 @@ private slots:
     void anExactToggleBoundsOnlyTheSpeeds();
     void theChangePointTurnsTheCouplerEvenly();
     void nothingMovesWithoutSpeedOrRoom();
-    void isCheapEnoughToDrag();
 };
 
 void tst_extremes::peaksAreThoseOfAFineScan_data()
@@ -333,27 +331,6 @@ void tst_extremes::nothingMovesWithoutSpeedOrRoom()
     for (const double b : {5.0, 4.0}) { // locked, impossible
         p.b = b;
         QVERIFY(motionPeaks(Mechanism(p)).empty());
-    }
-}
-
-/// Informs; fails only where something is badly wrong.
-void tst_extremes::isCheapEnoughToDrag()
-{
-    constexpr int kTimes = 200;
-    for (const double gap : {0.5, 1e-12}) {
-        Parameters p;
-        p.b = 45.0 * (1.0 + gap);
-        QElapsedTimer clock;
-        clock.start();
-        std::size_t places = 0;
-        for (int i = 0; i < kTimes; ++i) {
-            p.omega2 = 1.0 + i;
-            places += motionPeaks(Mechanism(p))[0].places.size();
-        }
-        const double each = static_cast<double>(clock.nsecsElapsed()) * 1e-3 / kTimes;
-        qInfo("gap %g: %.1f microseconds", gap, each);
-        QVERIFY(places > 0);
-        QVERIFY(each < 5000.0);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/newton/newton.h"
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
+#include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
 
 #include <QTest>
@@ -193,7 +194,7 @@ void tst_newton::agreesWithTheClosedFormOnRandomMechanisms()
     RandomMechanisms random(21);
     Deviation worst;
     Parameters worstParameters;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < runs(300, 3000); ++i) {
         Parameters p = random.next();
         const std::vector<double> instants = turn(p, 40);
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {

@@ -4,6 +4,7 @@
 #include "core/comparison/comparison.h"
 #include "core/run/trajectory.h"
 #include "tests/support/file_variants.h"
+#include "tests/support/long_tests.h"
 
 #include <QFile>
 #include <QTest>
@@ -699,7 +700,7 @@ private slots:
         const QByteArray whole = file.read(2000);
         constexpr char kPieces[] = "0123456789,;.\t\r\n\"-+eE[]() tR4_x\xB0\xC2\xFF";
         std::mt19937 random(20240607); // fixed: a failure can be repeated
-        for (int i = 0; i < 3000; ++i) {
+        for (int i = 0; i < runs(3000, 100'000); ++i) {
             QByteArray bytes = whole.left(static_cast<qsizetype>(random() % 2000));
             for (int damage = 0; damage < 8 && !bytes.isEmpty(); ++damage) {
                 bytes[static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()))] =

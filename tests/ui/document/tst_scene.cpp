@@ -3,6 +3,7 @@
 // A scene's file: what goes in comes out, to the last bit; what is no scene is refused in a sentence that says where.
 
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/waiting.h"
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
 
@@ -270,7 +271,7 @@ private slots:
         Session before;
         QSignalSpy loaded(&before, &Session::referenceLoaded);
         before.loadReference(data);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         before.apply({Convention::Kind::HalfTurn, {kPlottedChannels[0]}, 180.0});
         before.apply({Convention::Kind::TimeShift, {}, 0.125});
         Scene scene;
@@ -285,7 +286,7 @@ private slots:
         Session after;
         QSignalSpy opened(&after, &Session::opened);
         after.open(choicesOf(back), back.time, back.reference);
-        QVERIFY(opened.wait());
+        QVERIFY(opened.wait(kPatience));
         QCOMPARE(opened.first().first().toString(), QString());
         QCOMPARE(after.reference()->conventions.size(), std::size_t(2));
         QVERIFY(isSame(after.result()->atReference, before.result()->atReference));
@@ -311,7 +312,7 @@ private slots:
         Session session;
         QSignalSpy opened(&session, &Session::opened);
         session.open(choicesOf(back), back.time, back.reference);
-        QVERIFY(opened.wait());
+        QVERIFY(opened.wait(kPatience));
         QVERIFY(session.reference());
         const ReferenceSeries *series = session.reference()->data.find({R4x, Order::Position});
         QVERIFY(series);
@@ -339,7 +340,7 @@ private slots:
         Choices choices;
         choices.parameters.b = 70.0;
         session.open(choices, 0.5, ReferenceSource{QStringLiteral("/nowhere/results.csv"), {}, {}});
-        QVERIFY(opened.wait());
+        QVERIFY(opened.wait(kPatience));
         QVERIFY(opened.first().first().toString().contains(QLatin1String("results.csv")));
         QCOMPARE(session.parameters().b, 70.0);
         QCOMPARE(session.time(), 0.5);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/session.h"
 
+#include "tests/support/waiting.h"
+
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -147,8 +149,8 @@ private slots:
         QSignalSpy loaded(&session, &Session::referenceLoaded);
         QSignalSpy results(&session, &Session::resultChanged);
         session.loadReference(path);
-        QVERIFY(loaded.wait());
-        QTRY_COMPARE(results.count(), 1);
+        QVERIFY(loaded.wait(kPatience));
+        AWAIT_COMPARE(results.count(), 1);
         QCOMPARE(session.reference()->name, QStringLiteral("año 1 Δ.csv"));
         QCOMPARE(session.result()->comparison.size(), std::size_t(1));
         const double exact = 20.0 + std::sqrt(65.0 * 65.0 - 25.0 * 25.0); // 80 mm at t = 0, 40 mm half a turn on
@@ -172,11 +174,11 @@ private slots:
         Session session;
         QSignalSpy loaded(&session, &Session::referenceLoaded);
         session.loadReference(writeFile(folder, QStringLiteral("good.csv"), kSmallFile));
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         const auto before = session.reference();
         QSignalSpy problems(&session, &Session::referenceRefused);
         session.loadReference(writeFile(folder, QStringLiteral("bad.csv"), bytes));
-        QVERIFY(problems.wait());
+        QVERIFY(problems.wait(kPatience));
         QVERIFY(problems.first()[1].toString().contains(QStringLiteral("bad.csv")));
         QCOMPARE(session.reference(), before);
     }
@@ -192,7 +194,7 @@ private slots:
         QSignalSpy loaded(&session, &Session::referenceLoaded);
         QSignalSpy parts(&session, &Session::readingProgressed);
         session.loadReference(writeFile(folder, QStringLiteral("large.csv"), bytes));
-        QVERIFY(loaded.wait(60000));
+        QVERIFY(loaded.wait(kPatience));
         QVERIFY(parts.count() > 10);
         double before = 0.0;
         for (const QList<QVariant> &told : parts) {
@@ -208,7 +210,7 @@ private slots:
         Session session;
         QSignalSpy problems(&session, &Session::referenceRefused);
         session.loadReference(QStringLiteral("no/such/file.csv"));
-        QVERIFY(problems.wait());
+        QVERIFY(problems.wait(kPatience));
         QVERIFY(problems.first()[1].toString().contains(QStringLiteral("file.csv")));
     }
 
@@ -231,7 +233,7 @@ private slots:
             parameters.b = b;
             session.setParameters(parameters);
         }
-        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        AWAIT_COMPARE(busy.count(), 2);
         QCOMPARE(session.result()->mechanism.b(), 68.0);
         QCOMPARE(session.result()->trajectory.time.size(), std::size_t(400001));
         for (int i = 0; i < results.count(); ++i) {
@@ -251,7 +253,7 @@ private slots:
         sampling.steps = 1000000;
         session.setSampling(sampling);
         session.cancel();
-        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        AWAIT_COMPARE(busy.count(), 2);
         QCOMPARE(session.result(), before);
     }
 
@@ -277,7 +279,7 @@ private slots:
         QCOMPARE(session.reference(), before->reference);
         QCOMPARE(references.count(), 2); // there and back
         QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the method"));
-        QTRY_COMPARE_WITH_TIMEOUT(busy.count(), 2, 60000);
+        AWAIT_COMPARE(busy.count(), 2);
         QCOMPARE(session.result(), before);
     }
 
@@ -306,14 +308,19 @@ private slots:
     void aSearchThatWasCancelledIsOver()
     {
         Session session;
+        QSignalSpy busy(&session, &Session::busyChanged);
         session.setReference(std::get<std::shared_ptr<const Reference>>(readReference(kSample)));
+        letTimePass(session);
+        QCOMPARE(busy.count(), 1); // it is being searched
         session.cancel();
         QVERIFY(session.diagnosis());
         QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
-        QTest::qWait(300); // what was under way does not come back
+        finishAside(); // what was under way does not come back
+        letTimePass(session);
+        QCOMPARE(busy.count(), 2);
         QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
         session.setParameter(Parameter::B, 64.0);
-        QTRY_COMPARE(session.diagnosis()->found.identification.status, Identification::Status::Found);
+        AWAIT_COMPARE(session.diagnosis()->found.identification.status, Identification::Status::Found);
     }
 
     void oneClickTakesTheFoundMechanismOver_data()
@@ -332,7 +339,7 @@ private slots:
         Session session; // Table 1: b = 65 mm
         QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
         session.loadReference(path);
-        QTRY_COMPARE(diagnoses.count(), 1);
+        AWAIT_COMPARE(diagnoses.count(), 1);
         const Diagnosis &diagnosis = *session.diagnosis();
         QCOMPARE(diagnosis.reference, session.reference());
         QCOMPARE(diagnosis.found.identification.status, Identification::Status::Found);
@@ -358,18 +365,29 @@ private slots:
     {
         Session session;
         session.loadReference(kSample);
-        QTRY_VERIFY(session.diagnosis());
+        AWAIT(session.diagnosis());
         const auto first = session.diagnosis();
         QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        QSignalSpy busy(&session, &Session::busyChanged);
+        const auto timers = session.findChildren<QTimer *>();
         Parameters parameters;
         for (int i = 1; i <= 20; ++i) {
+            for (QTimer *timer : timers) {
+                timer->setInterval(kPatience);
+            }
             parameters.b = 65.0 + i;
             session.setParameters(parameters);
-            QTest::qWait(20); // the whole drag takes longer than a rest
+            for (const QTimer *timer : timers) {
+                QVERIFY(timer->isActive() && timer->interval() < kPatience); // each edit begins the rest anew
+            }
+            if (i == 10) { // a rest after all, but a short one
+                letTimePass(session);
+                QCOMPARE(busy.count(), 1);
+            }
         }
         QCOMPARE(diagnoses.count(), 0);
         QCOMPARE(session.diagnosis(), first); // what was found of the file stands
-        QTRY_COMPARE(diagnoses.count(), 1);
+        AWAIT_COMPARE(diagnoses.count(), 1);
         QCOMPARE(session.diagnosis()->parameters.b, 85.0);
         QCOMPARE(session.diagnosis()->found.attribution.front().parameter, Parameter::B);
         QCOMPARE(session.diagnosis()->found.identification.parameters, first->found.identification.parameters);
@@ -382,7 +400,7 @@ private slots:
         parameters.b = 60.0;
         session.setParameters(parameters);
         session.loadReference(kSample);
-        QTRY_VERIFY(session.diagnosis());
+        AWAIT(session.diagnosis());
         QVERIFY(allAgree(session.result()->comparison));
         QVERIFY(session.diagnosis()->found.attribution.empty());
         QVERIFY(session.diagnosis()->found.conventions.empty());
@@ -394,11 +412,18 @@ private slots:
         session.takeOver();
         QCOMPARE(session.parameters(), Parameters());
         session.loadReference(kSample);
-        QTRY_VERIFY(session.diagnosis());
+        AWAIT(session.diagnosis());
+        QSignalSpy busy(&session, &Session::busyChanged);
+        session.setParameter(Parameter::B, 70.0);
+        letTimePass(session);
+        QCOMPARE(busy.count(), 1); // it is being searched again
         session.setReference(nullptr);
         QVERIFY(!session.diagnosis());
-        QTest::qWait(300); // what was under way does not come back
+        finishAside(); // what was under way does not come back
+        letTimePass(session);
+        QCOMPARE(busy.count(), 2);
         QVERIFY(!session.diagnosis());
+        session.setParameter(Parameter::B, 65.0);
         session.takeOver();
         QCOMPARE(session.parameters(), Parameters());
     }
@@ -512,7 +537,7 @@ private slots:
         for (const double b : {71.0, 72.0}) {
             parameters.b = b;
             session.setParameters(parameters);
-            QTest::qWait(1100); // held still for long, but not let go
+            letTimePass(session); // held still for long, but not let go
         }
         session.endDrag();
         QCOMPARE(session.undoStack().count(), 3);
@@ -539,6 +564,11 @@ private slots:
         session.setParameters(parameters);
         QCOMPARE(session.undoStack().count(), 2);
         QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of a"));
+        letTimePass(session); // pressed again later
+        parameters.a = 22.0;
+        session.setParameters(parameters);
+        QCOMPARE(session.undoStack().count(), 3);
+        session.undoStack().undo();
         session.undoStack().undo();
         session.undoStack().undo();
         QCOMPARE(session.parameters(), Parameters());

@@ -2,6 +2,8 @@
 #include "ui/document/session.h"
 #include "ui/document/work_aside.h"
 
+#include "tests/support/waiting.h"
+
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
@@ -77,7 +79,7 @@ private slots:
             kNobody);
         QVERIFY(aside.isRunning());
         QVERIFY(value.isEmpty());
-        QTRY_VERIFY(!aside.isRunning());
+        AWAIT(!aside.isRunning());
         QCOMPARE(value, QStringLiteral("done"));
         QVERIFY(there && there != thread());
         QCOMPARE(here, thread());
@@ -105,7 +107,7 @@ private slots:
                 return 0;
             },
             [&](int) { before = parts.size(); }, kNobody);
-        QTRY_VERIFY(!aside.isRunning());
+        AWAIT(!aside.isRunning());
         QCOMPARE(before, parts.size());
         QVERIFY2(parts.size() > 10 && parts.size() <= 200, "not more than a bar can show");
         QVERIFY(std::ranges::is_sorted(parts));
@@ -123,14 +125,14 @@ private slots:
         held.begun->acquire();
         aside.cancel();
         QVERIFY(aside.isRunning());
-        QTRY_VERIFY(!aside.isRunning());
+        AWAIT(!aside.isRunning());
         QCOMPARE(value, -1);
         aside.cancel(); // nothing: it may be asked at any time
         aside.drop();
         aside.start(
             Held{held.begun, held.letThrough, 3}, [&](int made) { value = made; }, kNobody);
         held.letThrough->release();
-        QTRY_COMPARE(value, 3); // the next one is not stopped
+        AWAIT_COMPARE(value, 3); // the next one is not stopped
     }
 
     void cancelledBeforeItBeginsItSeesThat()
@@ -149,7 +151,7 @@ private slots:
                     [&](bool stopped) { wasStopped = stopped; }, kNobody);
         aside.cancel();
         held.letThrough->release(static_cast<int>(before.size()));
-        QTRY_VERIFY(!aside.isRunning());
+        AWAIT(!aside.isRunning());
         QVERIFY(wasStopped);
     }
 
@@ -200,7 +202,7 @@ private slots:
                     work, [&](int made) { done = made; }, kNobody);
             },
             kNobody);
-        QTRY_VERIFY(!aside.isRunning());
+        AWAIT(!aside.isRunning());
         QCOMPARE(done, 1);
         QCOMPARE(QList<QVariantList>(running), kOnceOnAndOff);
     }
@@ -232,7 +234,7 @@ private slots:
         bool gone = false;
         connect(aside, &QObject::destroyed, this, [&] { gone = true; });
         aside->start([](const Stop &, const Progress &) { return 1; }, [&](int) { delete aside; }, kNobody);
-        QTRY_VERIFY(gone);
+        AWAIT(gone);
     }
 
     void whatIsThrownBecomesASentence_data()
@@ -262,7 +264,7 @@ private slots:
                 here = QThread::currentThread();
                 sentence = problem;
             });
-        QTRY_VERIFY(!aside.isRunning());
+        AWAIT(!aside.isRunning());
         QTEST(sentence, "said");
         QCOMPARE(here, thread());
     }
@@ -286,7 +288,7 @@ private slots:
         QSignalSpy busy(&session, &Session::busyChanged);
         session.setSampling(sampling);
         QCOMPARE(busy.count(), 1); // aside
-        QTRY_COMPARE_WITH_TIMEOUT(session.result()->sampling, sampling, 60'000);
+        AWAIT_COMPARE(session.result()->sampling, sampling);
         for (const std::unique_ptr<WorkAside> &work : lasting) {
             QVERIFY(work->isRunning());
         }

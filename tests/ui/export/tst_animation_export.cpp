@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/animation_export.h"
 
+#include "tests/support/waiting.h"
+
 #include <QDir>
 #include <QImage>
 #include <QPainter>
@@ -35,7 +37,7 @@ QString run(AnimationExport &animation, const QString &path)
 {
     QSignalSpy finished(&animation, &AnimationExport::finished);
     animation.start(path);
-    if (finished.isEmpty() && !finished.wait(30000)) {
+    if (finished.isEmpty() && !finished.wait(kPatience)) {
         return QStringLiteral("not finished");
     }
     return finished[0][0].toString();
@@ -97,10 +99,10 @@ void TstAnimationExport::leavesNothingBehindWhenCancelled()
         }
     });
     animation.start(folder.filePath(QStringLiteral("motion.png")));
-    QVERIFY(finished.wait(30000));
+    QVERIFY(finished.wait(kPatience));
     QCOMPARE(finished[0][0].toString(), QString());
     QVERIFY(QDir(folder.path()).isEmpty());
-    QTest::qWait(20); // nothing more comes
+    settle(); // nothing more comes
     QCOMPARE(finished.count(), 1);
 }
 
@@ -145,7 +147,7 @@ void TstAnimationExport::filmsWithFfmpeg()
     process.start(probe, {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-count_frames"),
                           QStringLiteral("-show_entries"), QStringLiteral("stream=width,height,nb_read_frames"),
                           QStringLiteral("-of"), QStringLiteral("csv=p=0"), path});
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kPatience));
     QCOMPARE(QString::fromLatin1(process.readAll()).trimmed(), QStringLiteral("62,42,11"));
 }
 

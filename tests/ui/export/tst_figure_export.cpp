@@ -4,6 +4,8 @@
 #include "ui/plots/plot_grid.h"
 #include "ui/words/theme.h"
 
+#include "tests/support/waiting.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
@@ -186,13 +188,13 @@ void TstFigureExport::keepsCurvesWithinTheirAxesInSvg()
     grid.resize(900, 600);
     grid.setResult(session.result());
     grid.show();
-    QTest::qWait(1);
+    settle();
     auto *plot = grid.findChild<QWidget *>(QStringLiteral("plot_theta3_diff2"));
     const auto zoomAt = [plot](QPoint at) {
         QWheelEvent event(at, plot->mapToGlobal(at), QPoint(), QPoint(0, 720), Qt::NoButton, Qt::NoModifier,
                           Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(plot, &event);
-        QTest::qWait(1);
+        settle();
     };
     zoomAt(plot->rect().center());                // t, of all
     zoomAt(QPoint(5, plot->rect().center().y())); // its values

@@ -4,6 +4,8 @@
 #include "ui/mechanism/mechanism_drag.h"
 #include "ui/mechanism/mechanism_view.h"
 
+#include "tests/support/waiting.h"
+
 #include <QSignalSpy>
 #include <QTest>
 
@@ -202,7 +204,7 @@ private slots:
         Bench bench;
         bench.press({10.0, 0.0});
         bench.move({14.0, 0.0});
-        QTest::qWait(1100); // edits apart by that much are steps of their own
+        letTimePass(bench.session); // edits this far apart are steps of their own
         bench.move({16.0, 0.0});
         bench.release({16.0, 0.0});
         QCOMPARE(bench.session.undoStack().count(), 1);

@@ -9,6 +9,8 @@
 #include "ui/newton/newton_panel.h"
 #include "ui/words/theme.h"
 
+#include "tests/support/waiting.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -357,7 +359,7 @@ private slots:
 
         table->setFocus();
         table->setCurrentIndex(table->model()->index(6, 0));
-        QTRY_COMPARE(told(), MechanismPart::PinA);
+        AWAIT_COMPARE(told(), MechanismPart::PinA);
         QTest::keyClick(table, Qt::Key_Down);
         QCOMPARE(told(), MechanismPart::PinB);
         shown.choose(Settings);
@@ -391,16 +393,17 @@ private slots:
     {
         Shown shown(Settings);
         NumberTable *table = shown.table("coordinateTable");
-        QTest::qWait(80);
+        letTimePass(shown.panel);
         shown.moveTo(0.4);
         QCOMPARE(table->model()->rowCount(), 0);
         shown.choose(Coordinates);
         QCOMPARE(table->model()->rowCount(), 12);
         shown.panel.hide();
-        QTest::qWait(80);
+        letTimePass(shown.panel);
         const QString before = table->csv();
         shown.moveTo(0.5);
-        QTest::qWait(80);
+        letTimePass(shown.panel);
+        settle();
         QCOMPARE(table->csv(), before);
         shown.panel.show();
         QVERIFY(table->csv() != before);
@@ -410,13 +413,13 @@ private slots:
     {
         Shown shown(Coordinates, 0.0);
         NumberTable *table = shown.table("coordinateTable");
-        QTest::qWait(80);
+        letTimePass(shown.panel);
         QSignalSpy changes(table->model(), &QAbstractItemModel::dataChanged);
         for (int i = 1; i <= 100; ++i) {
             shown.moveTo(0.004 * i);
         }
         QVERIFY(changes.size() <= 36); // of one instant
-        QTest::qWait(120);
+        letTimePass(shown.panel);
         const double shownAngle = fieldsOf(table->csv(), 6)[2].toDouble();
         QVERIFY(std::abs(shownAngle - 0.4 * 360.0) <= 1e-9);
     }
@@ -432,10 +435,10 @@ private slots:
         const NumberTable *table = shown.table("coordinateTable");
         QCOMPARE(textOf(table, 9, 2), QString("–"));
         for (const Page page : {Equations, Jacobian, Iterations}) {
-            QTest::qWait(80);
+            letTimePass(shown.panel);
             shown.choose(page);
         }
-        QTest::qWait(80);
+        letTimePass(shown.panel);
         shown.moveTo(0.25);
         QVERIFY(!remark->isVisible());
     }
@@ -448,7 +451,7 @@ private slots:
         const auto leftOf = [&](QWidget *widget) { return widget->mapTo(&shown.panel, QPoint()).x(); };
         QVERIFY(leftOf(table) >= leftOf(segment) + segment->width());
         shown.panel.resize(580, 200);
-        QTest::qWait(20);
+        settle();
         QVERIFY(leftOf(table) < leftOf(segment));
         QVERIFY(table->height() > 100);
     }
@@ -459,8 +462,8 @@ private slots:
         shown.panel.resize(580, 200);
         for (const QString name : {"iterationsLabel", "instantsLabel"}) {
             const auto *label = child<QLabel>(shown.panel, name);
-            QTRY_VERIFY2(label->width() >= label->fontMetrics().horizontalAdvance(label->text()),
-                         qPrintable(QString("%1: %2").arg(label->text()).arg(label->width())));
+            AWAIT2(label->width() >= label->fontMetrics().horizontalAdvance(label->text()),
+                   qPrintable(QString("%1: %2").arg(label->text()).arg(label->width())));
         }
     }
 

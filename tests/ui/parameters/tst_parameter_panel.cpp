@@ -3,6 +3,8 @@
 #include "ui/parameters/parameter_panel.h"
 #include "ui/words/theme.h"
 
+#include "tests/support/waiting.h"
+
 #include <QComboBox>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -186,7 +188,7 @@ private slots:
         listenTo(panel);
         auto *box = child<NumberBox>(panel, "box_a");
         box->setFocus();
-        QTRY_VERIFY(box->hasFocus());
+        AWAIT(box->hasFocus());
         box->selectAll();
         QTest::keyClicks(box, "22");
         QCOMPARE(m_edits, 0);
@@ -211,7 +213,7 @@ private slots:
         for (const char *name : {"box_omega2", "box_theta20", "box_b"}) { // looking at a box changes nothing
             auto *box = child<NumberBox>(panel, name);
             box->setFocus();
-            QTRY_VERIFY(box->hasFocus());
+            AWAIT(box->hasFocus());
             QTest::keyClick(box, Qt::Key_Return);
         }
         QCOMPARE(m_edits, 0);

@@ -3,12 +3,12 @@
 #include "ui/document/session.h"
 #include "ui/parameters/timeline.h"
 
+#include "tests/support/waiting.h"
+
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
-#include <QThread>
 #include <QToolButton>
 
 #include <cmath>
@@ -38,10 +38,11 @@ void type(NumberBox *box, const QString &text)
     QTest::keyClick(box, Qt::Key_Return);
 }
 
-/// A timeline in its place: what it asks for comes back as a pose.
+/// A timeline in its place: what it asks for comes back as a pose. Its clock stands until it is put forward.
 struct Bench {
     Session session;
     Timeline timeline;
+    double clock = 1234.5; // s
     std::vector<double> requested;
 
     explicit Bench(const Parameters &parameters = {}, const Sampling &sampling = {})
@@ -58,13 +59,16 @@ struct Bench {
         session.setSampling(sampling);
         session.setTime(sampling.start);
         requested.clear();
+        timeline.setClock([this] { return clock; });
+    }
+
+    /// So long until the next frame.
+    void passTime(double seconds)
+    {
+        clock += seconds;
+        letTimePass(timeline);
     }
 };
-
-double seconds(const QElapsedTimer &clock)
-{
-    return static_cast<double>(clock.nsecsElapsed()) * 1e-9;
-}
 
 } // namespace
 
@@ -79,7 +83,8 @@ private slots:
     {
         Bench bench;
         QVERIFY(!bench.timeline.isPlaying());
-        QTest::qWait(60);
+        bench.passTime(0.5);
+        settle();
         QVERIFY(bench.requested.empty());
         QVERIFY(child<QToolButton>(bench.timeline, "loopButton")->isChecked());
     }
@@ -96,32 +101,52 @@ private slots:
         QFETCH(double, speed);
         Bench bench({}, {0.0, 100.0, 200});
         bench.timeline.setSpeed(speed);
-        QElapsedTimer clock;
-        clock.start();
+        bench.clock += 7.0; // before it begins
         bench.timeline.play();
         QVERIFY(bench.timeline.isPlaying());
-        QTest::qWait(300);
-        const double before = seconds(clock);
-        QThread::msleep(200); // a machine too slow for frames
-        QCoreApplication::processEvents();
-        QTest::qWait(40);
-        const double after = seconds(clock);
-        bench.timeline.pause();
-        QVERIFY(bench.requested.size() > 3);
-        const double shown = bench.requested.back();
-        // Not behind by more than a few frames, and never ahead; the slept 200 ms must be in it.
-        QVERIFY2(shown <= speed * after && shown > speed * (before + 0.1), qPrintable(QString::number(shown)));
+        double played = 0.0;
+        for (const double frame : {0.016, 0.016, 0.2, 0.016}) { // once a machine too slow for frames
+            bench.passTime(frame);
+            played += frame;
+            const double shown = bench.requested.back();
+            QVERIFY2(std::abs(shown - speed * played) < 1e-9, qPrintable(QString::number(shown)));
+        }
+        QCOMPARE(bench.requested.size(), std::size_t(4));
+    }
+
+    void playsByItself()
+    {
+        Bench bench({}, {0.0, 1e6, 200});
+        Timeline timeline; // with the clock it has
+        double last = 0.0;
+        connect(&timeline, &Timeline::timeRequested, &timeline, [&last](double time) { last = time; });
+        timeline.setSampling(bench.session.sampling());
+        timeline.play();
+        AWAIT(last > 0.0);
+        const double before = last;
+        AWAIT(last > before);
+    }
+
+    void goesOnFromThereAtAnotherSpeed()
+    {
+        Bench bench({}, {0.0, 100.0, 200});
+        bench.timeline.play();
+        bench.passTime(3.0);
+        bench.timeline.setSpeed(2.0);
+        bench.passTime(0.5);
+        QVERIFY(std::abs(bench.requested.back() - 4.0) < 1e-9);
     }
 
     void nothingRunsWhenPaused()
     {
         Bench bench;
         bench.timeline.play();
-        QTest::qWait(60);
+        bench.passTime(0.06);
         bench.timeline.pause();
-        const std::size_t count = bench.requested.size();
-        QTest::qWait(80);
-        QCOMPARE(bench.requested.size(), count);
+        QCOMPARE(bench.requested.size(), std::size_t(1));
+        bench.passTime(0.5);
+        settle();
+        QCOMPARE(bench.requested.size(), std::size_t(1));
     }
 
     void tellsWhenItPlays()
@@ -142,15 +167,13 @@ private slots:
     {
         Bench bench({}, {0.0, 0.1, 20});
         bench.timeline.play();
-        QTest::qWait(350);
-        QVERIFY(bench.timeline.isPlaying());
-        bench.timeline.pause();
-        bool wrapped = false;
-        for (std::size_t i = 0; i < bench.requested.size(); ++i) {
-            QVERIFY(bench.requested[i] >= 0.0 && bench.requested[i] <= 0.1);
-            wrapped = wrapped || (i > 0 && bench.requested[i] < bench.requested[i - 1]);
+        for (const double shown : {0.06, 0.02, 0.08, 0.04}) {
+            bench.passTime(0.06);
+            QVERIFY(std::abs(bench.requested.back() - shown) < 1e-9);
         }
-        QVERIFY(wrapped);
+        bench.passTime(7.0); // many times round at once
+        QVERIFY(bench.requested.back() >= 0.0 && bench.requested.back() <= 0.1);
+        QVERIFY(bench.timeline.isPlaying());
     }
 
     void stopsAtTheEndWithoutLoop()
@@ -158,23 +181,26 @@ private slots:
         Bench bench({}, {0.0, 0.1, 20});
         child<QToolButton>(bench.timeline, "loopButton")->click();
         bench.timeline.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.timeline.isPlaying(), 3000);
+        bench.passTime(0.09);
+        QVERIFY(bench.timeline.isPlaying());
+        bench.passTime(0.09);
+        QVERIFY(!bench.timeline.isPlaying());
         QCOMPARE(bench.requested.back(), 0.1);
         // Played again, it starts from the beginning.
         bench.timeline.play();
-        QTRY_VERIFY(bench.requested.back() < 0.1);
+        bench.passTime(0.05);
+        QVERIFY(std::abs(bench.requested.back() - 0.05) < 1e-9);
     }
 
     void goesOnFromWhereSomebodyScrubbed()
     {
         Bench bench({}, {0.0, 100.0, 200});
         bench.timeline.play();
-        QTest::qWait(50);
+        bench.passTime(0.05);
         bench.session.setTime(50.0);
-        bench.requested.clear();
-        QTRY_VERIFY(!bench.requested.empty());
+        bench.passTime(0.25);
         QVERIFY(bench.timeline.isPlaying());
-        QVERIFY(bench.requested.front() >= 50.0 && bench.requested.front() < 53.0);
+        QVERIFY(std::abs(bench.requested.back() - 50.25) < 1e-9);
     }
 
     void stepsFromSampleToSample()
@@ -339,7 +365,7 @@ private slots:
         bench.timeline.activateWindow();
         auto *box = child<NumberBox>(bench.timeline, "timeBox");
         box->setFocus();
-        QTRY_VERIFY(box->hasFocus());
+        AWAIT(box->hasFocus());
         box->selectAll();
         QTest::keyClicks(box, "0.5");
         bench.session.setTime(0.7);

@@ -2,6 +2,7 @@
 #include "ui/plots/plot_grid.h"
 
 #include "tests/support/text_recorder.h"
+#include "tests/support/waiting.h"
 #include "ui/document/session.h"
 #include "ui/plots/plot_arrangement.h"
 #include "ui/words/theme.h"
@@ -80,8 +81,6 @@ struct ShownGrid {
             QObject::connect(plot(name), &QCustomPlot::afterReplot, &grid, [this] { ++replots; });
         }
     }
-
-    static void settle() { QTest::qWait(1); }
 
     QCustomPlot *plot(const QString &name) const { return grid.findChild<QCustomPlot *>(name); }
 
@@ -205,7 +204,7 @@ void TstPlotGrid::changesThePictureWithTheParameters()
         before.push_back(pictureOf(shown, name));
     }
     shown.grid.setResult(resultOf(withCoupler(64.0)));
-    ShownGrid::settle();
+    settle();
     for (qsizetype i = 0; i < PlotGrid::plotNames().size(); ++i) {
         const QString name = PlotGrid::plotNames()[i];
         if (!name.contains(QStringLiteral("error"))) {
@@ -220,7 +219,7 @@ void TstPlotGrid::mergesSeveralResultsIntoOneReplot()
     for (const double b : {61.0, 62.0, 63.0}) {
         shown.grid.setResult(resultOf(withCoupler(b)));
     }
-    ShownGrid::settle();
+    settle();
     QCOMPARE(shown.replots, 9);
 }
 
@@ -229,10 +228,10 @@ void TstPlotGrid::leavesAHiddenGridAlone()
     ShownGrid shown(resultOf(withCoupler(60.0)));
     shown.grid.hide();
     shown.grid.setResult(resultOf(withCoupler(63.0)));
-    ShownGrid::settle();
+    settle();
     QCOMPARE(shown.replots, 0);
     shown.grid.show();
-    ShownGrid::settle();
+    settle();
     QCOMPARE(shown.replots, 9);
 }
 
@@ -244,7 +243,7 @@ void TstPlotGrid::movesTheCursorWithoutAReplot()
     for (const double t : {0.25, 0.75}) {
         pose.time = t;
         shown.grid.setPose(pose);
-        ShownGrid::settle();
+        settle();
         for (const QString &name : PlotGrid::plotNames()) {
             const QCustomPlot *plot = shown.plot(name);
             const int x = static_cast<int>(std::lround(plot->xAxis->coordToPixel(t)));
@@ -443,7 +442,7 @@ void TstPlotGrid::pansAllNineTimeAxes()
     QTest::mousePress(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.6));
     QTest::mouseMove(shown.plot(over), shown.pointAt(over, 0.4));
     QTest::mouseRelease(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.4));
-    ShownGrid::settle();
+    settle();
     const QCPRange after = shown.plot(over)->xAxis->range();
     QVERIFY(after.lower > before.lower + 0.1 * before.size());
     QVERIFY(std::abs(after.size() - before.size()) < 1e-9);
@@ -462,7 +461,7 @@ void TstPlotGrid::showsAllAfterADoubleClick()
     onAxis.rx() -= 10;
     shown.turnWheel(over, onAxis, 2);
     QTest::mouseDClick(shown.plot(over), Qt::LeftButton, {}, shown.pointAt(over, 0.5));
-    ShownGrid::settle();
+    settle();
     QCOMPARE(shown.plot(over)->xAxis->range(), QCPRange(0.0, 1.0));
     QCOMPARE(shown.plot(over)->yAxis->range(), values);
 }
@@ -474,7 +473,7 @@ void TstPlotGrid::keepsTheZoomWhileAParameterChanges()
     shown.turnWheel(over, shown.pointAt(over, 0.5), 5);
     const QCPRange range = shown.plot(over)->xAxis->range();
     shown.grid.setResult(resultOf(withCoupler(61.0)));
-    ShownGrid::settle();
+    settle();
     QCOMPARE(shown.plot(over)->xAxis->range(), range);
 }
 
@@ -508,12 +507,12 @@ void TstPlotGrid::readsValuesWhereOneHovers()
     ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
     const QString theta3 = QStringLiteral("plot_theta3");
     QTest::mouseMove(shown.plot(theta3), shown.pointAt(theta3, 0.5));
-    QTRY_VERIFY(shown.overlay(theta3)->text().contains(QStringLiteral("θ³ = 24.")));
+    AWAIT(shown.overlay(theta3)->text().contains(QStringLiteral("θ³ = 24.")));
     QVERIFY(shown.overlay(theta3)->text().contains(QStringLiteral("θ₃ = θ³ + 180° = 204.")));
     QVERIFY(shown.overlay(theta3)->text().contains(QStringLiteral("reference: 22.")));
     const QString error = QStringLiteral("plot_error_velocity");
     QTest::mouseMove(shown.plot(error), shown.pointAt(error, 0.5));
-    QTRY_VERIFY(shown.overlay(error)->text().contains(QStringLiteral("error of dθ³/dt: ")));
+    AWAIT(shown.overlay(error)->text().contains(QStringLiteral("error of dθ³/dt: ")));
     QVERIFY(shown.overlay(error)->text().contains(u'%'));
 }
 
@@ -522,7 +521,7 @@ void TstPlotGrid::readsAllNineAtOnce()
     ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(withCoupler(65.0))));
     const QString theta3 = QStringLiteral("plot_theta3");
     QTest::mouseMove(shown.plot(theta3), shown.pointAt(theta3, 0.5));
-    QTRY_VERIFY(shown.overlay(theta3)->isVisible());
+    AWAIT(shown.overlay(theta3)->isVisible());
     for (const QString &name : PlotGrid::plotNames()) {
         QVERIFY2(!shown.overlay(name)->text().isEmpty(), qPrintable(name));
     }
@@ -556,7 +555,7 @@ void TstPlotGrid::measuresBetweenTwoInstants()
     QTest::mousePress(plot, Qt::LeftButton, {}, atB);
     QTest::mouseMove(plot, to);
     QTest::mouseRelease(plot, Qt::LeftButton, {}, to);
-    QTRY_VERIFY(shown.overlay(slider)->text().contains(QStringLiteral("B  59.7"))); // 60 cos(asin(5/60))
+    AWAIT(shown.overlay(slider)->text().contains(QStringLiteral("B  59.7"))); // 60 cos(asin(5/60))
     shown.grid.setMeasuring(false);
     QVERIFY(!shown.overlay(slider)->isVisible() || shown.overlay(slider)->text().isEmpty());
 }
@@ -582,7 +581,7 @@ void TstPlotGrid::showsErrorsInTheChosenMeasure()
     const Parameters theirs = withCoupler(65.0);
     ShownGrid shown(resultOf(withCoupler(60.0), 200, referenceOf(theirs)));
     shown.grid.setSettings(settings);
-    ShownGrid::settle();
+    settle();
 
     // The textbook's formulas, at t = 0: θ3 = asin(25/b), R4x = 20 + √(b² - 25²).
     constexpr double kDegree = 180.0 / std::numbers::pi;
@@ -616,7 +615,7 @@ void TstPlotGrid::labelsTheAxisWithTheCrankAngle()
     PlotSettings settings;
     settings.abscissa = Abscissa::CrankAngle;
     shown.grid.setSettings(settings);
-    ShownGrid::settle();
+    settle();
     const QCPAxis &axis = *shown.plot(QStringLiteral("plot_error_acceleration"))->xAxis;
     const QVector<double> ticks = axis.ticker()->tickOrigin() == 0.25 ? QVector<double>{0.25} : QVector<double>{};
     QCOMPARE(ticks.size(), 1); // θ2 is 0 a quarter of a second after it was 90°
@@ -635,12 +634,12 @@ void TstPlotGrid::maximizesAPlotByItsTitle()
     const QString name = QStringLiteral("plot_R4_x_diff");
     const QSize small = shown.plot(name)->size();
     QTest::mouseDClick(shown.plot(name), Qt::LeftButton, {}, QPoint(60, 4));
-    ShownGrid::settle();
+    settle();
     QVERIFY(shown.plot(name)->width() > 2 * small.width());
     QVERIFY(!shown.plot(QStringLiteral("plot_theta3"))->isVisible());
     QCOMPARE(shown.grid.focusWidget(), shown.plot(name)); // whose key Escape is
     QTest::keyClick(shown.grid.focusWidget(), Qt::Key_Escape);
-    ShownGrid::settle();
+    settle();
     QCOMPARE(shown.plot(name)->size(), small);
     QVERIFY(shown.plot(QStringLiteral("plot_theta3"))->isVisible());
 }
@@ -694,7 +693,7 @@ void TstPlotGrid::keepsTheAxesInPlaceWhileValuesChange()
     const QRect before = shown.plot(QStringLiteral("plot_theta3_diff2"))->axisRect()->rect();
     for (const double b : {50.0, 60.0, 90.0, 150.0}) {
         shown.grid.setResult(resultOf(withCoupler(b)));
-        ShownGrid::settle();
+        settle();
         QCOMPARE(shown.plot(QStringLiteral("plot_theta3_diff2"))->axisRect()->rect(), before);
     }
 }
@@ -749,12 +748,12 @@ void TstPlotGrid::framesThePlotWithTheFocusAndNoMore()
     ShownGrid shown(resultOf(withCoupler(60.0)));
     const QString name = QStringLiteral("plot_R4_x");
     shown.grid.setMeasuring(true); // the box over the plot stays
-    ShownGrid::settle();
+    settle();
     const QImage before = pictureOf(shown, name);
     shown.grid.activateWindow();
     shown.plot(name)->setFocus(Qt::TabFocusReason);
-    QTRY_VERIFY(shown.plot(name)->hasFocus());
-    ShownGrid::settle();
+    AWAIT(shown.plot(name)->hasFocus());
+    settle();
     const QImage after = pictureOf(shown, name);
     QVERIFY(after != before);
     const QRect inside = before.rect().adjusted(3, 3, -3, -3);
@@ -800,7 +799,7 @@ void TstPlotGrid::recoloursWithThePalette()
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
         const QPalette palette = paletteFor(theme);
         shown.grid.setPalette(palette);
-        ShownGrid::settle();
+        settle();
         QCOMPARE(shown.plot(QStringLiteral("plot_theta3"))->graph(0)->pen().color(), seriesColours(palette).model);
         QCOMPARE(pictureOf(shown, QStringLiteral("plot_theta3")).pixelColor(1, 1), palette.color(QPalette::Base));
         QCOMPARE(shown.grid.grab().toImage().pixelColor(1, 1), palette.color(QPalette::Base));

@@ -5,6 +5,8 @@
 #include "ui/reference/column_mapping.h"
 #include "ui/words/theme.h"
 
+#include "tests/support/waiting.h"
+
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
@@ -286,7 +288,7 @@ private slots:
         Session session;
         QSignalSpy loaded(&session, &Session::referenceLoaded);
         session.loadReference(file.fileName());
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         const ReferenceSeries *series = session.reference()->data.find({Theta2, Order::Position});
         QVERIFY(series);
         QVERIFY(std::abs(series->values[1] - 0.1 * kDegreesPerRadian) < 1e-12);
@@ -304,7 +306,7 @@ private slots:
         Session session;
         QSignalSpy loaded(&session, &Session::referenceLoaded);
         session.loadReference(path);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         session.apply({Convention::Kind::AngleUnit, {theta3}, 10.0});
         session.apply({Convention::Kind::LengthUnit, {slider}, 100.0});
         session.apply({Convention::Kind::TimeShift, {}, 0.5});
@@ -314,7 +316,7 @@ private slots:
                         {{2, ColumnRole::Ignored, {}, {}}, {3, ColumnRole::Channel, slider, {}}});
         loaded.clear();
         session.readColumnsAnew(path);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         const Reference &anew = *session.reference();
         QCOMPARE(anew.conventions.size(), std::size_t(2));
         QCOMPARE(anew.data.find(theta3)->values, (std::vector<double>{20.0, 30.0}));
@@ -324,7 +326,7 @@ private slots:
 
         loaded.clear();
         session.loadReference(path); // opened again: as it is
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         QVERIFY(session.reference()->conventions.empty());
     }
 

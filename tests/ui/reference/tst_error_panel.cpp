@@ -4,6 +4,8 @@
 #include "ui/document/result.h"
 #include "ui/reference/error_panel.h"
 
+#include "tests/support/waiting.h"
+
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -200,12 +202,12 @@ private slots:
         panel.show();
         panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25)}));
         auto *table = child<NumberTable>(panel, "errorTable");
-        QTRY_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
+        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
         panel.resize(560, 220);
-        QTRY_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees"));
+        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees"));
         QVERIFY(toolTipOf(table, 0, Outcome).startsWith("agrees to the last printed digit"));
         panel.resize(1000, 220);
-        QTRY_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
+        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
     }
 
     void explainsTheDifferenceAndOffersTheRemedy()
@@ -236,13 +238,13 @@ private slots:
         moved->mechanism = Mechanism(parameters);
         panel.setResult(moved);
         QVERIFY(child<QLabel>(panel, "findingLabel")->isVisible());
-        QTRY_VERIFY(!child<QLabel>(panel, "findingLabel")->isEnabled());
+        AWAIT(!child<QLabel>(panel, "findingLabel")->isEnabled());
 
         // Everything agrees: nothing to say.
         auto agreeing = std::make_shared<Result>(*moved);
         agreeing->comparison[0].verdict = Verdict::Agrees;
         panel.setResult(agreeing);
-        QTRY_VERIFY(!child<QWidget>(panel, "findings")->isVisible());
+        AWAIT(!child<QWidget>(panel, "findings")->isVisible());
     }
 
     void offersEachConventionAndTheWayBack()

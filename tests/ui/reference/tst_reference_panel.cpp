@@ -4,6 +4,8 @@
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
 
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QLabel>
@@ -202,7 +204,7 @@ private slots:
         QCOMPARE(buttons.size(), 2);
         QSignalSpy applied(m_panel.get(), &ReferencePanel::applyRequested);
         QTest::mouseClick(buttons[1], Qt::LeftButton);
-        QTRY_COMPARE(applied.count(), 1);
+        AWAIT_COMPARE(applied.count(), 1);
         QVERIFY(applied.first().first().value<Convention>() == kMetres);
         QVERIFY(buttons[0]->accessibleName() != buttons[1]->accessibleName());
     }
@@ -222,7 +224,7 @@ private slots:
         connect(m_panel.get(), &ReferencePanel::readAsPrintedRequested, m_panel.get(),
                 [this, printed] { m_panel->setReference(printed); });
         QTest::mouseClick(child<QPushButton>(*m_panel, QStringLiteral("asPrintedButton")), Qt::LeftButton);
-        QTRY_COMPARE(back.count(), 1);
+        AWAIT_COMPARE(back.count(), 1);
         QVERIFY(!m_panel->findChild<QPushButton *>(QStringLiteral("asPrintedButton")));
     }
 
@@ -236,7 +238,7 @@ private slots:
         QVERIFY(child<QLabel>(*m_panel, QStringLiteral("identificationLabel"))->text().contains("60"));
         QSignalSpy taken(m_panel.get(), &ReferencePanel::takeOverRequested);
         QTest::mouseClick(child<QPushButton>(*m_panel, QStringLiteral("takeOverButton")), Qt::LeftButton);
-        QTRY_COMPARE(taken.count(), 1);
+        AWAIT_COMPARE(taken.count(), 1);
 
         const auto onShow = std::make_shared<Diagnosis>(*diagnosis);
         onShow->parameters = onShow->found.rounded;
@@ -287,7 +289,7 @@ private slots:
         const QWidget *room = child<QScrollArea>(*m_panel, QStringLiteral("findings"))->viewport();
         for (const QLabel *label : room->findChildren<QLabel *>()) {
             QVERIFY(label->mapTo(room, QPoint(label->width(), 0)).x() <= room->width());
-            QTRY_VERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+            AWAIT2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
         }
         for (const QPushButton *button : m_panel->findChildren<QPushButton *>()) {
             if (button->isVisible()) {

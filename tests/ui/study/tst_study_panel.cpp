@@ -3,6 +3,9 @@
 #include "ui/study/study_panel.h"
 #include "ui/words/theme.h"
 
+#include "tests/support/study_of_a_turn.h"
+#include "tests/support/waiting.h"
+
 #include <QApplication>
 #include <QComboBox>
 #include <QFile>
@@ -24,8 +27,6 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr int kLongest = 120'000; // ms, under the sanitizers
-
 template <class Widget>
 Widget *part(const StudyPanel &panel, const char *name)
 {
@@ -36,7 +37,7 @@ void runOnce(StudyPanel &panel)
 {
     QSignalSpy finished(&panel, &StudyPanel::finished);
     QTest::mouseClick(part<QPushButton>(panel, "runThisButton"), Qt::LeftButton);
-    QVERIFY(finished.wait(kLongest));
+    QVERIFY(finished.wait(kPatience));
 }
 
 CaseResult smallCase()
@@ -107,7 +108,7 @@ void tst_study_panel::runsBesideTheWindowAndShowsEveryMethod()
     QCOMPARE(finished.count(), 0); // it came back at once
     QVERIFY(part<QPushButton>(panel, "cancelStudyButton")->isVisible());
     QVERIFY(!part<QPushButton>(panel, "runHardButton")->isEnabled());
-    QVERIFY(finished.wait(kLongest));
+    QVERIFY(finished.wait(kPatience));
     QCOMPARE(part<QProgressBar>(panel, "studyProgress")->value(),
              part<QProgressBar>(panel, "studyProgress")->maximum());
     QVERIFY(part<QPushButton>(panel, "runThisButton")->isEnabled());
@@ -125,7 +126,7 @@ void tst_study_panel::cancelsAtOnce()
     QSignalSpy finished(&panel, &StudyPanel::finished);
     panel.runHardCases();
     QTest::mouseClick(part<QPushButton>(panel, "cancelStudyButton"), Qt::LeftButton);
-    QVERIFY(finished.wait(kLongest));
+    QVERIFY(finished.wait(kPatience));
     QVERIFY(part<QProgressBar>(panel, "studyProgress")->value() <
             part<QProgressBar>(panel, "studyProgress")->maximum());
     QVERIFY(part<QPushButton>(panel, "runThisButton")->isEnabled());
@@ -135,10 +136,11 @@ void tst_study_panel::mayBeClosedWhileItRuns()
 {
     auto panel = std::make_unique<StudyPanel>();
     panel->show();
+    auto *progress = part<QProgressBar>(*panel, "studyProgress");
     panel->runHardCases();
-    QTest::qWait(20);
+    AWAIT(progress->value() > 0);
     panel.reset();
-    QTest::qWait(100); // whatever is still on its way arrives
+    finishAside(); // whatever is still on its way arrives
 }
 
 void tst_study_panel::anotherPanelGoesOnWithWhatRuns()
@@ -151,7 +153,7 @@ void tst_study_panel::anotherPanelGoesOnWithWhatRuns()
         panel.takeOver(before);
     }
     QVERIFY(!part<QPushButton>(panel, "runThisButton")->isEnabled());
-    QVERIFY(finished.wait(kLongest));
+    QVERIFY(finished.wait(kPatience));
     QCOMPARE(part<QTableView>(panel, "studyTable")->model()->rowCount(), 24);
 }
 
@@ -175,27 +177,27 @@ void tst_study_panel::pointsAnswerToTheMouse()
     StudyPanel panel;
     panel.resize(960, 300);
     panel.show();
-    runOnce(panel);
-    QTest::qWait(10);
+    panel.setResult(studyOfATurn());
+    settle();
     auto *picture = part<QWidget>(panel, "studyPicture");
     QTest::mouseMove(picture, QPoint(1, 1));
 
-    // Every point lies where the bare function says; the one farthest to the left is the batch.
+    // Every point lies where the bare function says.
     const auto *table = part<QTableView>(panel, "studyTable");
-    int fastest = -1;
+    int batch = -1;
     for (int row = 0; row < table->model()->rowCount(); ++row) {
         if (table->model()->index(row, 0).data().toString() == "closed form, batch") {
-            fastest = row;
+            batch = row;
         }
     }
-    QVERIFY(fastest >= 0);
+    QVERIFY(batch >= 0);
     bool pointed = false;
     for (int y = 0; y < picture->height() && !pointed; y += 4) {
         for (int x = 0; x < picture->width() && !pointed; x += 4) {
             QMouseEvent move(QEvent::MouseMove, QPointF(x, y), picture->mapToGlobal(QPointF(x, y)), Qt::NoButton,
                              Qt::NoButton, Qt::NoModifier);
             QApplication::sendEvent(picture, &move);
-            pointed = table->currentIndex().row() == fastest;
+            pointed = table->currentIndex().row() == batch;
         }
     }
     QVERIFY(pointed);
@@ -207,7 +209,8 @@ void tst_study_panel::theTableMarksItsPoint()
     StudyPanel panel;
     panel.resize(960, 300);
     panel.show();
-    runOnce(panel);
+    panel.setResult(studyOfATurn());
+    settle();
     auto *picture = part<QWidget>(panel, "studyPicture");
     const QImage before = picture->grab().toImage();
     auto *table = part<QTableView>(panel, "studyTable");
@@ -219,7 +222,7 @@ void tst_study_panel::exportsThePictureAndTheNumbers()
 {
     StudyPanel panel;
     panel.show();
-    runOnce(panel);
+    panel.setResult(studyOfATurn());
     QTemporaryDir folder;
     for (const char *name : {"x.png", "x.svg", "x.pdf"}) {
         QCOMPARE(panel.exportPicture(folder.filePath(name)), std::nullopt);

@@ -6,6 +6,8 @@
 #include "ui/controls/number_slider.h"
 #include "ui/window/main_window.h"
 
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -171,7 +173,7 @@ private:
         bar->setCurrentIndex(2);
         for (int page = 1; page < 5; ++page) {
             m_window->findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(page))->click();
-            QTest::qWait(80); // the panel lets numbers rest for a moment before the next are shown
+            settle(*m_window); // the panel lets numbers rest for a moment before the next are shown
             look();
         }
     }
@@ -209,7 +211,7 @@ private slots:
         QFETCH(const QString, reference);
         if (!reference.isEmpty()) {
             m_window->openReference(reference);
-            QTRY_VERIFY(m_window->session().diagnosis());
+            AWAIT(m_window->session().diagnosis());
         }
         onEveryPage([this] { judge(m_window.get()); });
         m_faults.removeDuplicates();
@@ -219,7 +221,7 @@ private slots:
     void everyDialogIsJudgedAsTheWindowIs()
     {
         m_window->openReference(kSample);
-        QTRY_VERIFY(m_window->session().diagnosis());
+        AWAIT(m_window->session().diagnosis());
         m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(1);
         Parameters parameters;
         parameters.b = 70.0;
@@ -256,7 +258,7 @@ private slots:
         QFETCH(const QString, reference);
         if (!reference.isEmpty()) {
             m_window->openReference(reference);
-            QTRY_VERIFY(m_window->session().diagnosis());
+            AWAIT(m_window->session().diagnosis());
         }
         onEveryPage([this] { walk(m_window.get()); });
         m_faults.removeDuplicates();

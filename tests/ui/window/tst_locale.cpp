@@ -8,6 +8,8 @@
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -122,7 +124,7 @@ private slots:
     void everyNumberOnTheScreenHasAComma()
     {
         m_window->openReference(kSample);
-        QTRY_VERIFY(m_window->session().diagnosis());
+        AWAIT(m_window->session().diagnosis());
         m_window->session().setTime(0.123);
         auto *plot = m_window->findChild<QWidget *>(QStringLiteral("plot_R4_x"));
         auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
@@ -132,7 +134,7 @@ private slots:
         int commas = 0;
         const auto look = [&] {
             QTest::mouseMove(plot, plot->rect().center() + QPoint(commas % 2, 0));
-            QTest::qWait(80);
+            settle(*m_window);
             for (const QString &text : textsOf(*m_window)) {
                 QVERIFY2(!text.contains(point), qPrintable(text));
                 commas += text.contains(comma) ? 1 : 0;
@@ -164,15 +166,15 @@ private slots:
 
         const QString data = folder.filePath(QStringLiteral("motion.csv"));
         m_window->exports().writeData(data, allChannels());
-        QTRY_VERIFY(!contentOf(data).isEmpty());
-        QTRY_COMPARE(contentOf(data).count('\n'), 202);
+        AWAIT(!contentOf(data).isEmpty());
+        AWAIT_COMPARE(contentOf(data).count('\n'), 202);
         const QList<QByteArray> lines = contentOf(data).split('\n');
         QCOMPARE(lines[2].count(','), lines[0].count(',')); // between the columns only
         QVERIFY(lines[2].contains("0.005"));
 
         m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(2);
         m_window->findChild<QAbstractButton *>(QStringLiteral("segment4"))->click();
-        QTest::qWait(80);
+        settle(*m_window);
         m_window->findChild<QAbstractButton *>(QStringLiteral("copyTableButton"))->click();
         const QString copied = QApplication::clipboard()->text();
         QVERIFY2(copied.contains(QRegularExpression(QStringLiteral(",\\d+\\.\\d+,"))), qPrintable(copied));

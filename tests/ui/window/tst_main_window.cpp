@@ -15,13 +15,14 @@
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
 
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemModel>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QDropEvent>
-#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -106,6 +107,7 @@ private slots:
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
         QApplication::setStyle(QStringLiteral("Fusion"));
+        QApplication::setCursorFlashTime(0);
     }
 
     void init()
@@ -157,7 +159,7 @@ private slots:
         QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("sample")));
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
         m_window->findChild<QAbstractButton *>(QStringLiteral("messageRemedy"))->click();
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         QVERIFY(m_window->session().reference());
 
         m_window = std::make_unique<MainWindow>();
@@ -198,7 +200,7 @@ private slots:
             QVERIFY(page && page->isVisible() && !page->isModal());
             QCOMPARE(page->windowTitle(), name);
             QTest::keyClick(page, Qt::Key_Escape);
-            QTRY_VERIFY(!m_window->findChild<HelpPage *>());
+            AWAIT(!m_window->findChild<HelpPage *>());
         }
     }
 
@@ -280,26 +282,24 @@ private slots:
     {
         auto *plot = m_window->findChild<QWidget *>(QStringLiteral("plot_R4_x"));
         QTest::mouseClick(plot, Qt::LeftButton, Qt::NoModifier, plot->rect().center());
-        QTRY_VERIFY(m_window->session().time() > 0.3 && m_window->session().time() < 0.7);
+        AWAIT(m_window->session().time() > 0.3 && m_window->session().time() < 0.7);
     }
 
     void playingFollowsTheClock()
     {
         auto *timeline = m_window->findChild<Timeline *>();
+        double clock = 77.0; // s
+        timeline->setClock([&clock] { return clock; });
         QTest::mouseClick(m_window->findChild<QAbstractButton *>(QStringLiteral("playButton")), Qt::LeftButton);
         QVERIFY(timeline->isPlaying());
-        QElapsedTimer clock;
-        clock.start();
-        const double from = m_window->session().time();
-        QTest::qWait(400);
-        const double shown = m_window->session().time() - from;
-        const double elapsed = static_cast<double>(clock.elapsed()) * 1e-3;
-        QVERIFY2(shown > 0.5 * elapsed && shown < elapsed + 0.1,
-                 qPrintable(QStringLiteral("%1 s shown in %2 s").arg(shown).arg(elapsed)));
+        clock += 0.4;
+        letTimePass(*timeline);
+        QVERIFY(std::abs(m_window->session().time() - 0.4) < 1e-9);
         timeline->pause();
-        const double paused = m_window->session().time();
-        QTest::qWait(100);
-        QCOMPARE(m_window->session().time(), paused);
+        clock += 0.1;
+        letTimePass(*timeline);
+        settle();
+        QVERIFY(std::abs(m_window->session().time() - 0.4) < 1e-9);
     }
 
     void playbackKeysWorkFromAnywhereButWhereTheyAreNeeded()
@@ -339,7 +339,7 @@ private slots:
         const QImage error = pictureOf(*m_window, QStringLiteral("plot_error_position"));
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
         drop(*m_window, kSample);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
         QVERIFY(pictureOf(*m_window, QStringLiteral("plot_theta3")) != curve);
         QVERIFY(pictureOf(*m_window, QStringLiteral("plot_error_position")) != error);
@@ -362,7 +362,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         m_window->openReference(kSample); // b = 60, on show is 65
         auto *bar = m_window->findChild<MessageBar *>();
-        QTRY_VERIFY(bar->isVisible());
+        AWAIT(bar->isVisible());
         const QString sentence = QStringLiteral("This error looks like b: 60.000 instead of 65 mm explains 99.9999 %");
         QVERIFY2(bar->text().contains(sentence), qPrintable(bar->text()));
         QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel"))->text().startsWith(sentence));
@@ -384,8 +384,8 @@ private slots:
         m_window->resize(1024, 700);
         m_window->findChild<FoldingTabs *>()->setFolded(false);
         m_window->openReference(kSample);
-        QTRY_VERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel")));
-        QTest::qWait(50); // until everything has its place
+        AWAIT(m_window->findChild<QLabel *>(QStringLiteral("findingLabel")));
+        settle(*m_window); // everything has its place
         for (const QString &name : {QStringLiteral("findingLabel"), QStringLiteral("verdictLabel")}) {
             const auto *label = m_window->findChild<QLabel *>(name);
             QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(name));
@@ -398,9 +398,9 @@ private slots:
         Session &session = m_window->session();
         QSignalSpy loaded(&session, &Session::referenceLoaded);
         m_window->openReference(kSample);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         session.setParameters(withCoupler(-1.0)); // before the diagnosis is there
-        QTRY_VERIFY(session.diagnosis());
+        AWAIT(session.diagnosis());
         QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("greater than 0")));
     }
 
@@ -408,7 +408,7 @@ private slots:
     {
         m_window->session().setParameters(withCoupler(60.0));
         m_window->openReference(kSample);
-        QTRY_VERIFY(m_window->session().diagnosis());
+        AWAIT(m_window->session().diagnosis());
         QVERIFY(!m_window->findChild<MessageBar *>()->isVisible());
         QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("findingLabel")));
     }
@@ -416,7 +416,7 @@ private slots:
     void theFilesMotionIsShownOrNot()
     {
         m_window->openReference(kSample);
-        QTRY_VERIFY(m_window->session().diagnosis());
+        AWAIT(m_window->session().diagnosis());
         QAction *ghost = nullptr;
         for (QAction *action : m_window->findChildren<QAction *>()) {
             if (action->text().remove(u'&') == QLatin1String("Show the file's motion")) {
@@ -438,7 +438,7 @@ private slots:
     {
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
         m_window->openReference(kSample);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         QTemporaryDir folder;
         const QString bad = folder.filePath(QStringLiteral("bad.csv"));
         QFile file(bad);
@@ -447,7 +447,7 @@ private slots:
         file.close();
         auto *bar = m_window->findChild<MessageBar *>();
         drop(*m_window, bad);
-        QTRY_VERIFY(bar->isVisible() && bar->text().contains(QLatin1String("bad.csv")));
+        AWAIT(bar->isVisible() && bar->text().contains(QLatin1String("bad.csv")));
         QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
         QTest::mouseClick(bar->findChild<QAbstractButton *>(QStringLiteral("messageDismiss")), Qt::LeftButton);
         QVERIFY(!bar->isVisible());
@@ -542,7 +542,7 @@ private slots:
         const QTemporaryDir folder;
         const QString shown = QDir::toNativeSeparators(folder.filePath(QStringLiteral("motion.png")));
         m_window->exports().writeAnimation(folder.filePath(QStringLiteral("motion.png")));
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MessageBar *>()->text().contains(shown), 30000);
+        AWAIT(m_window->findChild<MessageBar *>()->text().contains(shown));
         const QStringList frames = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
         QCOMPARE(frames.size(), 31); // a second, both ends
         const QImage first(folder.filePath(frames.first()));
@@ -561,15 +561,15 @@ private slots:
         auto *tabs = m_window->findChild<FoldingTabs *>();
         QVERIFY(!tabs->isFolded());
         m_window->resize(1024, 700);
-        QTRY_VERIFY(tabs->isFolded());
+        AWAIT(tabs->isFolded());
         const auto *grid = m_window->findChild<PlotGrid *>();
-        QTRY_VERIFY(grid->height() > 550); // the room is the plots' now
+        AWAIT(grid->height() > 550); // the room is the plots' now
         QVERIFY(m_window->width() <= 1024 && m_window->height() <= 700);
         m_window->resize(1400, 900);
-        QTRY_VERIFY(!tabs->isFolded());
+        AWAIT(!tabs->isFolded());
         tabs->setFolded(true);
         m_window->resize(1400, 910);
-        QTest::qWait(20);
+        settle();
         QVERIFY(tabs->isFolded());
     }
 
@@ -597,36 +597,38 @@ private slots:
     {
         QFETCH(const Theme, from);
         QFETCH(const Theme, to);
-        const auto look = [this](const std::function<void()> &between) {
+        const auto look = [this](QList<QImage> &pictures, const std::function<void()> &between) {
             m_window->session().setParameters(withCoupler(64.0));
             m_window->openReference(kSample);
+            AWAIT(m_window->session().diagnosis());
             auto *bar = m_window->findChild<QTabBar *>(QStringLiteral("tabBar"));
             for (int tab = 0; tab < bar->count(); ++tab) {
                 bar->setCurrentIndex(tab);
-                QTest::qWait(20);
+                settle();
             }
             const auto segment = [this](int page) {
                 m_window->findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(page))->click();
             };
             segment(3);
             between();
-            QList<QImage> pictures;
             for (int tab = 0; tab < bar->count(); ++tab) {
                 bar->setCurrentIndex(tab);
                 for (const int page : tab == 2 ? QList<int>{0, 2, 3} : QList<int>{0}) {
                     segment(page);
-                    QTest::qWait(60);                      // until the numbers are there
+                    settle(*m_window);                     // the numbers are there
                     m_window->statusBar()->clearMessage(); // it tells a time, which is never the same
                     pictures << m_window->grab().toImage();
                 }
             }
-            return pictures;
         };
         m_window->setTheme(from);
-        const QList<QImage> live = look([&] { m_window->setTheme(to); });
+        QList<QImage> live;
+        look(live, [&] { m_window->setTheme(to); });
         init();
         m_window->setTheme(to);
-        const QList<QImage> before = look([] {});
+        QList<QImage> before;
+        look(before, [] {});
+        QCOMPARE(live.size(), before.size());
         for (qsizetype i = 0; i < live.size(); ++i) {
             QVERIFY2(live[i] == before[i], qPrintable(QString::number(i)));
         }
@@ -639,7 +641,7 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("rig.json"));
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
         m_window->openReference(kSample);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         m_window->session().setParameters(withCoupler(61.25));
         m_window->session().setTime(0.3);
         auto *grid = m_window->findChild<PlotGrid *>();
@@ -666,7 +668,7 @@ private slots:
         init(); // another window
         QSignalSpy opened(&m_window->session(), &Session::opened);
         drop(*m_window, path);
-        QVERIFY(opened.wait());
+        QVERIFY(opened.wait(kPatience));
         grid = m_window->findChild<PlotGrid *>();
         QCOMPARE(m_window->session().parameters(), withCoupler(61.25));
         QCOMPARE(m_window->session().time(), 0.3);
@@ -682,7 +684,7 @@ private slots:
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(!m_window->session().undoStack().canUndo());
         QCOMPARE(recentFiles(kRecentScenes), QStringList{path});
-        QTRY_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
+        AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
     }
 
     void saysWhatIsModified()
@@ -763,7 +765,7 @@ private slots:
         dialog->setDirectory(folder.path());
         dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(QStringLiteral("rig"));
         QMetaObject::invokeMethod(dialog, "accept");
-        QTRY_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.json")));
+        AWAIT_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.json")));
         QVERIFY(!m_window->isWindowModified());
     }
 
@@ -805,7 +807,7 @@ private slots:
         QCOMPARE(writeScene(scene, path), std::nullopt);
         m_window->openFile(path);
         const auto *bar = m_window->findChild<MessageBar *>();
-        QTRY_VERIFY(bar->isVisible() && bar->text().contains(QLatin1String("gone.csv")));
+        AWAIT(bar->isVisible() && bar->text().contains(QLatin1String("gone.csv")));
         QCOMPARE(m_window->session().parameters(), withCoupler(70.0));
         m_window->scene().save();
         const Scene again = std::get<Scene>(readScene(path));
@@ -821,7 +823,7 @@ private slots:
         QCOMPARE(writeScene(scene, path), std::nullopt);
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
         m_window->scene().open(path, kSample);
-        QVERIFY(loaded.wait());
+        QVERIFY(loaded.wait(kPatience));
         QCOMPARE(m_window->session().reference()->path, kSample);
         QCOMPARE(m_window->scene().path(), path);
     }
@@ -842,7 +844,7 @@ private slots:
         QCOMPARE(m_window->findChild<QSplitter *>(QStringLiteral("columns"))->sizes(), sizes);
         QVERIFY(m_window->findChild<FoldingTabs *>()->isFolded());
         m_window->findChild<FoldingTabs *>()->setFolded(false);
-        QTRY_VERIFY(m_window->findChild<FoldingTabs *>()->height() > 150);
+        AWAIT(m_window->findChild<FoldingTabs *>()->height() > 150);
     }
 
 private:

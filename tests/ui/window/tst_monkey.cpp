@@ -7,6 +7,9 @@
 #include "ui/document/session.h"
 #include "ui/window/main_window.h"
 
+#include "tests/support/long_tests.h"
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QAbstractSlider>
 #include <QAction>
@@ -15,7 +18,6 @@
 #include <QContextMenuEvent>
 #include <QDir>
 #include <QDropEvent>
-#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -46,8 +48,8 @@ namespace
 {
 
 constexpr int kEvents = 1500;
+constexpr int kManyEvents = 20'000;
 constexpr int kSeed = 1;
-constexpr qint64 kHang = 60'000; // ms, under the sanitizers on a busy machine
 
 const char *const kTexts[] = {
     "60",     "0",   "-25", "1e-9", "1e300", "1e999",        "nan", "12,5", "12.5 mm",
@@ -325,7 +327,16 @@ private:
 
     void resize() { m_window->resize(500 + below(1200), 400 + below(800)); }
 
-    void wait() { QTest::qWait(below(40)); }
+    /// What would be done in a moment is done now.
+    void wait()
+    {
+        QList<QTimer *> all = m_window->findChildren<QTimer *>();
+        erase_if(all, [](const QTimer *one) { return !one->isActive(); });
+        if (!all.isEmpty()) {
+            letTimePass(*all[below(static_cast<int>(all.size()))]->parent());
+        }
+        settle();
+    }
 
     void answer()
     {
@@ -396,30 +407,20 @@ private slots:
 
     void doesAnythingAndNothingBreaks()
     {
-        const int events = numberFrom("SLIDERCRANK_MONKEY_EVENTS", kEvents);
+        const int events = numberFrom("SLIDERCRANK_MONKEY_EVENTS", runs(kEvents, kManyEvents));
         const int seed = numberFrom("SLIDERCRANK_MONKEY_SEED", kSeed);
         Monkey monkey(static_cast<unsigned>(seed), m_folder.path());
-        qint64 longest = 0;
-        QString longestDeed;
         for (int i = 0; i < events; ++i) {
-            QElapsedTimer clock;
-            clock.start();
             monkey.act();
             const QString where = QStringLiteral("event %1 of seed %2: %3").arg(i).arg(seed).arg(monkey.lastDeed());
-            if (clock.elapsed() > longest) {
-                longest = clock.elapsed();
-                longestDeed = where;
-            }
             const Session &session = monkey.window().session();
             QVERIFY2(!findFault(session.parameters()), qPrintable(where));
             QVERIFY2(session.result(), qPrintable(where));
             QVERIFY2(std::isfinite(session.time()), qPrintable(where));
-            QVERIFY2(longest < kHang, qPrintable(where));
             if (!monkey.window().isVisible()) {
                 monkey.window().show(); // it was closed
             }
         }
-        qInfo() << "longest:" << longest << "ms," << longestDeed;
     }
 
 private:

@@ -5,6 +5,8 @@
 
 #include "ui/window/main_window.h"
 
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QSettings>
 #include <QStandardPaths>
@@ -58,10 +60,10 @@ private slots:
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->openReference(kSample);
-        QTRY_VERIFY(m_window->session().diagnosis());
+        AWAIT(m_window->session().diagnosis());
         m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(2);
         m_window->findChild<QAbstractButton *>(QStringLiteral("segment3"))->click();
-        QTest::qWait(100);
+        settle(*m_window);
     }
 
     void cleanupTestCase() { m_window.reset(); }

@@ -5,6 +5,8 @@
 #include "ui/window/main_window.h"
 #include "ui/words/language.h"
 
+#include "tests/support/waiting.h"
+
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QHeaderView>
@@ -151,11 +153,12 @@ private slots:
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         window.openReference(kSample);
-        QTRY_VERIFY(window.session().diagnosis());
+        letTimePassIn(window); // it takes longer than a moment, and can be cancelled
+        AWAIT(window.session().diagnosis());
 
         QStringList cut;
         const auto look = [&](const QString &where) {
-            QTest::qWait(100); // until everything has its place, and the numbers are there
+            settle(window); // everything has its place, and the numbers are there
             for (const QWidget *widget : window.findChildren<QWidget *>()) {
                 if (!widget->isVisible() || widget->visibleRegion().isEmpty()) {
                     continue;
