@@ -18,6 +18,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
@@ -96,31 +97,32 @@ std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawi
     for (const int signal : {SIGINT, SIGTERM}) {
         std::signal(signal, [](int which) { interruption = which; });
     }
-    AnimationExport film(filmOf(options), draw);
+    auto film = std::make_unique<AnimationExport>(filmOf(options), draw);
     std::optional<QString> problem;
     QEventLoop loop;
-    QObject::connect(&film, &AnimationExport::finished, &loop, [&](const QString &sentence) {
+    QObject::connect(film.get(), &AnimationExport::finished, &loop, [&](const QString &sentence) {
         problem = sentence;
         loop.quit();
     });
     QTimer look;
-    QObject::connect(&look, &QTimer::timeout, &film, [&film] {
+    QObject::connect(&look, &QTimer::timeout, &loop, [&loop] {
         if (interruption != 0) {
-            film.cancel();
+            loop.quit();
         }
     });
     look.start(kLookEvery);
-    film.start(options.output);
+    film->start(options.output);
     if (!problem) {
         loop.exec();
     }
+    film.reset(); // cancels what is not done
     for (const int signal : {SIGINT, SIGTERM}) {
         std::signal(signal, SIG_DFL);
     }
     if (const int signal = interruption; signal != 0) {
         std::raise(signal); // so that who started the program sees how it ended
     }
-    return problem->isEmpty() ? std::nullopt : problem;
+    return problem.value_or(QString()).isEmpty() ? std::nullopt : problem;
 }
 
 Shortfall shortfallOf(const RenderOptions &options, const Session &session)

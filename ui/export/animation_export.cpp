@@ -203,13 +203,6 @@ void AnimationExport::finishFilm(int exitCode)
     end(moveFrames());
 }
 
-void AnimationExport::cancel()
-{
-    if (m_running) {
-        end({});
-    }
-}
-
 void AnimationExport::end(const QString &problem)
 {
     m_running = false;

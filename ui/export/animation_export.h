@@ -43,7 +43,7 @@ class AnimationExport : public QObject
 
 public:
     AnimationExport(const Animation &animation, const FrameDrawing &draw, QObject *parent = nullptr);
-    ~AnimationExport() override;
+    ~AnimationExport() override; ///< cancels it: nothing is left behind
 
     /// What a file's name may end in: "png", and where ffmpeg is found "mp4", "webm", "gif".
     static QStringList suffixes();
@@ -51,13 +51,10 @@ public:
     /// "motion.png" makes motion_001.png, motion_002.png, …; another suffix one video.
     void start(const QString &path);
 
-public slots:
-    void cancel(); ///< nothing is left behind
-
 signals:
     void progressed(int done, int all);
 
-    /// `problem`: one sentence; empty when everything is written, or nothing because it was cancelled.
+    /// `problem`: one sentence; empty when everything is written.
     void finished(const QString &problem);
 
 private:

@@ -16,6 +16,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <utility>
+
 namespace slidercrank
 {
 
@@ -190,18 +192,12 @@ void Exports::writeAnimation(const QString &path)
         view->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
     m_animation = new AnimationExport(animation, draw, this);
-    const auto complete = std::make_shared<bool>(false);
-    connect(m_animation, &AnimationExport::progressed, this, [this, complete](int done, int all) {
-        *complete = done == all;
-        emit progressed(static_cast<double>(done) / all);
-    });
-    connect(m_animation, &AnimationExport::finished, this, [this, path, complete](const QString &problem) {
-        m_animation->deleteLater();
-        m_animation = nullptr;
+    connect(m_animation, &AnimationExport::progressed, this,
+            [this](int done, int all) { emit progressed(static_cast<double>(done) / all); });
+    connect(m_animation, &AnimationExport::finished, this, [this, path](const QString &problem) {
+        std::exchange(m_animation, nullptr)->deleteLater();
         emit busyChanged(false);
-        if (*complete || !problem.isEmpty()) { // else it was cancelled
-            tellWritten(path, problem.isEmpty() ? std::nullopt : std::optional(problem));
-        }
+        tellWritten(path, problem.isEmpty() ? std::nullopt : std::optional(problem));
     });
     emit busyChanged(true);
     m_animation->start(path);
@@ -223,7 +219,8 @@ bool Exports::cancel()
 {
     const bool writes = m_animation || m_aside->isRunning();
     if (m_animation) {
-        m_animation->cancel();
+        delete std::exchange(m_animation, nullptr);
+        emit busyChanged(false);
     }
     m_aside->drop();
     return writes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What there is in a window now, and where. All of it but the message bar is made anew when the language changes: who
+// What there is in a window now. All of it but the message bar is made anew when the language changes: who
 // outlives that asks here each time.
 
 class QSplitter;
@@ -29,8 +29,5 @@ struct Rooms {
     FoldingTabs *tabs = nullptr;
     ErrorPanel *errors = nullptr;
 };
-
-/// To the left the mechanism and the hands on it, to the right the plots above the tabs.
-QSplitter *columnsOf(const Rooms &rooms);
 
 } // namespace slidercrank

@@ -45,13 +45,6 @@ struct Held {
     }
 };
 
-/// All that is under way has ended, and what it had to say has been heard.
-void settle()
-{
-    QVERIFY(QThreadPool::globalInstance()->waitForDone());
-    QCoreApplication::processEvents();
-}
-
 } // namespace
 
 class tst_work_aside : public QObject
@@ -171,7 +164,7 @@ private slots:
         held.begun->acquire();
         aside.drop();
         QVERIFY(!aside.isRunning());
-        settle();
+        finishAside();
         QCOMPARE(QList<QVariantList>(running), kOnceOnAndOff);
     }
 
@@ -184,7 +177,7 @@ private slots:
         first.begun->acquire();
         int value = 0;
         aside.start([](const Stop &, const Progress &) { return 2; }, [&](int made) { value = made; }, kNobody);
-        settle();
+        finishAside();
         QCOMPARE(value, 2);
         QCOMPARE(QList<QVariantList>(running), kOnceOnAndOff);
     }
@@ -224,7 +217,7 @@ private slots:
         held.begun->acquire();
         aside.reset();                  // stops it
         QCOMPARE(kept.use_count(), 1L); // what was to be called went at once, in this thread
-        settle();
+        finishAside();
         QVERIFY2(ended, "the application waits at its end as this does");
     }
 
@@ -293,7 +286,7 @@ private slots:
             QVERIFY(work->isRunning());
         }
         lasting.clear();
-        settle();
+        finishAside();
     }
 };
 

@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <memory>
+
 using namespace slidercrank;
 
 namespace
@@ -91,19 +93,18 @@ void TstAnimationExport::writesNumberedFrames()
 void TstAnimationExport::leavesNothingBehindWhenCancelled()
 {
     const QTemporaryDir folder;
-    AnimationExport animation(shortAnimation(), drawGrey);
-    QSignalSpy finished(&animation, &AnimationExport::finished);
-    connect(&animation, &AnimationExport::progressed, &animation, [&animation](int done) {
-        if (done == 3) {
-            animation.cancel();
-        }
-    });
-    animation.start(folder.filePath(QStringLiteral("motion.png")));
-    QVERIFY(finished.wait(kPatience));
-    QCOMPARE(finished[0][0].toString(), QString());
+    auto animation = std::make_unique<AnimationExport>(shortAnimation(), drawGrey);
+    QSignalSpy progressed(animation.get(), &AnimationExport::progressed);
+    QSignalSpy finished(animation.get(), &AnimationExport::finished);
+    animation->start(folder.filePath(QStringLiteral("motion.png")));
+    while (progressed.count() < 3) {
+        QVERIFY(progressed.wait(kPatience));
+    }
+    QVERIFY(!QDir(folder.path()).isEmpty());
+    animation.reset();
     QVERIFY(QDir(folder.path()).isEmpty());
     settle(); // nothing more comes
-    QCOMPARE(finished.count(), 1);
+    QCOMPARE(finished.count(), 0);
 }
 
 void TstAnimationExport::saysWhyItCannotWrite_data()
