@@ -648,6 +648,8 @@ private slots:
         speak(Language::Spanish);
         bar = window.findChild<MessageBar *>();
         QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("espaciadora")));
+        QVERIFY(englishIn(named<QAbstractButton>(window, "messageDismiss")->text()).isEmpty());
+        QVERIFY(englishIn(named<QAbstractButton>(window, "cancelButton")->text()).isEmpty());
         bar->hide();
         speak(Language::English);
         QVERIFY(window.findChild<MessageBar *>()->isHidden());

@@ -18,15 +18,15 @@ MessageBar::MessageBar(QWidget *parent)
     , m_symbol(new QLabel(this))
     , m_text(named("messageText", new Paragraph({}, this)))
     , m_remedyButton(named("messageRemedy", new QPushButton(this)))
+    , m_dismiss(named("messageDismiss", new QPushButton(this)))
 {
     setObjectName(QStringLiteral("messageBar"));
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    auto *dismiss = named("messageDismiss", new QPushButton(tr("Dismiss"), this));
 
-    for (QPushButton *button : {m_remedyButton, dismiss}) {
+    for (QPushButton *button : {m_remedyButton, m_dismiss}) {
         button->setFocusPolicy(Qt::TabFocus); // they vanish when pressed: a click must not leave the focus to chance
     }
 
@@ -35,9 +35,9 @@ MessageBar::MessageBar(QWidget *parent)
     row->addWidget(m_symbol);
     row->addWidget(m_text, 1);
     row->addWidget(m_remedyButton);
-    row->addWidget(dismiss);
+    row->addWidget(m_dismiss);
 
-    connect(dismiss, &QPushButton::clicked, this, &QWidget::hide);
+    connect(m_dismiss, &QPushButton::clicked, this, &QWidget::hide);
     connect(m_remedyButton, &QPushButton::clicked, this, [this] {
         hide();
         const std::function<void()> remedy = m_remedy; // the remedy may show another message
@@ -55,6 +55,7 @@ void MessageBar::showMessage(Kind kind, const QString &sentence, const QString &
     m_text->setText(sentence);
     setAccessibleName(sentence);
     m_remedyButton->setText(remedyText);
+    m_dismiss->setText(tr("Dismiss")); // now: the bar outlives a change of the language
     m_remedyButton->setVisible(static_cast<bool>(remedy));
     recolour();
     show();

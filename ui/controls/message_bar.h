@@ -38,6 +38,7 @@ private:
     QLabel *m_symbol;
     QLabel *m_text;
     QPushButton *m_remedyButton;
+    QPushButton *m_dismiss;
     std::function<void()> m_remedy;
     Kind m_kind = Kind::Hint;
 };

@@ -179,6 +179,7 @@ void MainWindow::makeRooms(bool withGhost)
     connectRooms();
     m_rooms.ghost = new Ghost(m_session, m_rooms.mechanism, withGhost); // behind a mechanism that is up to date
     setMenuBar(new Menus(*this, m_rooms));
+    m_status->retranslate();
     showTitle();
     showResult(m_session->result());
 }

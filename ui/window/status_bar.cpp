@@ -4,7 +4,6 @@
 #include "ui/document/result.h"
 #include "ui/words/axis_scale.h"
 
-#include <QEvent>
 #include <QLocale>
 #include <QProgressBar>
 #include <QToolButton>
@@ -40,7 +39,6 @@ StatusBar::StatusBar(QWidget *parent)
     m_cancel->setObjectName(QStringLiteral("cancelButton"));
     addPermanentWidget(m_progress);
     addPermanentWidget(m_cancel);
-    setTexts();
     setProgressUnknown();
     setBusyShown(false);
 
@@ -50,7 +48,7 @@ StatusBar::StatusBar(QWidget *parent)
     connect(m_cancel, &QToolButton::clicked, this, &StatusBar::cancelled);
 }
 
-void StatusBar::setTexts()
+void StatusBar::retranslate()
 {
     m_progress->setAccessibleName(tr("Computing"));
     m_cancel->setText(tr("Cancel"));
@@ -106,14 +104,6 @@ void StatusBar::setProgress(double part)
 void StatusBar::setProgressUnknown()
 {
     m_progress->setRange(0, 0);
-}
-
-void StatusBar::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::LanguageChange) {
-        setTexts();
-    }
-    QStatusBar::changeEvent(event);
 }
 
 } // namespace slidercrank

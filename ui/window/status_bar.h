@@ -22,6 +22,7 @@ class StatusBar : public QStatusBar
 public:
     explicit StatusBar(QWidget *parent = nullptr);
 
+    void retranslate(); ///< into the language now in use
     void showRun(const Result &result);
 
 public slots:
@@ -32,11 +33,7 @@ public slots:
 signals:
     void cancelled();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void setTexts();
     void setBusyShown(bool shown);
 
     QProgressBar *m_progress;
