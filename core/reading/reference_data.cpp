@@ -44,7 +44,7 @@ bool readPlainRow(CellScanner &scanner, const TableLayout &layout, Row &row)
 {
     const char *const begin = scanner.position();
     PlainNumber time;
-    for (const TableColumn &column : layout.columns) {
+    for (const ReadColumn &column : layout.columns) {
         bool plain = scanner.hasCell();
         switch (column.role) {
         case ColumnRole::Ignored: plain = plain && scanner.skipPlainCell(); break;
@@ -82,7 +82,7 @@ std::optional<BadCell> readRow(CellScanner &scanner, const TableLayout &layout, 
     std::size_t cellCount = 0;
     for (; scanner.hasCell(); ++cellCount) {
         const bool named = cellCount < layout.columns.size();
-        const TableColumn column = named ? layout.columns[cellCount] : TableColumn();
+        const ReadColumn column = named ? layout.columns[cellCount] : ReadColumn();
         const Cell cell = scanner.cell();
         CellNumber number;
         if (!cell.wellFormed) {
@@ -195,7 +195,7 @@ public:
         m_data.skipped = std::move(skipped);
         m_data.layout = std::move(layout.table.layout);
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-            const TableColumn &column = layout.columns[i];
+            const ReadColumn &column = layout.columns[i];
             FileColumn &described = m_data.layout.columns[i];
             if (column.role == ColumnRole::Channel) {
                 ReferenceSeries &series = m_data.series[column.series];

@@ -16,7 +16,7 @@ namespace slidercrank
 {
 
 /// What a column's cells are.
-struct TableColumn {
+struct ReadColumn {
     ColumnRole role = ColumnRole::Ignored;
     std::size_t series = 0; ///< its place in TableLayout::channels
     double factor = 1.0;    ///< of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s
@@ -24,7 +24,7 @@ struct TableColumn {
 
 struct TableLayout {
     Table table;
-    std::vector<TableColumn> columns;
+    std::vector<ReadColumn> columns;
     std::vector<Channel> channels;
     std::size_t timeColumn = 0;
     bool isSampled = false; ///< names did not tell all: values from all over the table were asked

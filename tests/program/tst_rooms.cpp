@@ -10,6 +10,8 @@
 #include <QSet>
 #include <QTest>
 
+#include <utility>
+
 namespace
 {
 
@@ -148,6 +150,7 @@ private slots:
     void includesRunDownThroughNamedRooms();
     void hasTheRoomsOfTheDesign();
     void testsStandWhereTheirRoomsStand();
+    void everyTypeHasANameOfItsOwn();
     void findsWhatIsWrong_data();
     void findsWhatIsWrong();
 };
@@ -186,6 +189,25 @@ void TstRooms::testsStandWhereTheirRoomsStand()
         const QString path = tests.relativeFilePath(walk.next());
         QVERIFY2(places.contains(path.section(u'/', 0, -2)), qPrintable(path));
     }
+}
+
+/// All stand in one namespace: the linker would take one for the other without a word.
+void TstRooms::everyTypeHasANameOfItsOwn()
+{
+    static const QRegularExpression type(QStringLiteral(R"(^(?:struct|class|enum class) (\w+)[^;\n]*\n?\{)"),
+                                         QRegularExpression::MultilineOption);
+    QMap<QString, QString> places;
+    const House house = thisHouse();
+    for (auto file = house.files.begin(); file != house.files.end(); ++file) {
+        if (!file.key().endsWith(u".h")) {
+            continue; // those of a .cpp are its own, in a namespace without a name
+        }
+        for (const QRegularExpressionMatch &match : type.globalMatch(file.value())) {
+            const QString other = std::exchange(places[match.captured(1)], file.key());
+            QVERIFY2(other.isEmpty(), qPrintable(match.captured(1) + u" in " + other + u" and " + file.key()));
+        }
+    }
+    QVERIFY(places.size() > 100);
 }
 
 void TstRooms::findsWhatIsWrong_data()
