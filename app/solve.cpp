@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/solve.h"
+#include "app/subcommands.h"
 
 #include "app/json_text.h"
 #include "app/output.h"
