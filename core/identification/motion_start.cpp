@@ -83,15 +83,7 @@ std::optional<Course> courseOf(const ReferenceData &data, const FitUnits &units,
 std::vector<std::size_t> turningPoints(const std::vector<double> &values, std::size_t most)
 {
     constexpr double kPartOfRange = 0.03;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const double value : values) {
-        if (std::isfinite(value)) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
-    }
-    const double back = kPartOfRange * (high - low);
+    const double back = kPartOfRange * rangeOf(values).width();
     std::vector<std::size_t> points;
     std::optional<std::size_t> lowest;
     std::optional<std::size_t> highest;
@@ -288,8 +280,7 @@ void search(const Route &route, std::vector<double> speeds, std::vector<Paramete
             minima.push_back(i);
         }
     }
-    std::sort(minima.begin(), minima.end(),
-              [&](std::size_t i, std::size_t j) { return candidates[i].misfit < candidates[j].misfit; });
+    std::ranges::sort(minima, {}, [&](std::size_t i) { return candidates[i].misfit; });
     minima.resize(std::min(minima.size(), kMostMinima));
     for (const std::size_t i : minima) {
         const double from = speeds[i == 0 ? i : i - 1];

@@ -480,8 +480,7 @@ private:
 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
 {
-    const auto found = std::find_if(series.begin(), series.end(),
-                                    [channel](const ReferenceSeries &each) { return each.channel == channel; });
+    const auto found = std::ranges::find(series, channel, &ReferenceSeries::channel);
     return found == series.end() ? nullptr : &*found;
 }
 
@@ -489,6 +488,19 @@ std::size_t ReferenceData::skippedRowCount() const
 {
     return std::accumulate(skipped.begin(), skipped.end(), std::size_t{0},
                            [](std::size_t count, const SkippedRow &row) { return count + row.rows; });
+}
+
+ValueRange rangeOf(std::span<const double> values)
+{
+    ValueRange range;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            range.low = std::min(range.low, value);
+            range.high = std::max(range.high, value);
+            ++range.count;
+        }
+    }
+    return range;
 }
 
 ChannelSet channelsOf(const ReferenceData &data)
