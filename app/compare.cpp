@@ -35,9 +35,7 @@ struct Compared {
     bool differs() const { return worstVerdict() == Verdict::Differs; }
     Verdict worstVerdict() const
     {
-        const auto worst = std::max_element(
-            channels.begin(), channels.end(),
-            [](const ChannelComparison &x, const ChannelComparison &y) { return x.verdict < y.verdict; });
+        const auto worst = std::ranges::max_element(channels, {}, &ChannelComparison::verdict);
         return worst == channels.end() ? Verdict::Differs : worst->verdict;
     }
 };

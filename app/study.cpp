@@ -72,9 +72,9 @@ QString tableOf(const CaseResult &which)
         if (row.silentFailures.value_or(0) > 0) {
             outcome += CommandLine::tr(", %1 of them silently wrong").arg(*row.silentFailures);
         }
-        text += lineOf({QString::fromStdString(nameOf(row.method)), rounded(row.tolerance), QString::number(row.channels),
-                        rounded(row.nsPerState, 4), rounded(row.spread), rounded(row.iterationsPerState),
-                        rounded(row.maxError), rounded(row.errorBound), outcome});
+        text += lineOf({QString::fromStdString(nameOf(row.method)), rounded(row.tolerance),
+                        QString::number(row.channels), rounded(row.nsPerState, 4), rounded(row.spread),
+                        rounded(row.iterationsPerState), rounded(row.maxError), rounded(row.errorBound), outcome});
     }
     return text;
 }

@@ -71,8 +71,7 @@ Fit screened(const Observations &observations, std::vector<Parameters> starts, c
             ranked.push_back({distance, start});
         }
     }
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [](const Ranked &one, const Ranked &other) { return one.misfit < other.misfit; });
+    std::ranges::stable_sort(ranked, {}, &Ranked::misfit);
     ranked.resize(std::min(ranked.size(), kMostFits));
 
     Fit best;

@@ -329,9 +329,8 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
         const std::optional<Judgement> judgement =
             judgeAll(which, all, stop, [&](double part) { reach(kJudgeShare * part); });
         std::vector<Contender> contenders = contendersOf(which, all, steps);
-        const bool timed = judgement && timeAll(contenders, request, stop, [&](double part) {
-                               reach(kJudgeShare + (1.0 - kJudgeShare) * part);
-                           });
+        const bool timed = judgement && timeAll(contenders, request, stop,
+                                                [&](double part) { reach(kJudgeShare + (1.0 - kJudgeShare) * part); });
         if (!timed) {
             result.complete = false;
             break;
@@ -370,9 +369,7 @@ std::vector<std::size_t> bestFront(const CaseResult &result)
             order.push_back(i);
         }
     }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
-        return result.methods[x].nsPerState < result.methods[y].nsPerState;
-    });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return result.methods[i].nsPerState; });
     std::vector<std::size_t> front;
     for (const std::size_t i : order) {
         if (front.empty() || *result.methods[i].maxError < *result.methods[front.back()].maxError) {
