@@ -196,11 +196,8 @@ ExitStatus compareFiles(const CompareOptions &options)
         tally.add(compared.worstVerdict());
         Shortfall shortfall;
         shortfall.add(data.time, exact.status);
-        if (shortfall.exitStatus() != ExitStatus::Done) {
-            const QString sentence = shortfall.sentence(options.mechanism, SolverSettings().newton.maxIterations);
-            say(several ? QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(file), sentence) : sentence);
-        }
-        status = graver(status, shortfall.exitStatus());
+        const QString before = several ? QDir::toNativeSeparators(file) + QStringLiteral(": ") : QString();
+        status = graver(status, shortfall.report(options.mechanism, SolverSettings().newton.maxIterations, before));
         if (options.failOnDifference && compared.differs()) {
             status = graver(status, ExitStatus::Differs);
         }

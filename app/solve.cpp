@@ -87,10 +87,7 @@ ExitStatus solve(const SolveOptions &options)
     if (output.finish() != ExitStatus::Done) {
         return ExitStatus::FileFailed;
     }
-    if (shortfall.exitStatus() != ExitStatus::Done) {
-        say(shortfall.sentence(options.mechanism, options.solver.newton.maxIterations));
-    }
-    return shortfall.exitStatus();
+    return shortfall.report(options.mechanism, options.solver.newton.maxIterations);
 }
 
 } // namespace slidercrank
