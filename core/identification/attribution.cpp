@@ -110,8 +110,7 @@ std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &m
         }
         const double after = std::min(misfit(all, best), before);
         const double explained = before > 0.0 ? 1.0 - (after / before) * (after / before) : 0.0;
-        Parameters found = units.fromFit(best);
-        attributions.push_back({parameter, valueOf(found, parameter), explained});
+        attributions.push_back({parameter, valueOf(units.fromFit(best), parameter), explained});
     }
     std::ranges::stable_sort(attributions, std::ranges::greater(), &Attribution::explained);
     return attributions;
