@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/compare.h"
+#include "app/subcommands.h"
 
 #include "app/comparison_text.h"
 #include "app/json_text.h"
@@ -35,9 +35,7 @@ struct Compared {
     bool differs() const { return worstVerdict() == Verdict::Differs; }
     Verdict worstVerdict() const
     {
-        const auto worst = std::max_element(
-            channels.begin(), channels.end(),
-            [](const ChannelComparison &x, const ChannelComparison &y) { return x.verdict < y.verdict; });
+        const auto worst = std::ranges::max_element(channels, {}, &ChannelComparison::verdict);
         return worst == channels.end() ? Verdict::Differs : worst->verdict;
     }
 };
@@ -198,11 +196,8 @@ ExitStatus compareFiles(const CompareOptions &options)
         tally.add(compared.worstVerdict());
         Shortfall shortfall;
         shortfall.add(data.time, exact.status);
-        if (shortfall.exitStatus() != ExitStatus::Done) {
-            const QString sentence = shortfall.sentence(options.mechanism, SolverSettings().newton.maxIterations);
-            say(several ? QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(file), sentence) : sentence);
-        }
-        status = graver(status, shortfall.exitStatus());
+        const QString before = several ? QDir::toNativeSeparators(file) + QStringLiteral(": ") : QString();
+        status = graver(status, shortfall.report(options.mechanism, SolverSettings().newton.maxIterations, before));
         if (options.failOnDifference && compared.differs()) {
             status = graver(status, ExitStatus::Differs);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/identify.h"
+#include "app/subcommands.h"
 
 #include "app/comparison_text.h"
 #include "app/json_text.h"

@@ -3,13 +3,8 @@
 // Chooses: the window, or a command line. Only the window needs a display.
 
 #include "app/command_line.h"
-#include "app/compare.h"
-#include "app/identify.h"
-#include "app/options.h"
 #include "app/output.h"
-#include "app/render.h"
-#include "app/solve.h"
-#include "app/study.h"
+#include "app/subcommands.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 #include "ui/words/language.h"

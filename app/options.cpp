@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -221,14 +222,11 @@ Command readStudy(OptionReader &reader, const QStringList &positional)
     if (cases == StudyCases::Nominal || asksForMechanism) {
         options.cases.push_back(studyCase(mechanism.parameters()));
     }
-    switch (cases) {
-    case StudyCases::Nominal: break;
-    case StudyCases::Hard: options.cases.insert(options.cases.end(), hardCases().begin(), hardCases().end()); break;
-    case StudyCases::All: {
-        const std::vector<Case> all = allCases();
-        options.cases.insert(options.cases.end(), all.begin(), all.end());
-        break;
+    if (cases == StudyCases::All) {
+        std::ranges::copy(nominalCases(), std::back_inserter(options.cases));
     }
+    if (cases != StudyCases::Nominal) {
+        std::ranges::copy(hardCases(), std::back_inserter(options.cases));
     }
     options.format =
         reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/render.h"
+#include "app/subcommands.h"
 
 #include "app/comparison_text.h"
 #include "app/shortfall.h"
@@ -235,10 +235,7 @@ ExitStatus render(const RenderOptions &options)
         return ExitStatus::FileFailed;
     }
     const Shortfall shortfall = shortfallOf(options, session);
-    if (shortfall.exitStatus() != ExitStatus::Done) {
-        say(shortfall.sentence(options.mechanism, options.solver.newton.maxIterations));
-    }
-    return shortfall.exitStatus();
+    return shortfall.report(options.mechanism, options.solver.newton.maxIterations);
 }
 
 } // namespace slidercrank

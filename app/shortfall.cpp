@@ -22,12 +22,13 @@ void Shortfall::add(std::span<const double> time, std::span<const Status> status
     m_total += status.size();
 }
 
-ExitStatus Shortfall::exitStatus() const
+ExitStatus Shortfall::report(const Mechanism &mechanism, int maxIterations, const QString &before) const
 {
-    if (of(Status::NotAssemblable).count > 0) {
-        return ExitStatus::NotAssemblable;
+    if (of(Status::Solved).count == m_total) {
+        return ExitStatus::Done;
     }
-    return of(Status::Solved).count < m_total ? ExitStatus::NotSolved : ExitStatus::Done;
+    say(before + sentence(mechanism, maxIterations));
+    return of(Status::NotAssemblable).count > 0 ? ExitStatus::NotAssemblable : ExitStatus::NotSolved;
 }
 
 QString Shortfall::sentence(const Mechanism &mechanism, int maxIterations) const

@@ -20,17 +20,17 @@ class Shortfall
 public:
     void add(std::span<const double> time, std::span<const Status> status);
 
-    /// Done, NotAssemblable or NotSolved.
-    ExitStatus exitStatus() const;
-
-    /// How many instants, where the first of them, and what would help; empty when every instant was solved.
-    QString sentence(const Mechanism &mechanism, int maxIterations) const;
+    /// Done; or NotAssemblable or NotSolved, and then it is said, behind `before`, of how many instants.
+    ExitStatus report(const Mechanism &mechanism, int maxIterations, const QString &before = {}) const;
 
 private:
     struct Instants {
         std::size_t count = 0;
         double first = 0.0; ///< s
     };
+    /// How many instants, where the first of them, and what would help.
+    QString sentence(const Mechanism &mechanism, int maxIterations) const;
+
     const Instants &of(Status status) const { return m_instants[static_cast<std::size_t>(status)]; }
 
     std::array<Instants, kStatusCount> m_instants; ///< by Status

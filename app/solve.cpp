@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/solve.h"
+#include "app/subcommands.h"
 
 #include "app/json_text.h"
 #include "app/output.h"
@@ -87,10 +87,7 @@ ExitStatus solve(const SolveOptions &options)
     if (output.finish() != ExitStatus::Done) {
         return ExitStatus::FileFailed;
     }
-    if (shortfall.exitStatus() != ExitStatus::Done) {
-        say(shortfall.sentence(options.mechanism, options.solver.newton.maxIterations));
-    }
-    return shortfall.exitStatus();
+    return shortfall.report(options.mechanism, options.solver.newton.maxIterations);
 }
 
 } // namespace slidercrank

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/study.h"
+#include "app/subcommands.h"
 
 #include "app/output.h"
 #include "core/study/study.h"
@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <array>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -67,17 +68,13 @@ QString tableOf(const CaseResult &which)
                     CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),
                     CommandLine::tr("error"), CommandLine::tr("bound κu"), CommandLine::tr("outcome")});
     for (const MethodResult &row : which.methods) {
-        std::size_t instants = 0;
-        for (const std::size_t count : row.counts) {
-            instants += count;
-        }
-        QString outcome = outcomeOf(row, instants);
+        QString outcome = outcomeOf(row, std::accumulate(row.counts.begin(), row.counts.end(), std::size_t{0}));
         if (row.silentFailures.value_or(0) > 0) {
             outcome += CommandLine::tr(", %1 of them silently wrong").arg(*row.silentFailures);
         }
-        text += lineOf({QString::fromStdString(nameOf(row.method)), rounded(row.tolerance), QString::number(row.channels),
-                        rounded(row.nsPerState, 4), rounded(row.spread), rounded(row.iterationsPerState),
-                        rounded(row.maxError), rounded(row.errorBound), outcome});
+        text += lineOf({QString::fromStdString(nameOf(row.method)), rounded(row.tolerance),
+                        QString::number(row.channels), rounded(row.nsPerState, 4), rounded(row.spread),
+                        rounded(row.iterationsPerState), rounded(row.maxError), rounded(row.errorBound), outcome});
     }
     return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison/comparison.h"
 
-#include "core/run/in_parallel.h"
+#include "core/mechanism/in_parallel.h"
 
 #include <algorithm>
 #include <cassert>
@@ -198,10 +198,7 @@ ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &
     std::vector<Seen> seen(blocks * measures.size()); // by block, then by series
     ExactComparison result;
     result.status.resize(time.size());
-    ChannelSet channels;
-    for (const Measure &measure : measures) {
-        channels.set(indexOf(measure.reference.channel));
-    }
+    const ChannelSet channels = channelsOf(reference);
     SolverSettings exact;
     exact.method = Method::ClosedForm;
     const auto compareBlock = [&](std::size_t block) {

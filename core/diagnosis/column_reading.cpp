@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnosis/column_reading.h"
 
+#include "core/reading/reference_data.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -116,17 +118,8 @@ void makeContinuous(std::span<double> degrees)
 double sizeOf(std::span<const double> values)
 {
     constexpr double kVaries = 1e-3; // of the largest magnitude
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    for (const double value : values) {
-        if (std::isfinite(value)) {
-            lowest = std::min(lowest, value);
-            highest = std::max(highest, value);
-        }
-    }
-    const double peak = std::max(std::abs(lowest), std::abs(highest));
-    const double range = highest - lowest;
-    return range > kVaries * peak ? range : peak;
+    const ValueRange range = rangeOf(values);
+    return range.width() > kVaries * range.size() ? range.width() : range.size();
 }
 
 double bestFactor(std::span<const double> values, std::span<const double> model)

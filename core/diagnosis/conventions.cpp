@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace slidercrank
@@ -35,11 +34,7 @@ void turn(ReferenceSeries &series, double degrees)
     // A turned column keeps its decimals, but not its significant digits.
     Rounding &rounding = series.rounding;
     if (rounding.rule == Rounding::Rule::SignificantDigits) {
-        double largest = 0.0;
-        for (const double value : series.values) {
-            largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
-        }
-        const double step = rounding.stepAt(largest) / rounding.unitFactor;
+        const double step = rounding.stepAt(rangeOf(series.values).size()) / rounding.unitFactor;
         rounding.rule = Rounding::Rule::Decimals;
         rounding.digits = -static_cast<int>(std::lround(std::log10(step)));
     }
@@ -52,16 +47,9 @@ void turn(ReferenceSeries &series, double degrees)
 /// How often a column goes all the way up, from the lowest to the highest quarter of its range.
 std::size_t swingsOf(std::span<const double> values)
 {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -std::numeric_limits<double>::infinity();
-    for (const double value : values) {
-        if (std::isfinite(value)) {
-            lowest = std::min(lowest, value);
-            highest = std::max(highest, value);
-        }
-    }
-    const double low = lowest + 0.25 * (highest - lowest);
-    const double high = highest - 0.25 * (highest - lowest);
+    const ValueRange range = rangeOf(values);
+    const double low = range.low + 0.25 * range.width();
+    const double high = range.high - 0.25 * range.width();
     std::size_t swings = 0;
     bool down = false;
     for (const double value : values) {
@@ -103,11 +91,8 @@ ReferenceData decisiveRows(const ReferenceData &data, const std::stop_token &sto
             some.series[k].values.push_back(data.series[k].values[row]);
         }
     }
-    std::erase_if(some.series, [](const ReferenceSeries &series) {
-        const auto isNumber = [](double value) { return std::isfinite(value); };
-        return std::count_if(series.values.begin(), series.values.end(), isNumber) <
-               static_cast<std::ptrdiff_t>(kFewestValues);
-    });
+    std::erase_if(some.series,
+                  [](const ReferenceSeries &series) { return rangeOf(series.values).count < kFewestValues; });
     return some;
 }
 
@@ -164,7 +149,7 @@ std::vector<ConventionFinding> findConventions(const ReferenceData &data, const 
 {
     const ReferenceData rows = decisiveRows(data, stop);
     const auto isOfTheSix = [](const ReferenceSeries &series) { return isPlotted(series.channel); };
-    if (stop.stop_requested() || std::none_of(rows.series.begin(), rows.series.end(), isOfTheSix)) {
+    if (stop.stop_requested() || std::ranges::none_of(rows.series, isOfTheSix)) {
         return {};
     }
     if (const auto explanation = explainedAtHand(rows, mechanism.parameters(), stop)) {

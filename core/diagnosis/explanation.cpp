@@ -101,9 +101,8 @@ bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanat
             }
         }
     }
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair &x, const Pair &y) {
-        return std::pair(x.reading.steps(), x.reading.misfit) < std::pair(y.reading.steps(), y.reading.misfit);
-    });
+    std::ranges::stable_sort(pairs, {},
+                             [](const Pair &pair) { return std::pair(pair.reading.steps(), pair.reading.misfit); });
     std::vector<bool> nameTaken(count, false);
     for (const Pair &pair : pairs) {
         if (!readings[pair.column] && !nameTaken[pair.name]) {
@@ -180,15 +179,6 @@ int rankOf(Kind kind)
     return 10;
 }
 
-double peakOf(std::span<const double> values)
-{
-    double peak = 0.0;
-    for (const double value : values) {
-        peak = std::isfinite(value) ? std::max(peak, std::abs(value)) : peak;
-    }
-    return peak;
-}
-
 /// The largest error among these channels (none given: the six), as part of the motion's peak.
 double largestError(const ReadMotion &motion, std::span<const Channel> channels)
 {
@@ -206,7 +196,7 @@ double largestError(const ReadMotion &motion, std::span<const Channel> channels)
             const double difference = std::abs(series.values[i] - model[i]);
             error = std::isfinite(difference) ? std::max(error, difference) : error;
         }
-        const double peak = peakOf(model);
+        const double peak = rangeOf(model).size();
         largest = std::max(largest, error / (peak > 0.0 ? peak : std::max(error, 1.0)));
     }
     return largest;
@@ -293,8 +283,7 @@ std::optional<Explanation> explain(const ReferenceData &data, Explanation explan
     if (!explainColumns(read, model, explanation)) {
         return std::nullopt;
     }
-    std::stable_sort(explanation.conventions.begin(), explanation.conventions.end(),
-                     [](const Convention &x, const Convention &y) { return rankOf(x.kind) < rankOf(y.kind); });
+    std::ranges::stable_sort(explanation.conventions, {}, [](const Convention &one) { return rankOf(one.kind); });
     return explanation;
 }
 

@@ -13,18 +13,10 @@ namespace slidercrank
 namespace
 {
 
-Mechanism otherAssembly(const Mechanism &mechanism)
-{
-    Parameters parameters = mechanism.parameters();
-    parameters.branch = otherThan(parameters.branch);
-    return Mechanism(parameters);
-}
-
 bool isDifferent(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
 {
     const std::vector<ChannelComparison> channels = compareExactly(mechanism, data, stop).channels;
-    return std::any_of(channels.begin(), channels.end(),
-                       [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+    return std::ranges::find(channels, Verdict::Differs, &ChannelComparison::verdict) != channels.end();
 }
 
 } // namespace
@@ -37,7 +29,9 @@ Interpretation interpret(const ReferenceData &data, const Mechanism &mechanism, 
     std::optional<ReferenceData> converted; // a file may be large: copied only where it reads otherwise
     for (const ConventionFinding &finding : result.conventions) {
         if (finding.convention.kind == Convention::Kind::Branch) {
-            model = otherAssembly(model);
+            Parameters other = model.parameters();
+            other.branch = otherThan(other.branch);
+            model = Mechanism(other);
         } else {
             converted = applied(finding.convention, converted ? std::move(*converted) : data);
         }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace slidercrank
@@ -62,8 +63,7 @@ std::vector<double> valuesToTry(Parameter parameter, const Parameters &given, co
 bool canMove(const Observations &observations, const Parameters &parameters)
 {
     PlottedValues motion;
-    return std::all_of(observations.time.begin(), observations.time.end(),
-                       [&](double t) { return plottedMotion(parameters, t, motion); });
+    return std::ranges::all_of(observations.time, [&](double t) { return plottedMotion(parameters, t, motion); });
 }
 
 } // namespace
@@ -110,11 +110,9 @@ std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &m
         }
         const double after = std::min(misfit(all, best), before);
         const double explained = before > 0.0 ? 1.0 - (after / before) * (after / before) : 0.0;
-        Parameters found = units.fromFit(best);
-        attributions.push_back({parameter, valueOf(found, parameter), explained});
+        attributions.push_back({parameter, valueOf(units.fromFit(best), parameter), explained});
     }
-    std::stable_sort(attributions.begin(), attributions.end(),
-                     [](const Attribution &one, const Attribution &other) { return one.explained > other.explained; });
+    std::ranges::stable_sort(attributions, std::ranges::greater(), &Attribution::explained);
     return attributions;
 }
 

@@ -71,8 +71,7 @@ Fit screened(const Observations &observations, std::vector<Parameters> starts, c
             ranked.push_back({distance, start});
         }
     }
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [](const Ranked &one, const Ranked &other) { return one.misfit < other.misfit; });
+    std::ranges::stable_sort(ranked, {}, &Ranked::misfit);
     ranked.resize(std::min(ranked.size(), kMostFits));
 
     Fit best;
@@ -249,11 +248,10 @@ void keepUndetermined(const Observations &observations, const FitUnits &units, c
     }
     FreeParameters remaining = isFree;
     Parameters kept = found.parameters;
-    Parameters before = given;
     for (std::size_t i = 0; i < kParameterCount; ++i) {
         if (open[i]) {
             remaining[i] = false;
-            valueOf(kept, static_cast<Parameter>(i)) = valueOf(before, static_cast<Parameter>(i));
+            valueOf(kept, static_cast<Parameter>(i)) = valueOf(given, static_cast<Parameter>(i));
         }
     }
     const Fit held = fit(observations, kept, remaining, kFinalIterations, stop);

@@ -53,9 +53,8 @@ public:
     Eigen::VectorXd startingPoint() const
     {
         Eigen::VectorXd x(static_cast<Eigen::Index>(m_free.size()));
-        Parameters parameters = m_start;
         for (Eigen::Index i = 0; i < x.size(); ++i) {
-            x[i] = valueOf(parameters, m_free[static_cast<std::size_t>(i)]);
+            x[i] = valueOf(m_start, m_free[static_cast<std::size_t>(i)]);
         }
         return x;
     }

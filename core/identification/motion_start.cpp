@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -82,15 +83,7 @@ std::optional<Course> courseOf(const ReferenceData &data, const FitUnits &units,
 std::vector<std::size_t> turningPoints(const std::vector<double> &values, std::size_t most)
 {
     constexpr double kPartOfRange = 0.03;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const double value : values) {
-        if (std::isfinite(value)) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
-    }
-    const double back = kPartOfRange * (high - low);
+    const double back = kPartOfRange * rangeOf(values).width();
     std::vector<std::size_t> points;
     std::optional<std::size_t> lowest;
     std::optional<std::size_t> highest;
@@ -179,11 +172,7 @@ private:
 
 double mean(const std::vector<double> &values)
 {
-    double sum = 0.0;
-    for (const double value : values) {
-        sum += value;
-    }
-    return sum / static_cast<double>(values.size());
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 Candidate fromBoth(const Samples &samples, double speed)
@@ -208,85 +197,51 @@ Candidate fromBoth(const Samples &samples, double speed)
 Candidate fromTheta3(const Samples &samples, double speed, Order order, double size)
 {
     // tan δ, c/b, u/b, v/b; the last three times cos δ as well where δ is unknown.
-    Candidate candidate;
-    candidate.speed = speed;
-    double ratioC = 0.0, u = 0.0, v = 0.0;
-    if (order == Order::Position) {
-        Equations equations(samples.time.size(), 3);
-        double cosines = 0.0;
-        for (std::size_t i = 0; i < samples.time.size(); ++i) {
-            const double t = speed * samples.time[i];
-            equations.add(std::sin(samples.theta3[i]), 1.0, -std::sin(t), -std::cos(t));
-            cosines += std::cos(samples.theta3[i]);
+    const bool isWhole = order == Order::Position;
+    const double centre = isWhole ? 0.0 : mean(samples.theta3);
+    Equations equations(samples.time.size(), isWhole ? 3 : 4);
+    double cosines = 0.0;
+    for (std::size_t i = 0; i < samples.time.size(); ++i) {
+        const double t = speed * samples.time[i];
+        const double sine = std::sin(samples.theta3[i] - centre);
+        const double cosine = std::cos(samples.theta3[i] - centre);
+        if (isWhole) {
+            equations.add(sine, 1.0, -std::sin(t), -std::cos(t));
+            cosines += cosine;
+        } else {
+            equations.add(sine, 1.0, -std::sin(t), -std::cos(t), -cosine);
         }
-        const auto [x, misfit] = equations.solve();
-        candidate.misfit = misfit;
-        candidate.parameters.branch = cosines >= 0.0 ? Branch::Open : Branch::Crossed;
-        ratioC = x[0];
-        u = x[1];
-        v = x[2];
-    } else {
-        Equations equations(samples.time.size(), 4);
-        const double centre = mean(samples.theta3);
-        for (std::size_t i = 0; i < samples.time.size(); ++i) {
-            const double t = speed * samples.time[i];
-            const double angle = samples.theta3[i] - centre;
-            equations.add(std::sin(angle), 1.0, -std::sin(t), -std::cos(t), -std::cos(angle));
-        }
-        const auto [x, misfit] = equations.solve();
-        const double cosDelta = 1.0 / std::sqrt(1.0 + x[3] * x[3]);
-        candidate.misfit = misfit;
-        ratioC = x[0] * cosDelta;
-        u = x[1] * cosDelta;
-        v = x[2] * cosDelta;
     }
+    const auto [x, misfit] = equations.solve();
+    const double cosDelta = isWhole ? 1.0 : 1.0 / std::sqrt(1.0 + x[3] * x[3]);
+    const double u = x[1] * cosDelta;
+    const double v = x[2] * cosDelta;
     const double ratioA = std::max(std::hypot(u, v), 1e-9);
-    candidate.parameters.a = size;
-    candidate.parameters.b = size / ratioA;
-    candidate.parameters.c = size * ratioC / ratioA;
-    candidate.parameters.omega2 = speed;
-    candidate.parameters.theta20 = std::atan2(v, u);
-    return candidate;
+    return {speed,
+            misfit,
+            {size, size / ratioA, size * (x[0] * cosDelta) / ratioA, speed, std::atan2(v, u),
+             cosines >= 0.0 ? Branch::Open : Branch::Crossed}};
 }
 
 Candidate fromR4x(const Samples &samples, double speed, Order order)
 {
     // r = R4x - R: (r + R)² = 2 (r + R) (u cos - v sin) + 2 c (v cos + u sin) + D.
+    const bool isWhole = order == Order::Position;
     const double centre = mean(samples.R4x);
-    double R = centre;
-    double u = 0.0, v = 0.0, inCos = 0.0, inSin = 0.0, rest = 0.0, misfit = 0.0;
-    if (order == Order::Position) {
-        Equations equations(samples.time.size(), 5);
-        for (std::size_t i = 0; i < samples.time.size(); ++i) {
-            const double sine = std::sin(speed * samples.time[i]);
-            const double cosine = std::cos(speed * samples.time[i]);
-            const double r = samples.R4x[i] - centre;
-            equations.add(r * (r + 2.0 * R), r * cosine, -r * sine, cosine, sine, 1.0);
-        }
-        const auto solution = equations.solve();
-        misfit = solution.misfit;
-        u = solution.x[0];
-        v = solution.x[1];
-        inCos = solution.x[2];
-        inSin = solution.x[3];
-        rest = solution.x[4];
-    } else {
-        Equations equations(samples.time.size(), 6);
-        for (std::size_t i = 0; i < samples.time.size(); ++i) {
-            const double sine = std::sin(speed * samples.time[i]);
-            const double cosine = std::cos(speed * samples.time[i]);
-            const double r = samples.R4x[i] - centre;
+    Equations equations(samples.time.size(), isWhole ? 5 : 6);
+    for (std::size_t i = 0; i < samples.time.size(); ++i) {
+        const double sine = std::sin(speed * samples.time[i]);
+        const double cosine = std::cos(speed * samples.time[i]);
+        const double r = samples.R4x[i] - centre;
+        if (isWhole) {
+            equations.add(r * (r + 2.0 * centre), r * cosine, -r * sine, cosine, sine, 1.0);
+        } else {
             equations.add(r * r, r * cosine, -r * sine, cosine, sine, 1.0, -2.0 * r);
         }
-        const auto solution = equations.solve();
-        misfit = solution.misfit;
-        u = solution.x[0];
-        v = solution.x[1];
-        inCos = solution.x[2];
-        inSin = solution.x[3];
-        rest = solution.x[4];
-        R = solution.x[5];
     }
+    const auto [x, misfit] = equations.solve();
+    const double u = x[0], v = x[1], inCos = x[2], inSin = x[3], rest = x[4];
+    const double R = isWhole ? centre : x[5];
     // Twice a, and its direction; inCos = R u + c v, inSin = -R v + c u, rest = D - R².
     const double square = std::max(u * u + v * v, 1e-18);
     const double a = 0.5 * std::sqrt(square);
@@ -325,8 +280,7 @@ void search(const Route &route, std::vector<double> speeds, std::vector<Paramete
             minima.push_back(i);
         }
     }
-    std::sort(minima.begin(), minima.end(),
-              [&](std::size_t i, std::size_t j) { return candidates[i].misfit < candidates[j].misfit; });
+    std::ranges::sort(minima, {}, [&](std::size_t i) { return candidates[i].misfit; });
     minima.resize(std::min(minima.size(), kMostMinima));
     for (const std::size_t i : minima) {
         const double from = speeds[i == 0 ? i : i - 1];

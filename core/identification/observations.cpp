@@ -27,8 +27,7 @@ Supply supplyOf(const ReferenceData &data)
 {
     Supply supply;
     std::array<const ReferenceSeries *, kPlottedChannels.size()> series{};
-    std::transform(kPlottedChannels.begin(), kPlottedChannels.end(), series.begin(),
-                   [&](Channel channel) { return data.find(channel); });
+    std::ranges::transform(kPlottedChannels, series.begin(), [&](Channel channel) { return data.find(channel); });
     for (std::size_t row = 0; row < data.time.size(); ++row) {
         bool any = false;
         for (std::size_t plotted = 0; plotted < series.size(); ++plotted) {
@@ -52,11 +51,7 @@ FitUnits unitsFor(const ReferenceData &data, const Supply &supply, double length
     units.mm = length;
     for (const Order order : {Order::Acceleration, Order::Velocity, Order::Position}) {
         if (const ReferenceSeries *series = data.find({R4x, order})) {
-            double peak = 0.0;
-            for (const double value : series->values) {
-                peak = std::isfinite(value) ? std::max(peak, std::abs(value)) : peak;
-            }
-            peak *= std::pow(units.second, static_cast<int>(order));
+            const double peak = rangeOf(series->values).size() * std::pow(units.second, static_cast<int>(order));
             units.mm = peak > 0.0 && std::isfinite(peak) ? peak : units.mm;
         }
     }

@@ -43,7 +43,7 @@ public:
         , m_c(mechanism.c())
         , m_centre(centre)
         , m_width(gap > 0.0 ? std::min(1.0, std::sqrt(2.0 * gap)) : 1.0)
-        , m_motion(drivenFrom(mechanism, centre))
+        , m_motion(Mechanism({mechanism.a(), mechanism.b(), mechanism.c(), 1.0, centre, mechanism.branch()}))
     {
     }
 
@@ -85,19 +85,11 @@ public:
     }
 
 private:
-    static ClosedForm drivenFrom(const Mechanism &mechanism, double theta2)
-    {
-        Parameters parameters = mechanism.parameters();
-        parameters.omega2 = 1.0;
-        parameters.theta20 = theta2;
-        return ClosedForm(Mechanism(parameters));
-    }
-
     double m_a;
     double m_c;
     double m_centre;
     double m_width;
-    ClosedForm m_motion;
+    ClosedForm m_motion; ///< with the angle for the time
 };
 
 /// Keeps the largest, and whatever equals it but for rounding.
@@ -131,8 +123,7 @@ public:
         for (PeakPlace &place : peak.places) {
             place.value *= factor;
         }
-        std::sort(peak.places.begin(), peak.places.end(),
-                  [](const PeakPlace &one, const PeakPlace &other) { return one.theta2 < other.theta2; });
+        std::ranges::sort(peak.places, {}, &PeakPlace::theta2);
         return peak;
     }
 
@@ -173,15 +164,6 @@ void searchHalfTurn(const HalfTurn &half, bool passesToggle, std::array<Largest,
     }
 }
 
-std::vector<Peak> stillness()
-{
-    std::vector<Peak> peaks;
-    for (const Channel &channel : kRates) {
-        peaks.push_back({channel, 0.0, {}});
-    }
-    return peaks;
-}
-
 } // namespace
 
 std::vector<Peak> motionPeaks(const Mechanism &mechanism)
@@ -194,18 +176,20 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     case Mobility::Rocker:
     case Mobility::FullTurn: break;
     }
-    if (mechanism.omega2() == 0.0) {
-        return stillness();
-    }
     std::vector<Peak> peaks;
+    if (mechanism.omega2() == 0.0) {
+        for (const Channel &channel : kRates) {
+            peaks.push_back({channel, 0.0, {}});
+        }
+        return peaks;
+    }
     if (limits.mobility == Mobility::Rocker) {
         std::vector<PeakPlace> ends;
         for (const CrankRange &range : limits.ranges) {
             ends.push_back({range.from, kInfinity});
             ends.push_back({wrapped(range.to), kInfinity});
         }
-        std::sort(ends.begin(), ends.end(),
-                  [](const PeakPlace &one, const PeakPlace &other) { return one.theta2 < other.theta2; });
+        std::ranges::sort(ends, {}, &PeakPlace::theta2);
         for (const Channel &channel : kRates) {
             peaks.push_back({channel, kInfinity, ends});
         }
@@ -227,8 +211,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     if (togglesAbove) {
         toggles.push_back({-below, kInfinity});
     }
-    std::sort(toggles.begin(), toggles.end(),
-              [](const PeakPlace &one, const PeakPlace &other) { return one.theta2 < other.theta2; });
+    std::ranges::sort(toggles, {}, &PeakPlace::theta2);
     for (std::size_t rate = 0; rate < kRates.size(); ++rate) {
         const Channel channel = kRates[rate];
         if (channel.order == Order::Acceleration && !toggles.empty()) {

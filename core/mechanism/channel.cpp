@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mechanism/channel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slidercrank
@@ -40,12 +41,8 @@ std::string_view nameOf(Channel channel)
 
 std::optional<Channel> channelNamed(std::string_view name)
 {
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        if (kNames[index] == name) {
-            return channelAt(index);
-        }
-    }
-    return std::nullopt;
+    const auto index = static_cast<std::size_t>(std::ranges::find(kNames, name) - kNames.begin());
+    return index < kChannelCount ? std::optional(channelAt(index)) : std::nullopt;
 }
 
 std::string_view authorUnitOf(Channel channel)

@@ -42,25 +42,17 @@ double valueOf(const Parameters &parameters, Parameter parameter)
 std::optional<ParameterFault> findFault(const Parameters &parameters)
 {
     using Reason = ParameterFault::Reason;
-    struct Entry {
-        Parameter parameter;
-        double value;
-        bool mustBePositive;
-    };
-    const Entry entries[] = {{Parameter::A, parameters.a, true},
-                             {Parameter::B, parameters.b, true},
-                             {Parameter::C, parameters.c, false},
-                             {Parameter::Omega2, parameters.omega2, false},
-                             {Parameter::Theta20, parameters.theta20, false}};
-    for (const Entry &entry : entries) {
-        if (!std::isfinite(entry.value)) {
-            return ParameterFault{entry.parameter, Reason::NotFinite};
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        const auto parameter = static_cast<Parameter>(i);
+        const double value = valueOf(parameters, parameter);
+        if (!std::isfinite(value)) {
+            return ParameterFault{parameter, Reason::NotFinite};
         }
-        if (std::abs(entry.value) > kLargestParameter) {
-            return ParameterFault{entry.parameter, Reason::TooLarge};
+        if (std::abs(value) > kLargestParameter) {
+            return ParameterFault{parameter, Reason::TooLarge};
         }
-        if (entry.mustBePositive && !(entry.value > 0.0)) {
-            return ParameterFault{entry.parameter, Reason::NotPositive};
+        if ((parameter == Parameter::A || parameter == Parameter::B) && !(value > 0.0)) {
+            return ParameterFault{parameter, Reason::NotPositive};
         }
     }
     return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/column_guess.h"
 
+#include "core/reading/reference_data.h"
 #include "core/reading/unit_text.h"
 
 #include <algorithm>
@@ -56,41 +57,17 @@ std::optional<double> unitsPerSecond(const std::string &unitText)
 
 // ---- values --------------------------------------------------------------------------------------------------------
 
-struct Range {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-    std::size_t count = 0;
-
-    double width() const { return high - low; }
-    double size() const { return std::max(std::abs(low), std::abs(high)); }
-};
-
-Range rangeOf(const std::vector<double> &values)
-{
-    Range range;
-    for (const double value : values) {
-        if (std::isfinite(value)) {
-            range.low = std::min(range.low, value);
-            range.high = std::max(range.high, value);
-            ++range.count;
-        }
-    }
-    return range;
-}
-
 bool onlyRises(const std::vector<double> &values)
 {
-    return values.size() >= 2 &&
-           std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }) &&
-           std::adjacent_find(values.begin(), values.end(), [](double x, double y) { return !(x < y); }) ==
-               values.end();
+    return values.size() >= 2 && std::ranges::all_of(values, [](double value) { return std::isfinite(value); }) &&
+           std::ranges::adjacent_find(values, [](double x, double y) { return !(x < y); }) == values.end();
 }
 
 /// Whether the quantity changes at one rate throughout: a position on a line through its ends, a velocity that is
 /// constant and not zero, an acceleration that is zero.
 bool isEven(const std::vector<double> &time, const std::vector<double> &values, Order order)
 {
-    const Range range = rangeOf(values);
+    const ValueRange range = rangeOf(values);
     if (range.count < kFewestSamples) {
         return false;
     }

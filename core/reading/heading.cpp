@@ -150,9 +150,8 @@ const std::array<std::string, kChannelCount> &plainChannelNames()
 std::optional<Channel> channelSpelled(const std::vector<std::string> &words)
 {
     const std::array<std::string, kChannelCount> &names = plainChannelNames();
-    const auto found = std::find(names.begin(), names.end(), joined(words));
-    return found == names.end() ? std::nullopt
-                                : std::optional(channelAt(static_cast<std::size_t>(found - names.begin())));
+    const auto index = static_cast<std::size_t>(std::ranges::find(names, joined(words)) - names.begin());
+    return index < kChannelCount ? std::optional(channelAt(index)) : std::nullopt;
 }
 
 bool isTime(const std::vector<std::string> &words)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/reference_data.h"
 
+#include "core/mechanism/in_parallel.h"
 #include "core/reading/number_text.h"
 #include "core/reading/table_columns.h"
 #include "core/reading/text_encoding.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <future>
 #include <mutex>
 #include <numeric>
 #include <thread>
@@ -329,25 +329,15 @@ std::variant<ReferenceData, ReadError> readRows(TableLayout layout, const std::s
         parts.emplace_back(lines, SeriesBuilder(layout, rows));
     }
     std::atomic<std::size_t> done = 0;
-    const auto readAside = [&](std::size_t bytes) {
+    const std::thread::id caller = std::this_thread::get_id();
+    const auto tell = [&](std::size_t bytes) {
         done += bytes;
-        return !stop.stop_requested();
-    };
-    const auto readHere = [&](std::size_t bytes) {
-        const bool goOn = readAside(bytes);
-        if (options.progress) {
+        if (options.progress && std::this_thread::get_id() == caller) {
             options.progress(done, table.data.size());
         }
-        return goOn;
+        return !stop.stop_requested();
     };
-    {
-        std::vector<std::future<void>> aside;
-        for (std::size_t i = 1; i < parts.size(); ++i) {
-            aside.push_back(std::async(std::launch::async, [&, i] { readPart(parts[i], layout, readAside); }));
-        }
-        readPart(parts.front(), layout, readHere);
-        std::ranges::for_each(aside, [](std::future<void> &other) { other.get(); }); // throws what that threw
-    }
+    inParallel(parts.size(), [&](std::size_t i) { readPart(parts[i], layout, tell); });
     if (stop.stop_requested()) {
         return ReadError{0, 0, {}, {ReadFault::Kind::Stopped}};
     }
@@ -490,8 +480,7 @@ private:
 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
 {
-    const auto found = std::find_if(series.begin(), series.end(),
-                                    [channel](const ReferenceSeries &each) { return each.channel == channel; });
+    const auto found = std::ranges::find(series, channel, &ReferenceSeries::channel);
     return found == series.end() ? nullptr : &*found;
 }
 
@@ -499,6 +488,19 @@ std::size_t ReferenceData::skippedRowCount() const
 {
     return std::accumulate(skipped.begin(), skipped.end(), std::size_t{0},
                            [](std::size_t count, const SkippedRow &row) { return count + row.rows; });
+}
+
+ValueRange rangeOf(std::span<const double> values)
+{
+    ValueRange range;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            range.low = std::min(range.low, value);
+            range.high = std::max(range.high, value);
+            ++range.count;
+        }
+    }
+    return range;
 }
 
 ChannelSet channelsOf(const ReferenceData &data)
@@ -549,7 +551,8 @@ std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, st
     std::atomic<std::size_t> next = 0;
     std::atomic<std::size_t> done = 0;
     std::atomic<bool> isPlain = true;
-    const auto readSome = [&](const std::function<void()> &tell) {
+    const std::thread::id caller = std::this_thread::get_id();
+    inParallel(threadsFor(size), [&](std::size_t) {
         std::vector<char> buffer;
         for (std::size_t i = next++; i < pieces && isPlain && !stop.stop_requested(); i = next++) {
             const std::optional<std::string_view> lines = plainLines(source, dataBegin + i * kPiece, dataBegin, buffer);
@@ -564,21 +567,11 @@ std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, st
                 return;
             }
             done += lines->size();
-            tell();
-        }
-    };
-    {
-        std::vector<std::future<void>> aside;
-        for (std::size_t i = 1; i < threadsFor(size); ++i) {
-            aside.push_back(std::async(std::launch::async, [&] { readSome([] {}); }));
-        }
-        readSome([&] {
-            if (options.progress) {
+            if (options.progress && std::this_thread::get_id() == caller) {
                 options.progress(done, size);
             }
-        });
-        std::ranges::for_each(aside, [](std::future<void> &other) { other.get(); }); // throws what that threw
-    }
+        }
+    });
     if (!isPlain || stop.stop_requested() || rows.all().time().empty()) {
         return std::nullopt;
     }

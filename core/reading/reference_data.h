@@ -18,8 +18,10 @@
 #include "core/reading/read_fault.h"
 #include "core/reading/rounding.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -69,6 +71,18 @@ struct ReadError {
     ReadFault fault{};
     FileLayout layout{}; ///< what was found; with columns, a person's choice of them may still help
 };
+
+/// What the finite ones among some values span.
+struct ValueRange {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    std::size_t count = 0;
+
+    double width() const { return high - low; }
+    double size() const { return std::max({0.0, -low, high}); } ///< the largest magnitude
+};
+
+ValueRange rangeOf(std::span<const double> values);
 
 struct ReadOptions {
     std::vector<ColumnChoice> columns; ///< the columns not named here are what they were without

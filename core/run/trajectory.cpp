@@ -3,8 +3,8 @@
 
 #include "core/closed_form/batch.h"
 #include "core/closed_form/state_at.h"
+#include "core/mechanism/in_parallel.h"
 #include "core/newton/newton.h"
-#include "core/run/in_parallel.h"
 
 #include <algorithm>
 #include <utility>

@@ -55,10 +55,8 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     , m_terms(static_cast<std::size_t>(harmonics) + 1)
 {
     assert(existsFor(mechanism) && harmonics >= 1 && 2 * m_terms.size() < kAngles);
-    Parameters inAngle = mechanism.parameters(); // with θ2 for the time
-    inAngle.omega2 = 1.0;
-    inAngle.theta20 = 0.0;
-    const ClosedForm closedForm{Mechanism(inAngle)};
+    // With θ2 for the time.
+    const ClosedForm closedForm{Mechanism({mechanism.a(), mechanism.b(), mechanism.c(), 1.0, 0.0, mechanism.branch()})};
     std::vector<SinCos> waves;
     std::vector<Motion> motions;
     for (std::size_t i = 0; i < kAngles; ++i) {

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <thread>
 
 namespace slidercrank
@@ -188,9 +189,7 @@ double quantile(const std::vector<double> &sorted, double part)
 std::vector<Contender> contendersOf(const Case &which, const std::vector<double> &all, const std::vector<double> &steps)
 {
     std::vector<std::size_t> everyIndex(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        everyIndex[i] = i;
-    }
+    std::iota(everyIndex.begin(), everyIndex.end(), std::size_t{0});
     std::vector<std::size_t> stepIndices;
     for (const double t : steps) {
         stepIndices.push_back(static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), t) - all.begin()));
@@ -214,28 +213,6 @@ std::vector<Contender> contendersOf(const Case &which, const std::vector<double>
     }
     return contenders;
 }
-
-/// Tells how far the study is, in units of a case.
-class Progress
-{
-public:
-    Progress(const std::function<void(double)> &tell, std::size_t cases)
-        : m_tell(tell)
-        , m_cases(static_cast<double>(cases))
-    {
-    }
-
-    void reach(std::size_t done, double ofNext)
-    {
-        if (m_tell) {
-            m_tell(std::min(1.0, (static_cast<double>(done) + ofNext) / m_cases));
-        }
-    }
-
-private:
-    const std::function<void(double)> &m_tell;
-    double m_cases;
-};
 
 /// Of a case, the judge takes about so much of the time.
 constexpr double kJudgeShare = 0.6;
@@ -340,17 +317,20 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
     const Clock::time_point start = Clock::now();
     StudyResult result;
     result.machine = thisMachine();
-    Progress told(progress, request.cases.size());
+    const auto reach = [&](double ofNext) {
+        if (progress) {
+            const double done = static_cast<double>(result.cases.size()) + ofNext;
+            progress(std::min(1.0, done / static_cast<double>(request.cases.size())));
+        }
+    };
     for (const Case &which : request.cases) {
-        const std::size_t done = result.cases.size();
         const std::vector<double> all = instantsOf(which);
         const std::vector<double> steps = which.sampling.instants();
         const std::optional<Judgement> judgement =
-            judgeAll(which, all, stop, [&](double part) { told.reach(done, kJudgeShare * part); });
+            judgeAll(which, all, stop, [&](double part) { reach(kJudgeShare * part); });
         std::vector<Contender> contenders = contendersOf(which, all, steps);
-        const bool timed = judgement && timeAll(contenders, request, stop, [&](double part) {
-                               told.reach(done, kJudgeShare + (1.0 - kJudgeShare) * part);
-                           });
+        const bool timed = judgement && timeAll(contenders, request, stop,
+                                                [&](double part) { reach(kJudgeShare + (1.0 - kJudgeShare) * part); });
         if (!timed) {
             result.complete = false;
             break;
@@ -389,9 +369,7 @@ std::vector<std::size_t> bestFront(const CaseResult &result)
             order.push_back(i);
         }
     }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
-        return result.methods[x].nsPerState < result.methods[y].nsPerState;
-    });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return result.methods[i].nsPerState; });
     std::vector<std::size_t> front;
     for (const std::size_t i : order) {
         if (front.empty() || *result.methods[i].maxError < *result.methods[front.back()].maxError) {

@@ -73,13 +73,9 @@ StudyMethod closedFormBatch()
     method.givesDegrees = true;
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         return [batch = ClosedFormBatch(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
-            PlottedColumns columns;
-            columns.theta3 = answers.values[Theta3Value].data();
-            columns.R4x = answers.values[R4xValue].data();
-            columns.theta3Dot = answers.values[Theta3Rate].data();
-            columns.R4xDot = answers.values[R4xRate].data();
-            columns.theta3DDot = answers.values[Theta3Acceleration].data();
-            columns.R4xDDot = answers.values[R4xAcceleration].data();
+            const auto column = [&answers](Value value) { return answers.values[value].data(); };
+            const PlottedColumns columns{column(Theta3Value), column(R4xValue),           column(Theta3Rate),
+                                         column(R4xRate),     column(Theta3Acceleration), column(R4xAcceleration)};
             batch.evaluate(instants, columns, answers.status);
         };
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/model_curves.h"
 
-#include "core/run/in_parallel.h"
+#include "core/mechanism/in_parallel.h"
 #include "ui/document/result.h"
 
 #include <algorithm>

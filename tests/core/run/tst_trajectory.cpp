@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/state_at.h"
+#include "core/mechanism/in_parallel.h"
 #include "core/newton/newton.h"
-#include "core/run/in_parallel.h"
 #include "core/run/trajectory.h"
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
