@@ -102,10 +102,7 @@ AxisScale degreeScale(const Interval &range, double intervals)
 
 AxisScale logarithmicScale(const Interval &range, double intervals)
 {
-    AxisScale scale;
-    scale.isLogarithmic = true;
-    scale.step = std::max(1.0, niceStep(range.length() / std::max(intervals, 1.0)));
-    return scale;
+    return {.step = std::max(1.0, niceStep(range.length() / std::max(intervals, 1.0))), .isLogarithmic = true};
 }
 
 Interval roundedOutwards(const Interval &range)
