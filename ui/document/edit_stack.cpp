@@ -23,17 +23,14 @@ struct EditCommandText {
 QString changeName(const Parameters &before, const Parameters &after)
 {
     QStringList changed;
-    const auto note = [&changed](bool differs, const QString &name) {
-        if (differs) {
-            changed << name;
+    for (const Parameter parameter : kParameters) {
+        if (valueOf(before, parameter) != valueOf(after, parameter)) {
+            changed << symbolOf(parameter);
         }
-    };
-    note(before.a != after.a, symbolOf(Parameter::A));
-    note(before.b != after.b, symbolOf(Parameter::B));
-    note(before.c != after.c, symbolOf(Parameter::C));
-    note(before.omega2 != after.omega2, symbolOf(Parameter::Omega2));
-    note(before.theta20 != after.theta20, symbolOf(Parameter::Theta20));
-    note(before.branch != after.branch, EditCommandText::tr("the assembly"));
+    }
+    if (before.branch != after.branch) {
+        changed << EditCommandText::tr("the assembly");
+    }
     return changed.size() == 1 ? EditCommandText::tr("change of %1").arg(changed.first())
                                : EditCommandText::tr("change of the mechanism");
 }

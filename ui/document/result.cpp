@@ -53,15 +53,13 @@ RunSummary summaryOf(const Request &request, std::stop_token stop)
 Pose poseAt(const Parameters &parameters, double seconds)
 {
     const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(seconds);
-    Pose pose;
-    pose.time = seconds;
-    pose.theta2 = motion.theta2;
-    pose.theta3 = motion.theta3;
-    pose.pinX = parameters.a * motion.crank.cos;
-    pose.pinY = parameters.a * motion.crank.sin;
-    pose.sliderX = motion.R4x;
-    pose.status = motion.status;
-    return pose;
+    return {.time = seconds,
+            .theta2 = motion.theta2,
+            .theta3 = motion.theta3,
+            .pinX = parameters.a * motion.crank.cos,
+            .pinY = parameters.a * motion.crank.sin,
+            .sliderX = motion.R4x,
+            .status = motion.status};
 }
 
 std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop)

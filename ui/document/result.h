@@ -4,6 +4,7 @@
 // What the views draw: of one moment, as plain data. Session publishes it.
 
 #include "core/comparison/comparison.h"
+#include "core/diagnosis/interpretation.h"
 #include "core/limits/mobility.h"
 #include "core/run/trajectory.h"
 #include "ui/document/reference_file.h"
@@ -46,6 +47,14 @@ struct Result {
 
     /// A long run in closed form is not: it takes less time to compute than to store.
     bool isKept() const { return trajectory.time.size() == summary.instants; }
+};
+
+/// Whose motion a file is: the mechanism it belongs to, the one parameter that explains the difference, the conventions
+/// by which it would read better. Immutable once published.
+struct Diagnosis {
+    std::shared_ptr<const Reference> reference;
+    Parameters parameters; ///< the model that the file was held against
+    Interpretation found;
 };
 
 /// What a Result is computed from: a value that can travel to another thread.

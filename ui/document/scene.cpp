@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace slidercrank
 {
@@ -149,23 +148,19 @@ QJsonObject merged(QJsonObject under, const QJsonObject &over)
 
 Parameters parametersOf(const ScenePart &part)
 {
-    Parameters parameters;
-    parameters.a = part.number("a", Bound::Positive);
-    parameters.b = part.number("b", Bound::Positive);
-    parameters.c = part.number("c", Bound::Magnitude);
-    parameters.omega2 = part.number("omega2", Bound::Magnitude);
-    parameters.theta20 = part.number("theta20", Bound::Magnitude);
-    parameters.branch = part.choice("branch", kBranches);
-    return parameters;
+    return {.a = part.number("a", Bound::Positive),
+            .b = part.number("b", Bound::Positive),
+            .c = part.number("c", Bound::Magnitude),
+            .omega2 = part.number("omega2", Bound::Magnitude),
+            .theta20 = part.number("theta20", Bound::Magnitude),
+            .branch = part.choice("branch", kBranches)};
 }
 
 Sampling samplingOf(const ScenePart &part)
 {
-    Sampling sampling;
-    sampling.start = part.number("start", Bound::Magnitude);
-    sampling.duration = part.number("duration", Bound::Positive);
-    sampling.steps = part.integer("steps", kMostSteps);
-    return sampling;
+    return {.start = part.number("start", Bound::Magnitude),
+            .duration = part.number("duration", Bound::Positive),
+            .steps = part.integer("steps", kMostSteps)};
 }
 
 SolverSettings solverOf(const ScenePart &part)

@@ -2,6 +2,7 @@
 #include "ui/document/session.h"
 
 #include "ui/document/column_choices.h"
+#include "ui/document/with.h"
 #include "ui/words/finding_text.h"
 
 #include <QLocale>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
-#include <variant>
 
 namespace slidercrank
 {
@@ -23,6 +23,14 @@ constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner t
 Choices choicesOf(const Result &result)
 {
     return {result.mechanism.parameters(), result.sampling, result.solver, result.reference};
+}
+
+/// Null when stopped. Takes longer than a moment.
+std::shared_ptr<const Diagnosis> diagnose(const std::shared_ptr<const Reference> &reference, const Mechanism &mechanism,
+                                          std::stop_token stop)
+{
+    Diagnosis diagnosis{reference, mechanism.parameters(), interpret(reference->data, mechanism, stop)};
+    return stop.stop_requested() ? nullptr : std::make_shared<const Diagnosis>(std::move(diagnosis));
 }
 
 } // namespace
@@ -76,9 +84,7 @@ void Session::setParameters(const Parameters &parameters)
         emit parametersChanged(m_choices.parameters);
         return;
     }
-    Choices choices = m_choices;
-    choices.parameters = parameters;
-    edit(choices);
+    edit(with(m_choices, &Choices::parameters, parameters));
 }
 
 void Session::setParameter(Parameter parameter, double value)
@@ -90,16 +96,12 @@ void Session::setParameter(Parameter parameter, double value)
 
 void Session::setSampling(const Sampling &sampling)
 {
-    Choices choices = m_choices;
-    choices.sampling = sampling;
-    edit(choices);
+    edit(with(m_choices, &Choices::sampling, sampling));
 }
 
 void Session::setSolver(const SolverSettings &solver)
 {
-    Choices choices = m_choices;
-    choices.solver = solver;
-    edit(choices);
+    edit(with(m_choices, &Choices::solver, solver));
 }
 
 void Session::edit(const Choices &choices, const QString &text)
@@ -186,9 +188,7 @@ void Session::endSearch()
     m_rest.stop();
     const bool isKnown = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
     if (m_choices.reference && !isKnown) {
-        auto stopped = std::make_shared<Diagnosis>();
-        stopped->reference = m_choices.reference;
-        stopped->parameters = m_choices.parameters;
+        auto stopped = std::make_shared<Diagnosis>(Diagnosis{m_choices.reference, m_choices.parameters, {}});
         stopped->found.identification.status = Identification::Status::Stopped;
         publishDiagnosis(std::move(stopped));
     }
@@ -274,28 +274,21 @@ void Session::startWith(const Choices &choices, double seconds)
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
     m_reading.drop();
-    Choices choices = m_choices;
-    choices.reference = reference;
     m_edits.beginStep(); // one file opened after the other: two steps
-    edit(choices);
+    edit(with(m_choices, &Choices::reference, reference));
 }
 
 void Session::takeOver()
 {
-    if (!m_diagnosis || m_diagnosis->found.identification.status != Identification::Status::Found) {
-        return;
+    if (m_diagnosis && m_diagnosis->found.identification.status == Identification::Status::Found) {
+        edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded), tr("taking over the file's mechanism"));
     }
-    Choices choices = m_choices;
-    choices.parameters = m_diagnosis->found.rounded;
-    edit(choices, tr("taking over the file's mechanism"));
 }
 
 void Session::apply(const Convention &convention)
 {
     if (convention.kind == Convention::Kind::Branch) {
-        Parameters parameters = m_choices.parameters;
-        parameters.branch = otherThan(parameters.branch);
-        setParameters(parameters);
+        setParameters(with(parameters(), &Parameters::branch, otherThan(parameters().branch)));
     } else if (m_choices.reference) {
         setReference(applied(convention, m_choices.reference));
     }

@@ -5,7 +5,6 @@
 // on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else. What
 // a file has to say about itself follows as a Diagnosis, when the parameters rest. Every edit can be undone.
 
-#include "ui/document/diagnosis.h"
 #include "ui/document/edit_stack.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/result.h"
@@ -20,7 +19,6 @@
 #include <optional>
 #include <stop_token>
 #include <variant>
-#include <vector>
 
 namespace slidercrank
 {

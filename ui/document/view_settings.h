@@ -3,6 +3,7 @@
 
 // What a person chose to see of the plots and of the drawing: it is saved with a scene.
 
+#include "core/mechanism/channel.h"
 #include "ui/words/interval.h"
 
 #include <QString>
@@ -31,7 +32,12 @@ constexpr std::size_t channelOf(std::size_t plot)
 }
 
 /// "plot_theta3", "plot_error_velocity", …
-QString plotName(std::size_t plot);
+inline QString plotName(std::size_t plot)
+{
+    constexpr std::array kErrors{"plot_error_position", "plot_error_velocity", "plot_error_acceleration"};
+    return isErrorPlot(plot) ? QString::fromUtf8(kErrors[plot / kPlotColumns])
+                             : QStringLiteral("plot_") + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
+}
 
 enum class ErrorMeasure {
     Percent,  ///< |model - reference| / |reference|, as in the report; infinite where the reference is zero

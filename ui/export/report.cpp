@@ -43,9 +43,7 @@ bool isFound(const ReportContent &content)
 
 bool differs(const std::vector<ChannelComparison> &channels)
 {
-    return channels.empty() || std::any_of(channels.begin(), channels.end(), [](const ChannelComparison &channel) {
-               return channel.verdict == Verdict::Differs;
-           });
+    return channels.empty() || std::ranges::count(channels, Verdict::Differs, &ChannelComparison::verdict) > 0;
 }
 
 QString nounOf(Parameter parameter)
@@ -180,9 +178,7 @@ void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &co
         blocks.push_back(paragraph(summaryOf(found.identification)));
         return;
     }
-    const auto agreeing =
-        std::count_if(found.identified.begin(), found.identified.end(),
-                      [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+    const auto agreeing = std::ranges::count(found.identified, Verdict::Agrees, &ChannelComparison::verdict);
     QString text = Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
                        .arg(agreeing)
                        .arg(found.identified.size());

@@ -8,7 +8,6 @@
 #include "ui/words/motion_facts.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>

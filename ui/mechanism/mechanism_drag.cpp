@@ -146,10 +146,7 @@ DragRequest MechanismDrag::moveTo(QPointF pointer, double grid)
 
 DragRequest MechanismDrag::turnTo(QPointF pointer) const
 {
-    if (pointer.isNull()) {
-        return {};
-    }
-    return CrankAngleRequest{std::atan2(pointer.y(), pointer.x())};
+    return pointer.isNull() ? DragRequest() : CrankAngleRequest{std::atan2(pointer.y(), pointer.x())};
 }
 
 DragRequest MechanismDrag::slideTo(double R4x)

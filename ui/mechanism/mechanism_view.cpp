@@ -2,6 +2,7 @@
 #include "ui/mechanism/mechanism_view.h"
 
 #include "core/run/crank_instant.h"
+#include "ui/document/with.h"
 #include "ui/mechanism/drawn_part.h"
 #include "ui/mechanism/mechanism_linkage.h"
 #include "ui/mechanism/mechanism_note.h"
@@ -58,17 +59,9 @@ void MechanismView::makeChoices()
         auto *action = new QAction(text, this);
         action->setObjectName(name);
         action->setCheckable(true);
-        connect(action, &QAction::triggered, this, [this, setting](bool on) {
-            MechanismSettings settings = m_drawing.settings;
-            settings.*setting = on;
-            setSettings(settings);
-        });
+        connect(action, &QAction::triggered, this,
+                [this, setting](bool on) { setSettings(with(m_drawing.settings, setting, on)); });
         m_choices << action;
-    };
-    const auto addSeparator = [this] {
-        auto *separator = new QAction(this);
-        separator->setSeparator(true);
-        m_choices << separator;
     };
     const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
         auto *action = new QAction(text, this);
@@ -85,7 +78,8 @@ void MechanismView::makeChoices()
     addSwitch(tr("&Path of the coupler's centre"), QStringLiteral("showPath"), &MechanismSettings::path);
     addSwitch(tr("&Names of the points"), QStringLiteral("showNames"), &MechanismSettings::names);
     addSwitch(tr("&Dimensions"), QStringLiteral("showDimensions"), &MechanismSettings::dimensions);
-    addSeparator();
+    m_choices << new QAction(this);
+    m_choices.back()->setSeparator(true);
     addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [zoomBy] { zoomBy(kZoomStep); });
     addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [zoomBy] { zoomBy(1.0 / kZoomStep); });
     addZoom(tr("&Fit"), {Qt::Key_0}, [this] { fit(); });

@@ -70,10 +70,7 @@ QString equationOf(Constraint row)
 
 TableCell textCell(const QString &text, const QString &explanation = {})
 {
-    TableCell cell;
-    cell.text = text;
-    cell.explanation = explanation;
-    return cell;
+    return {.text = text, .explanation = explanation};
 }
 
 /// `perSecond`: the power of 1/s in the number's unit.

@@ -3,6 +3,7 @@
 
 #include "ui/controls/named.h"
 #include "ui/controls/number_box.h"
+#include "ui/document/with.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
 #include "ui/words/written_number.h"
@@ -44,9 +45,8 @@ SolverForm::SolverForm(QWidget *parent)
     m_method->addItem(tr("closed form, exact"), static_cast<int>(Method::ClosedForm));
     m_method->setToolTip(tr("How the curves are computed"));
     connect(m_method, &QComboBox::activated, this, [this](int index) {
-        SolverSettings solver = m_solver;
-        solver.method = static_cast<Method>(m_method->itemData(index).toInt());
-        edit(m_sampling, solver);
+        const auto method = static_cast<Method>(m_method->itemData(index).toInt());
+        edit(m_sampling, with(m_solver, &SolverSettings::method, method));
     });
 
     m_steps = named("stepsBox", new QSpinBox);
@@ -54,29 +54,20 @@ SolverForm::SolverForm(QWidget *parent)
     m_steps->setKeyboardTracking(false);
     m_steps->setAlignment(Qt::AlignRight);
     m_steps->setToolTip(tr("Intervals; one instant more is computed"));
-    connect(m_steps, &QSpinBox::valueChanged, this, [this](int steps) {
-        Sampling sampling = m_sampling;
-        sampling.steps = steps;
-        edit(sampling, m_solver);
-    });
+    connect(m_steps, &QSpinBox::valueChanged, this,
+            [this](int steps) { edit(with(m_sampling, &Sampling::steps, steps), m_solver); });
 
     m_duration = named("durationBox", new NumberBox);
     m_duration->setSuffix(tr(" s"));
     m_duration->setToolTip(tr("From the first instant to the last"));
-    connect(m_duration, &NumberBox::edited, this, [this](double seconds) {
-        Sampling sampling = m_sampling;
-        sampling.duration = seconds;
-        edit(sampling, m_solver);
-    });
+    connect(m_duration, &NumberBox::edited, this,
+            [this](double seconds) { edit(with(m_sampling, &Sampling::duration, seconds), m_solver); });
 
     m_start = named("startBox", new NumberBox);
     m_start->setSuffix(tr(" s"));
     m_start->setToolTip(tr("The first instant"));
-    connect(m_start, &NumberBox::edited, this, [this](double seconds) {
-        Sampling sampling = m_sampling;
-        sampling.start = seconds;
-        edit(sampling, m_solver);
-    });
+    connect(m_start, &NumberBox::edited, this,
+            [this](double seconds) { edit(with(m_sampling, &Sampling::start, seconds), m_solver); });
 
     m_tolerance = named("toleranceBox", new QLineEdit);
     m_tolerance->setAlignment(Qt::AlignRight);

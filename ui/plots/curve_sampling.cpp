@@ -5,7 +5,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <ranges>
 
 namespace slidercrank
@@ -241,10 +240,7 @@ std::optional<Interval> extremes(std::span<const double> values)
             }
         }
     }
-    if (run.lower > run.upper) {
-        return std::nullopt;
-    }
-    return Interval{run.lower, run.upper};
+    return run.lower > run.upper ? std::nullopt : std::optional(Interval{run.lower, run.upper});
 }
 
 std::optional<Interval> extremes(std::span<const CurvePoint> points)
@@ -254,10 +250,7 @@ std::optional<Interval> extremes(std::span<const CurvePoint> points)
         run.lower = point.value < run.lower ? point.value : run.lower;
         run.upper = point.value > run.upper ? point.value : run.upper;
     }
-    if (run.lower > run.upper) {
-        return std::nullopt;
-    }
-    return Interval{run.lower, run.upper};
+    return run.lower > run.upper ? std::nullopt : std::optional(Interval{run.lower, run.upper});
 }
 
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)

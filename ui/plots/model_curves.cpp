@@ -88,10 +88,7 @@ ModelCurves::ModelCurves(const Result &result)
 
 double ModelCurves::instant(std::size_t i) const
 {
-    if (!m_motion) {
-        return m_time[i];
-    }
-    return m_sampling.instant(static_cast<int>(m_sampling.duration < 0.0 ? m_size - 1 - i : i));
+    return m_motion ? m_sampling.instant(static_cast<int>(m_sampling.duration < 0.0 ? m_size - 1 - i : i)) : m_time[i];
 }
 
 double ModelCurves::value(std::size_t channel, std::size_t i) const
@@ -112,10 +109,8 @@ std::size_t ModelCurves::nearest(double t) const
 
 std::vector<CurvePoint> ModelCurves::decimated(std::size_t channel, const Interval &range, std::size_t columns)
 {
-    if (m_motion) {
-        return computed(range, columns)[channel];
-    }
-    return decimate(m_time, m_values[channel], pixelColumns(m_time, range, columns));
+    return m_motion ? computed(range, columns)[channel]
+                    : decimate(m_time, m_values[channel], pixelColumns(m_time, range, columns));
 }
 
 std::optional<Interval> ModelCurves::extremes(std::size_t channel)

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_figure.h"
 
-#include <QLocale>
-#include <QStringList>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -426,14 +423,14 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
             constexpr int kFewDigits = 2;
             const double largest = *channel.largestError;
             const QString unit = isSplit ? channelUnit(index) : QStringLiteral("%");
-            const QString number = QStringLiteral("%1 %2").arg(shortNumber(largest, kErrorDigits, QLocale()), unit);
+            const QString number = QStringLiteral("%1 %2").arg(shortNumber(largest, kErrorDigits), unit);
             if (!picture.remarks.empty()) {
                 picture.remarks.push_back({QStringLiteral(" · ")});
                 picture.shortRemarks.push_back({QStringLiteral(" · ")});
             }
             picture.remarks.push_back(
                 {tr("%1 %2", "largest error: number with unit, quantity").arg(number, quantity(index)), curve.ink});
-            picture.shortRemarks.push_back({shortNumber(largest, kFewDigits, QLocale()), curve.ink});
+            picture.shortRemarks.push_back({shortNumber(largest, kFewDigits), curve.ink});
         }
     }
     if (!picture.remarks.empty()) {

@@ -3,7 +3,6 @@
 
 #include "ui/plots/figure_painting.h"
 #include "ui/plots/plot_canvas.h"
-#include "ui/plots/plot_choices.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
 
@@ -68,7 +67,7 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_overlays[i] = new PlotOverlay(m_plots[i]);
         m_plots[i]->setFocusPolicy(Qt::TabFocus);
     }
-    m_choices = plotChoices(*this);
+    makeChoices();
     emit settingsChanged(m_figure.settings());
     m_hint = new QLabel(this);
     m_hint->setObjectName(QStringLiteral("no_reference_hint"));
@@ -83,8 +82,6 @@ PlotGrid::PlotGrid(QWidget *parent)
     QEvent paletteChange(QEvent::PaletteChange);
     changeEvent(&paletteChange);
 }
-
-PlotGrid::~PlotGrid() = default;
 
 QStringList PlotGrid::plotNames()
 {

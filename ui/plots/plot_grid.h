@@ -33,7 +33,6 @@ class PlotGrid : public QWidget
 
 public:
     explicit PlotGrid(QWidget *parent = nullptr);
-    ~PlotGrid() override;
 
     /// The nine, row by row: "plot_theta3", "plot_R4_x", "plot_error_position", …
     static QStringList plotNames();
@@ -92,6 +91,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void makeChoices(); ///< which change the plots and follow what is changed elsewhere; in plot_choices.cpp
     PlotArrangement arrangementOnScreen() const;
 
     void requestRefresh();

@@ -2,7 +2,6 @@
 #include "ui/plots/plot_readings.h"
 
 #include <QFontMetrics>
-#include <QLocale>
 
 #include <cmath>
 #include <span>
@@ -22,7 +21,7 @@ QString valueText(double value, const QString &unit, int digits = kDigits)
     if (!std::isfinite(value)) {
         return PlotFigure::tr("does not exist");
     }
-    const QString number = shortNumber(value, digits, QLocale());
+    const QString number = shortNumber(value, digits);
     return unit.isEmpty() || unit.startsWith(u'°') ? number + unit : QStringLiteral("%1 %2").arg(number, unit);
 }
 
@@ -200,15 +199,15 @@ QString measuredText(const PlotFigure &figure, const ReadInstants &read, const Q
         return {};
     }
     const auto [a, b] = *read.measured;
-    QString change = PlotFigure::tr("B − A = %1 s", "the time between the measuring cursors")
-                         .arg(shortNumber(b - a, kDigits, QLocale()));
+    QString change =
+        PlotFigure::tr("B − A = %1 s", "the time between the measuring cursors").arg(shortNumber(b - a, kDigits));
     if (figure.result) {
         const double turned = figure.result->mechanism.omega2() * (b - a) * kDegreesPerRadian;
-        change += QStringLiteral(" = %1°").arg(shortNumber(turned, kDigits, QLocale()));
+        change += QStringLiteral(" = %1°").arg(shortNumber(turned, kDigits));
     }
     const QString text =
         PlotFigure::tr("A %1 s · B %2 s · %3", "instants of the measuring cursors, the time between them")
-            .arg(shortNumber(a, kDigits, QLocale()), shortNumber(b, kDigits, QLocale()), change);
+            .arg(shortNumber(a, kDigits), shortNumber(b, kDigits), change);
     return QFontMetrics(font).horizontalAdvance(text) <= room ? text : change;
 }
 

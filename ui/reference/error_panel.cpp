@@ -4,7 +4,7 @@
 #include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
-#include "ui/document/diagnosis.h"
+#include "ui/document/result.h"
 #include "ui/reference/empty_page.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/column_text.h"
@@ -14,10 +14,7 @@
 #include "ui/words/written_number.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
-#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -68,8 +65,7 @@ QColor verdictColour(Verdict verdict, const SeriesColours &colours)
 Verdict worstOf(const std::vector<ChannelComparison> &comparison)
 {
     const auto holds = [&comparison](Verdict verdict) {
-        return std::ranges::any_of(comparison,
-                                   [verdict](const ChannelComparison &channel) { return channel.verdict == verdict; });
+        return std::ranges::count(comparison, verdict, &ChannelComparison::verdict) > 0;
     };
     return comparison.empty() || holds(Verdict::Differs) ? Verdict::Differs
            : holds(Verdict::Close)                       ? Verdict::Close

@@ -3,14 +3,12 @@
 
 #include "ui/controls/named.h"
 #include "ui/controls/paragraph.h"
-#include "ui/document/diagnosis.h"
 #include "ui/document/result.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/finding_text.h"
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 

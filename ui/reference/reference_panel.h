@@ -4,7 +4,7 @@
 // What was read from the reference file and how: its form, a row a column, the rows left out; beside it whose motion it
 // is, and by which other reading it would come nearer.
 
-#include "ui/document/diagnosis.h"
+#include "ui/document/result.h"
 
 #include <QWidget>
 

@@ -297,16 +297,12 @@ void StudyPanel::setParameters(const Parameters &parameters)
 
 void StudyPanel::runThisMechanism()
 {
-    StudyRequest request;
-    request.cases = {studyCase(m_parameters)};
-    run(std::move(request));
+    run({.cases = {studyCase(m_parameters)}});
 }
 
 void StudyPanel::runHardCases()
 {
-    StudyRequest request;
-    request.cases.assign(hardCases().begin(), hardCases().end());
-    run(std::move(request));
+    run({.cases = {hardCases().begin(), hardCases().end()}});
 }
 
 void StudyPanel::cancel()
@@ -392,11 +388,10 @@ void StudyPanel::showSummary()
 {
     QString text;
     if (m_result) {
-        const QLocale locale;
         text = m_result->cases.size() == 1 ? tr("1 case") : tr("%1 cases").arg(m_result->cases.size());
         const std::size_t silent = silentFailuresOf(*m_result);
         text += silent == 0 ? tr(", nothing silently wrong") : tr(", ⚠ %1 instants silently wrong").arg(silent);
-        text += tr(", done in %1 s").arg(locale.toString(m_result->seconds, 'f', 1));
+        text += tr(", done in %1 s").arg(QLocale().toString(m_result->seconds, 'f', 1));
         if (!m_result->complete) {
             text += tr(" (cancelled)");
         }

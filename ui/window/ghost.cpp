@@ -31,8 +31,7 @@ void Ghost::setWanted(bool wanted)
 void Ghost::find()
 {
     const Result &result = *m_session->result();
-    const bool differs = std::ranges::any_of(
-        result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+    const bool differs = std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0;
     if (differs && m_isWanted) {
         const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
         const bool found = diagnosis && diagnosis->found.identification.status == Identification::Status::Found;

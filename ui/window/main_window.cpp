@@ -127,8 +127,6 @@ MainWindow::MainWindow(QWidget *parent)
     }
 }
 
-MainWindow::~MainWindow() = default;
-
 /// What does not change with the language.
 void MainWindow::connectDocument()
 {
@@ -231,27 +229,34 @@ void MainWindow::remakeRooms()
     setUpdatesEnabled(true);
 }
 
+template <typename Changed, typename Room, typename Slot, typename... Now>
+void MainWindow::follow(Changed changed, Room *room, Slot slot, const Now &...now)
+{
+    (room->*slot)(now...);
+    connect(m_session, changed, room, slot);
+}
+
 /// With the session, of which they show what there is.
 void MainWindow::connectRooms()
 {
-    connect(m_session, &Session::parametersChanged, m_rooms.parameters, &ParameterPanel::setParameters);
+    follow(&Session::parametersChanged, m_rooms.parameters, &ParameterPanel::setParameters, m_session->parameters());
     connect(m_rooms.parameters, &ParameterPanel::edited, m_session, &Session::setParameters);
     connect(m_rooms.parameters, &ParameterPanel::dragBegan, m_session, &Session::beginDrag);
     connect(m_rooms.parameters, &ParameterPanel::dragEnded, m_session, &Session::endDrag);
 
-    connect(m_session, &Session::parametersChanged, m_rooms.timeline, &Timeline::setParameters);
-    connect(m_session, &Session::settingsChanged, m_rooms.timeline, &Timeline::setSampling);
+    follow(&Session::parametersChanged, m_rooms.timeline, &Timeline::setParameters, m_session->parameters());
+    follow(&Session::settingsChanged, m_rooms.timeline, &Timeline::setSampling, m_session->sampling());
     connect(m_session, &Session::timeChanged, m_rooms.timeline, &Timeline::setPose);
     connect(m_rooms.timeline, &Timeline::timeRequested, m_session, &Session::setTime);
 
-    connect(m_session, &Session::resultChanged, m_rooms.mechanism, &MechanismView::setResult);
+    follow(&Session::resultChanged, m_rooms.mechanism, &MechanismView::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.mechanism, &MechanismView::setPose);
     connect(m_rooms.mechanism, &MechanismView::timeRequested, m_session, &Session::setTime);
     connect(m_rooms.mechanism, &MechanismView::lengthRequested, m_session, &Session::setParameter);
     connect(m_rooms.mechanism, &MechanismView::dragBegan, m_session, &Session::beginDrag);
     connect(m_rooms.mechanism, &MechanismView::dragEnded, m_session, &Session::endDrag);
 
-    connect(m_session, &Session::resultChanged, m_rooms.plots, &PlotGrid::setResult);
+    follow(&Session::resultChanged, m_rooms.plots, &PlotGrid::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
     connect(m_rooms.plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
     connect(m_rooms.plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
@@ -260,32 +265,21 @@ void MainWindow::connectRooms()
     connect(m_rooms.plots, &PlotGrid::copyPlotRequested, m_exports,
             [this](const QString &name) { m_exports->copy(m_exports->plot(name)); });
 
-    connect(m_session, &Session::resultChanged, m_rooms.errors, &ErrorPanel::setResult);
-    connect(m_session, &Session::diagnosisChanged, m_rooms.errors, &ErrorPanel::setDiagnosis);
+    follow(&Session::resultChanged, m_rooms.errors, &ErrorPanel::setResult, m_session->result());
+    follow(&Session::diagnosisChanged, m_rooms.errors, &ErrorPanel::setDiagnosis, m_session->diagnosis());
     connect(m_rooms.errors, &ErrorPanel::timeRequested, m_session, &Session::setTime);
     connect(m_rooms.errors, &ErrorPanel::remedyRequested, m_messages, &Messages::remedy);
     connect(m_rooms.errors, &ErrorPanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_rooms.errors, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
 
     connect(m_rooms.tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
-
-    const std::shared_ptr<const Result> &result = m_session->result();
-    m_rooms.parameters->setParameters(m_session->parameters());
-    m_rooms.timeline->setParameters(m_session->parameters());
-    m_rooms.timeline->setSampling(m_session->sampling());
-    m_rooms.mechanism->setResult(result);
-    m_rooms.plots->setResult(result);
-    m_rooms.errors->setResult(result);
-    m_rooms.errors->setDiagnosis(m_session->diagnosis());
 }
 
 QWidget *MainWindow::makeReferencePanel()
 {
     auto *panel = new ReferencePanel(this);
-    panel->setReference(m_session->reference());
-    panel->setDiagnosis(m_session->diagnosis());
-    connect(m_session, &Session::referenceLoaded, panel, &ReferencePanel::setReference);
-    connect(m_session, &Session::diagnosisChanged, panel, &ReferencePanel::setDiagnosis);
+    follow(&Session::referenceLoaded, panel, &ReferencePanel::setReference, m_session->reference());
+    follow(&Session::diagnosisChanged, panel, &ReferencePanel::setDiagnosis, m_session->diagnosis());
     connect(panel, &ReferencePanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(panel, &ReferencePanel::openSampleRequested, this, &MainWindow::openSample);
     connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->path); });
@@ -298,31 +292,25 @@ QWidget *MainWindow::makeReferencePanel()
 QWidget *MainWindow::makeNewtonPanel()
 {
     auto *panel = new NewtonPanel(this);
-    panel->setSettings(m_session->sampling(), m_session->solver());
-    panel->setResult(m_session->result());
     connect(panel, &NewtonPanel::edited, m_session, [this](const Sampling &sampling, const SolverSettings &solver) {
         m_session->setSolver(solver);
         m_session->setSampling(sampling);
     });
-    connect(m_session, &Session::settingsChanged, panel, &NewtonPanel::setSettings);
-    panel->setPose(m_session->pose());
-    connect(m_session, &Session::resultChanged, panel, &NewtonPanel::setResult);
-    connect(m_session, &Session::timeChanged, panel, &NewtonPanel::setPose);
+    follow(&Session::settingsChanged, panel, &NewtonPanel::setSettings, m_session->sampling(), m_session->solver());
+    follow(&Session::resultChanged, panel, &NewtonPanel::setResult, m_session->result());
+    follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
 
     auto *highlight = new PartHighlight(m_rooms.mechanism);
-    highlight->setResult(m_session->result());
-    highlight->setPose(m_session->pose());
     connect(panel, &NewtonPanel::partHovered, highlight, &PartHighlight::setPart);
-    connect(m_session, &Session::resultChanged, highlight, &PartHighlight::setResult);
-    connect(m_session, &Session::timeChanged, highlight, &PartHighlight::setPose);
+    follow(&Session::resultChanged, highlight, &PartHighlight::setResult, m_session->result());
+    follow(&Session::timeChanged, highlight, &PartHighlight::setPose, m_session->pose());
     return panel;
 }
 
 QWidget *MainWindow::makeStudyPanel()
 {
     auto *panel = new StudyPanel(this);
-    panel->setParameters(m_session->parameters());
-    connect(m_session, &Session::parametersChanged, panel, &StudyPanel::setParameters);
+    follow(&Session::parametersChanged, panel, &StudyPanel::setParameters, m_session->parameters());
     connect(panel, &StudyPanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
@@ -330,8 +318,7 @@ QWidget *MainWindow::makeStudyPanel()
 QWidget *MainWindow::makeLimitsPanel()
 {
     auto *panel = new LimitsPanel(this);
-    panel->setResult(m_session->result());
-    connect(m_session, &Session::resultChanged, panel, &LimitsPanel::setResult);
+    follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     return panel;
 }
@@ -390,8 +377,7 @@ void MainWindow::showTitle()
 
 void MainWindow::showResult(const std::shared_ptr<const Result> &result)
 {
-    const bool differs = std::ranges::any_of(
-        result->comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+    const bool differs = std::ranges::count(result->comparison, Verdict::Differs, &ChannelComparison::verdict) > 0;
     m_rooms.tabs->setTitle(m_rooms.errors, differs ? tr("Errors ⚠") : tr("Errors"));
     m_status->showRun(*result);
 }

@@ -23,7 +23,6 @@ class MainWindow : public QMainWindow
 
 public:
     explicit MainWindow(QWidget *parent = nullptr);
-    ~MainWindow() override;
 
     Session &session() { return *m_session; }
 
@@ -54,6 +53,11 @@ private:
     void makeRooms(bool withGhost);
     void remakeRooms();
     void connectRooms();
+
+    /// Shows what there is now, and with that signal of the session what there is then.
+    template <typename Changed, typename Room, typename Slot, typename... Now>
+    void follow(Changed changed, Room *room, Slot slot, const Now &...now);
+
     QWidget *makeReferencePanel();
     QWidget *makeNewtonPanel();
     QWidget *makeStudyPanel();

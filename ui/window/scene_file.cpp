@@ -6,11 +6,9 @@
 #include "ui/window/remembered.h"
 #include "ui/window/rooms.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QPushButton>
 #include <QStandardPaths>
 
 #include <utility>
@@ -50,18 +48,16 @@ bool SceneFile::isModified() const
 
 Scene SceneFile::scene() const
 {
-    Scene scene;
-    scene.parameters = m_session->parameters();
-    scene.sampling = m_session->sampling();
-    scene.solver = m_session->solver();
-    scene.reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing;
-    scene.time = m_session->time();
-    scene.plots = m_rooms.plots->settings();
-    scene.zoom = m_rooms.plots->zoom();
-    scene.mechanism = m_rooms.mechanism->settings();
-    scene.mechanismFrame = m_rooms.mechanism->zoom();
-    scene.asRead = m_asRead;
-    return scene;
+    return {.parameters = m_session->parameters(),
+            .sampling = m_session->sampling(),
+            .solver = m_session->solver(),
+            .reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing,
+            .time = m_session->time(),
+            .plots = m_rooms.plots->settings(),
+            .zoom = m_rooms.plots->zoom(),
+            .mechanism = m_rooms.mechanism->settings(),
+            .mechanismFrame = m_rooms.mechanism->zoom(),
+            .asRead = m_asRead};
 }
 
 void SceneFile::askThen(const std::function<void()> &goOn)

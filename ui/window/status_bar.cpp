@@ -3,6 +3,7 @@
 
 #include "ui/document/result.h"
 #include "ui/words/axis_scale.h"
+#include "ui/words/written_number.h"
 
 #include <QLocale>
 #include <QProgressBar>
@@ -56,7 +57,6 @@ void StatusBar::retranslate()
 
 void StatusBar::showRun(const Result &result)
 {
-    const QLocale locale;
     const RunSummary &run = result.summary;
     const std::size_t samples = run.instants;
     const std::size_t missing = run.count(Status::NotAssemblable);
@@ -68,11 +68,9 @@ void StatusBar::showRun(const Result &result)
     QString method = tr("closed form (exact)");
     if (result.solver.method == Method::Newton) {
         method = tr("Newton-Raphson, at most %1 iterations, residual %2")
-                     .arg(QString::number(run.mostIterations), locale.toString(run.largestResidual, 'g', 2));
+                     .arg(QString::number(run.mostIterations), QLocale().toString(run.largestResidual, 'g', 2));
     }
-    const QString cost = tr("%1 samples in %2 ms")
-                             .arg(locale.toString(static_cast<qulonglong>(samples)),
-                                  shortNumber(result.computeSeconds * 1e3, 2, locale));
+    const QString cost = tr("%1 samples in %2 ms").arg(countText(samples), shortNumber(result.computeSeconds * 1e3, 2));
     // A message, not labels: those would lay the whole window out anew with every move of a slider.
     showMessage(QStringLiteral("%1  ·  %2  ·  %3").arg(assembly, method, cost));
 }

@@ -19,14 +19,10 @@ double niceStep(double step)
     const double power = std::pow(10.0, std::floor(std::log10(step)));
     const double mantissa = step / power;
     constexpr double kRoundingRoom = 1e-9; // 2.0000000001 is 2
-    if (mantissa <= 1.0 + kRoundingRoom) {
-        return power;
-    }
-    if (mantissa <= 2.0 + kRoundingRoom) {
-        return 2.0 * power;
-    }
-    if (mantissa <= 5.0 + kRoundingRoom) {
-        return 5.0 * power;
+    for (const double nice : {1.0, 2.0, 5.0}) {
+        if (mantissa <= nice + kRoundingRoom) {
+            return nice * power;
+        }
     }
     return 10.0 * power;
 }
@@ -102,10 +98,7 @@ AxisScale degreeScale(const Interval &range, double intervals)
 
 AxisScale logarithmicScale(const Interval &range, double intervals)
 {
-    AxisScale scale;
-    scale.isLogarithmic = true;
-    scale.step = std::max(1.0, niceStep(range.length() / std::max(intervals, 1.0)));
-    return scale;
+    return {.step = std::max(1.0, niceStep(range.length() / std::max(intervals, 1.0))), .isLogarithmic = true};
 }
 
 Interval roundedOutwards(const Interval &range)

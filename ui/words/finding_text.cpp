@@ -548,8 +548,7 @@ QString summaryOf(std::span<const ChannelComparison> channels)
         return FindingText::tr("The file has no column that this program knows.");
     }
     const auto count = [&](Verdict verdict) {
-        return std::count_if(channels.begin(), channels.end(),
-                             [verdict](const ChannelComparison &channel) { return channel.verdict == verdict; });
+        return std::ranges::count(channels, verdict, &ChannelComparison::verdict);
     };
     const auto within = [&](Verdict verdict) {
         return channels.size() == 1 ? FindingText::tr("in its one channel")

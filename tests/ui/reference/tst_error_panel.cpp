@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/number_table.h"
-#include "ui/document/diagnosis.h"
 #include "ui/document/result.h"
 #include "ui/reference/error_panel.h"
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <type_traits>
+
+namespace slidercrank
+{
+
+/// The same but for that member.
+template <typename Whole, typename Part>
+Whole with(Whole whole, Part Whole::*member, const std::type_identity_t<Part> &part)
+{
+    whole.*member = part;
+    return whole;
+}
+
+} // namespace slidercrank
