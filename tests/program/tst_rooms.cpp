@@ -204,7 +204,7 @@ void TstRooms::everyTypeHasANameOfItsOwn()
         }
         for (const QRegularExpressionMatch &match : type.globalMatch(file.value())) {
             const QString other = std::exchange(places[match.captured(1)], file.key());
-            QVERIFY2(other.isEmpty(), qPrintable(match.captured(1) + u" in " + other + u" and " + file.key()));
+            QVERIFY2(other.isEmpty(), qPrintable(QStringLiteral("%1 in %2 and %3").arg(match.captured(1), other, file.key())));
         }
     }
     QVERIFY(places.size() > 100);
