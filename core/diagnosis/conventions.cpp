@@ -124,6 +124,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         for (double &instant : data.time) {
             instant *= convention.amount;
         }
+        data.timeRounding.unitFactor *= std::abs(convention.amount);
         break;
     case Kind::TimeShift:
         for (double &instant : data.time) {
