@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/sensitivity.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -93,6 +94,93 @@ bool plottedMotion(const Parameters &parameters, double t, PlottedValues &values
     derivatives(4, 3) += 2.0 * w * at.theta3D2;
     derivatives(5, 3) += 2.0 * w * R4xD2;
     return true;
+}
+
+bool InstantMotion::compute(const Parameters &parameters, double t)
+{
+    m_parameters = parameters;
+    m_time = t;
+    const double theta2 = parameters.omega2 * t + parameters.theta20;
+    m_sin2 = std::sin(theta2);
+    m_cos2 = std::cos(theta2);
+    return plottedMotion(parameters, t, m_plotted, m_derivatives);
+}
+
+double InstantMotion::pin(bool alongX, int order) const
+{
+    const std::array<double, 4> quarters{m_cos2, -m_sin2, -m_cos2, m_sin2}; // of cos(θ2 + k π/2); the sine is one behind
+    return m_parameters.a * std::pow(m_parameters.omega2, order) *
+           quarters[static_cast<std::size_t>(order + (alongX ? 0 : 3)) % quarters.size()];
+}
+
+Gradient InstantMotion::pinGradient(bool alongX, int order) const
+{
+    const double w = m_parameters.omega2;
+    const std::array<double, 4> quarters{m_cos2, -m_sin2, -m_cos2, m_sin2};
+    const std::size_t first = static_cast<std::size_t>(order + (alongX ? 0 : 3));
+    const double power = std::pow(w, order);
+    Gradient gradient = Gradient::Zero();
+    gradient[0] = power * quarters[first % quarters.size()];
+    gradient[4] = m_parameters.a * power * quarters[(first + 1) % quarters.size()];
+    gradient[3] = m_time * gradient[4] +
+                  (order > 0 ? order * m_parameters.a * std::pow(w, order - 1) * quarters[first % quarters.size()] : 0.0);
+    return gradient;
+}
+
+double InstantMotion::valueOf(Channel channel) const
+{
+    const int order = static_cast<int>(channel.order);
+    const auto slider = [&] { return m_plotted[2 * order + 1]; };
+    switch (channel.coordinate) {
+    case Theta2:
+        return order == 0   ? m_parameters.omega2 * m_time + m_parameters.theta20
+               : order == 1 ? m_parameters.omega2
+                            : 0.0;
+    case Theta3: return m_plotted[2 * order];
+    case R4x: return slider();
+    case R4y: return order == 0 ? m_parameters.c : 0.0;
+    case R2x: return 0.5 * pin(true, order);
+    case R2y: return 0.5 * pin(false, order);
+    case R3x: return 0.5 * (pin(true, order) + slider());
+    case R3y: return 0.5 * (pin(false, order) + (order == 0 ? m_parameters.c : 0.0));
+    case R1x:
+    case R1y:
+    case Theta1:
+    case Theta4: break;
+    }
+    return 0.0;
+}
+
+Gradient InstantMotion::gradientOf(Channel channel) const
+{
+    const int order = static_cast<int>(channel.order);
+    const auto plotted = [&](int row) -> Gradient { return m_derivatives.row(row).transpose(); };
+    Gradient gradient = Gradient::Zero();
+    switch (channel.coordinate) {
+    case Theta2:
+        if (order == 0) {
+            gradient[3] = m_time;
+            gradient[4] = 1.0;
+        } else if (order == 1) {
+            gradient[3] = 1.0;
+        }
+        break;
+    case Theta3: return plotted(2 * order);
+    case R4x: return plotted(2 * order + 1);
+    case R4y: gradient[2] = order == 0 ? 1.0 : 0.0; break;
+    case R2x: return 0.5 * pinGradient(true, order);
+    case R2y: return 0.5 * pinGradient(false, order);
+    case R3x: return 0.5 * (pinGradient(true, order) + plotted(2 * order + 1));
+    case R3y:
+        gradient = 0.5 * pinGradient(false, order);
+        gradient[2] = order == 0 ? 0.5 : 0.0;
+        break;
+    case R1x:
+    case R1y:
+    case Theta1:
+    case Theta4: break;
+    }
+    return gradient;
 }
 
 } // namespace slidercrank
