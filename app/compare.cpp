@@ -5,7 +5,7 @@
 #include "app/json_text.h"
 #include "app/output.h"
 #include "app/shortfall.h"
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/diagnosis.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
@@ -64,18 +64,18 @@ QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
 /// Whose motion it is instead, a line each.
 QString explanationOf(const ReferenceData &data, const Mechanism &mechanism)
 {
-    const Interpretation interpretation = interpret(data, mechanism);
+    const Diagnosis diagnosis = diagnose(data, mechanism);
     QString text;
-    for (const ConventionFinding &finding : interpretation.conventions) {
+    for (const ConventionFinding &finding : diagnosis.conventions) {
         text += explanationOf(finding.convention) + u' ' + effectOf(finding) + u'\n';
     }
-    if (interpretation.attribution.empty()) {
+    if (diagnosis.isOfMechanismAtHand) {
         return text + CommandLine::tr("Read so, it agrees with this mechanism.") + u'\n';
     }
-    if (const QString sentence = attributionText(interpretation.attribution, mechanism); !sentence.isEmpty()) {
+    if (const QString sentence = changeText(diagnosis, mechanism); !sentence.isEmpty()) {
         text += sentence + u'\n';
     }
-    return text + CommandLine::tr("The file's own mechanism: %1").arg(summaryOf(interpretation.identification)) + u'\n';
+    return text + CommandLine::tr("The file's own mechanism: %1").arg(summaryOf(diagnosis.identification)) + u'\n';
 }
 
 QString textOf(const Compared &compared, const Mechanism &mechanism)

@@ -4,7 +4,7 @@
 #include "app/comparison_text.h"
 #include "app/json_text.h"
 #include "app/output.h"
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/diagnosis.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/finding_text.h"
 
@@ -31,6 +31,7 @@ const char *wordOf(Convention::Kind kind)
     case Convention::Kind::Sign: return "sign";
     case Convention::Kind::HalfTurn: return "half-turn";
     case Convention::Kind::WholeTurns: return "whole-turns";
+    case Convention::Kind::ZeroPoint: return "zero-point";
     case Convention::Kind::SwappedColumns: return "swapped-columns";
     case Convention::Kind::Branch: return "branch";
     case Convention::Kind::TimeShift: return "time-shift";
@@ -39,16 +40,16 @@ const char *wordOf(Convention::Kind kind)
     return "";
 }
 
-bool isFound(const Interpretation &interpretation)
+bool isFound(const Diagnosis &diagnosis)
 {
-    return interpretation.identification.status == Identification::Status::Found;
+    return diagnosis.identification.outcome == Identification::Outcome::Identified;
 }
 
 /// What was not found is null.
-QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
+QByteArray jsonOf(const QString &file, const Diagnosis &diagnosis)
 {
-    const Identification &identification = interpretation.identification;
-    const bool found = isFound(interpretation);
+    const Identification &identification = diagnosis.identification;
+    const bool found = isFound(diagnosis);
     QByteArrayList errors;
     QByteArrayList identifiable;
     for (const Parameter parameter : kParameters) {
@@ -59,18 +60,18 @@ QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
         identifiable += name + (isFixed ? "true" : "false");
     }
     QByteArrayList conventions;
-    for (const ConventionFinding &finding : interpretation.conventions) {
+    for (const ConventionFinding &finding : diagnosis.conventions) {
         conventions += "{\"name\":\"" + QByteArray(wordOf(finding.convention.kind)) +
                        "\",\"explanation\":" + jsonString(explanationOf(finding.convention)) +
                        ",\"before\":" + jsonNumber(finding.before) + ",\"after\":" + jsonNumber(finding.after) + '}';
     }
     return "{\"file\":" + jsonString(file) +
            ",\"mechanism\":" + (found ? jsonMechanism(Mechanism(identification.parameters)) : QByteArray("null")) +
-           ",\"rounded\":" + (found ? jsonMechanism(Mechanism(interpretation.rounded)) : QByteArray("null")) +
+           ",\"rounded\":" + (found ? jsonMechanism(Mechanism(diagnosis.rounded)) : QByteArray("null")) +
            ",\"standardError\":{" + errors.join(',') + "},\"identifiable\":{" + identifiable.join(',') +
            "},\"iterations\":" + QByteArray::number(identification.iterations) +
            ",\"conditionNumber\":" + jsonNumber(found ? std::optional(identification.conditionNumber) : std::nullopt) +
-           ",\"channels\":" + jsonOf(interpretation.identified) + ",\"conventions\":[" + conventions.join(',') +
+           ",\"channels\":" + jsonOf(diagnosis.identified) + ",\"conventions\":[" + conventions.join(',') +
            "],\"summary\":" + jsonString(summaryOf(identification)) + "}\n";
 }
 
@@ -87,11 +88,11 @@ QString optionsFor(const Parameters &parameters)
            (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
 }
 
-QString textOf(const QString &file, const ReferenceData &data, const Interpretation &interpretation)
+QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &diagnosis)
 {
-    const Identification &identification = interpretation.identification;
+    const Identification &identification = diagnosis.identification;
     QString text = headlineOf(file, data);
-    for (const ConventionFinding &finding : interpretation.conventions) {
+    for (const ConventionFinding &finding : diagnosis.conventions) {
         text += explanationOf(finding.convention) + u' ' + effectOf(finding) + u'\n';
     }
     text += summaryOf(identification) + u'\n';
@@ -99,11 +100,11 @@ QString textOf(const QString &file, const ReferenceData &data, const Interpretat
                 .arg(identification.iterations)
                 .arg(QString::number(identification.conditionNumber, 'g', 3)) +
             u'\n';
-    text += u'\n' + tableOf(interpretation.identified) + u'\n' + summaryOf(interpretation.identified) + u'\n';
-    if (const QString rounded = roundNumbersText(interpretation); !rounded.isEmpty()) {
+    text += u'\n' + tableOf(diagnosis.identified) + u'\n' + summaryOf(diagnosis.identified) + u'\n';
+    if (const QString rounded = roundNumbersText(diagnosis); !rounded.isEmpty()) {
         text += rounded + u'\n';
     }
-    return text + CommandLine::tr("To go on with it: %1").arg(optionsFor(interpretation.rounded)) + u'\n';
+    return text + CommandLine::tr("To go on with it: %1").arg(optionsFor(diagnosis.rounded)) + u'\n';
 }
 
 } // namespace
@@ -116,20 +117,19 @@ ExitStatus identifyFile(const IdentifyOptions &options)
         return ExitStatus::FileFailed;
     }
     const ReferenceData &data = std::get<std::shared_ptr<const Reference>>(outcome)->data;
-    const Interpretation interpretation = interpret(data, options.mechanism);
+    const Diagnosis diagnosis = diagnose(data, options.mechanism);
 
     // Without a mechanism there is nothing for a person to read but the sentence that says so.
-    if (isFound(interpretation) || options.format == Format::Json) {
-        const QByteArray bytes = options.format == Format::Json ? jsonOf(options.file, interpretation)
-                                                                : textOf(options.file, data, interpretation).toUtf8();
+    if (isFound(diagnosis) || options.format == Format::Json) {
+        const QByteArray bytes = options.format == Format::Json ? jsonOf(options.file, diagnosis)
+                                                                : textOf(options.file, data, diagnosis).toUtf8();
         if (writeAll(options.output, bytes) != ExitStatus::Done) {
             return ExitStatus::FileFailed;
         }
     }
     warnOf(options.file, data);
-    if (!isFound(interpretation)) {
-        say(QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(options.file),
-                                         summaryOf(interpretation.identification)));
+    if (!isFound(diagnosis)) {
+        say(QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(options.file), summaryOf(diagnosis.identification)));
         return ExitStatus::NotSolved;
     }
     return ExitStatus::Done;

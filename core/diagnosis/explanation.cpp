@@ -174,9 +174,10 @@ int rankOf(Kind kind)
     case Kind::Sign: return 6;
     case Kind::HalfTurn: return 7;
     case Kind::WholeTurns: return 8;
-    case Kind::NotDerivative: return 9;
+    case Kind::ZeroPoint: return 9;
+    case Kind::NotDerivative: return 10;
     }
-    return 10;
+    return 11;
 }
 
 /// The largest error among these channels (none given: the six), as part of the motion's peak.

@@ -2,10 +2,10 @@
 #pragma once
 
 // A mechanism together with the conventions that make a file its motion: how one is found column by column, what there
-// is to believe in it, and whether it stands. What conventions.h offers is the cheapest that does.
+// is to believe in it, and whether it stands. What convention.h offers is the cheapest that does.
 
 #include "core/comparison/comparison.h"
-#include "core/diagnosis/conventions.h"
+#include "core/diagnosis/convention.h"
 #include "core/run/trajectory.h"
 
 #include <optional>

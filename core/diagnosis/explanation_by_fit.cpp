@@ -123,7 +123,7 @@ std::optional<Explanation> provenByFit(const ReferenceData &data, Explanation ex
 {
     const auto fitTo = [&](const ReferenceData &some) {
         const Identification fit = identify(some, Mechanism(explanation.parameters), stop);
-        if (fit.status == Identification::Status::Found) {
+        if (fit.outcome == Identification::Outcome::Identified) {
             explanation.parameters = fit.parameters;
         }
     };
@@ -160,7 +160,7 @@ std::vector<Explanation> explanationsOf(const ReferenceData &data, const std::ve
             break; // no other witness can tell anything simpler
         }
         const Identification fit = identify(witness, atHand, stop);
-        if (fit.status != Identification::Status::Found) {
+        if (fit.outcome != Identification::Outcome::Identified) {
             continue;
         }
         for (const Parameters &image : imagesOf(fit.parameters)) {
@@ -209,7 +209,7 @@ std::optional<Explanation> explainedByFit(const ReferenceData &data, const Mecha
     });
     std::optional<Explanation> likely;
     const Identification whole = identify(data, atHand, stop);
-    if (whole.status == Identification::Status::Found) {
+    if (whole.outcome == Identification::Outcome::Identified) {
         const Explanation plain{whole.parameters, {}};
         likely = proven(data, plain, Demand::NearlyNothing);
         if (likely && !likely->conventions.empty()) {

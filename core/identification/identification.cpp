@@ -3,6 +3,7 @@
 
 #include "core/identification/motion_fit.h"
 #include "core/identification/motion_start.h"
+#include "core/mechanism/turn.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -261,16 +262,38 @@ void keepUndetermined(const Observations &observations, const FitUnits &units, c
     }
 }
 
+/// With θ20 in [-π, π).
+std::vector<Identification::Alternative> imagesNotExcluded(const Parameters &p, const Supply &supply)
+{
+    using Why = Identification::Alternative::Why;
+    std::vector<Identification::Alternative> images;
+    const auto add = [&](Why why, double c, double omega2, double theta20, Branch branch) {
+        images.push_back({why, {p.a, p.b, c, omega2, wrapped(theta20), branch}});
+    };
+    if (!supply.has(Theta3)) {
+        add(Why::MirrorImage, -p.c, -p.omega2, -p.theta20, p.branch);
+    }
+    if (!supply.has(R4x)) {
+        add(Why::Reversed, p.c, -p.omega2, std::numbers::pi - p.theta20, p.branch);
+        if (!supply.has({Theta3, Order::Position})) {
+            add(Why::OtherAssembly, -p.c, p.omega2, p.theta20 + std::numbers::pi, otherThan(p.branch));
+        }
+    }
+    return images;
+}
+
 } // namespace
 
 Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop)
 {
-    using IdentificationStatus = Identification::Status;
+    using Outcome = Identification::Outcome;
+    using Lack = Identification::Lack;
     Identification result;
     result.parameters = start.parameters();
     result.standardError.fill(kNone);
-    const auto endedBy = [&](IdentificationStatus status) {
-        result.status = status;
+    const auto lacking = [&](Lack lack) {
+        result.outcome = Outcome::Insufficient;
+        result.lack = lack;
         return result;
     };
 
@@ -280,13 +303,13 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
     isFree.fill(true);
     isFree[indexOf(Parameter::A)] = !onlyAngles;
     if (supply.values < (onlyAngles ? kParameterCount - 1 : kParameterCount) || supply.rows.size() < 2) {
-        return endedBy(IdentificationStatus::TooFewData);
+        return lacking(Lack::FewValues);
     }
     FitUnits units = unitsFor(data, supply, start.a());
     units.origin = 0.5 * (data.time[supply.rows.front()] + data.time[supply.rows.back()]);
     Observations all = observe(data, units, thinned(supply.rows, kMostFitRows));
     if (!moves(all)) {
-        return endedBy(IdentificationStatus::NothingMoves);
+        return lacking(Lack::NothingMoves);
     }
     const Parameters given = units.toFit(start.parameters());
     const Courses courses = coursesOf(data, supply, units);
@@ -299,7 +322,7 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
         result.iterations += found.iterations;
     }
     if (!found.stopped && !std::isfinite(found.rms)) {
-        return endedBy(IdentificationStatus::NotFound);
+        return result;
     }
     const bool resembles = found.rms <= std::max(kResemblance, kAsGoodAsRounding * roundingMisfit(lowestOrders(all)));
     found.parameters = likeStart(found.parameters, start, supply);
@@ -307,7 +330,12 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
     result.iterations += found.iterations;
     keepUndetermined(all, units, given, found, isFree, stop);
     if (stop.stop_requested()) {
-        return endedBy(IdentificationStatus::Stopped);
+        result.stopped = true;
+        return result;
+    }
+    const Parameters parameters = units.fromFit(found.parameters);
+    if (!resembles || findFault(parameters)) {
+        return result;
     }
 
     const Accuracy accuracy = accuracyOf(all, found.parameters, units, isFree);
@@ -319,13 +347,11 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
     }
     result.conditionNumber = accuracy.conditionNumber;
     result.rms = rmsInSteps(all, found.parameters);
-    result.parameters = units.fromFit(found.parameters);
+    result.parameters = parameters;
     result.onlyRatios = onlyAngles;
-    result.reversePossible = onlyAngles;
-    result.otherBranchPossible = onlyAngles && !supply.has({Theta3, Order::Position});
-    result.mirrorImagePossible = !supply.has(Theta3);
-    return endedBy(resembles && !findFault(result.parameters) ? IdentificationStatus::Found
-                                                              : IdentificationStatus::NotFound);
+    result.alternatives = imagesNotExcluded(parameters, supply);
+    result.outcome = Outcome::Identified;
+    return result;
 }
 
 } // namespace slidercrank

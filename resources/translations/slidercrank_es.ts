@@ -1642,16 +1642,8 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Hay muy pocos valores de θ³, Rₓ⁴ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
     </message>
     <message>
-        <source>No slider-crank moves as these data do: check which column is which, and their units.</source>
-        <translation>Ningún mecanismo manivela-corredera se mueve como estos datos: revise qué columna es cuál, y sus unidades.</translation>
-    </message>
-    <message>
         <source>The search was stopped.</source>
         <translation>La búsqueda se detuvo.</translation>
-    </message>
-    <message>
-        <source>This error looks like %1: %2 instead of %3%4 explains %5 % of it.</source>
-        <translation>Este error parece de %1: %2 en vez de %3%4 explica el %5 % de él.</translation>
     </message>
     <message>
         <source>angle unit</source>
@@ -1840,6 +1832,26 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>%1 assembly</source>
         <translation>configuración %1</translation>
+    </message>
+    <message>
+        <source>Adds %1 to %2</source>
+        <translation>Suma %1 a %2</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file: check which column is which, and their units.</source>
+        <translation>Nada de lo encontrado explica este archivo: revise qué columna es cuál, y sus unidades.</translation>
+    </message>
+    <message>
+        <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
+        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
+    </message>
+    <message>
+        <source>zero point</source>
+        <translation>origen</translation>
+    </message>
+    <message>
+        <source>%1: counted from another origin, at %2.</source>
+        <translation>%1: contado desde otro origen, en %2.</translation>
     </message>
 </context>
 <context>

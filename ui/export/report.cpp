@@ -38,7 +38,7 @@ ReportBlock paragraph(const QString &text, Kind kind = Kind::Text)
 
 bool isFound(const ReportContent &content)
 {
-    return content.result->reference && content.interpretation.identification.status == Identification::Status::Found;
+    return content.result->reference && content.diagnosis.identification.outcome == Identification::Outcome::Identified;
 }
 
 bool differs(const std::vector<ChannelComparison> &channels)
@@ -62,7 +62,7 @@ QString nounOf(Parameter parameter)
 ReportBlock mechanismBlock(const ReportContent &content)
 {
     const Parameters &model = content.result->mechanism.parameters();
-    const Identification &found = content.interpretation.identification;
+    const Identification &found = content.diagnosis.identification;
     ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
     if (content.hasGhost) {
         block.text = Report::tr("Thin: the linkage as the file has it.");
@@ -160,20 +160,20 @@ QString methodText(const Result &result)
 void addComparison(std::vector<ReportBlock> &blocks, const ReportContent &content)
 {
     const Result &result = *content.result;
-    const Interpretation &found = content.interpretation;
+    const Diagnosis &found = content.diagnosis;
     blocks.push_back(
         paragraph(summaryOf(result.comparison), differs(result.comparison) ? Kind::Difference : Kind::Agreement));
     for (const ConventionFinding &finding : found.conventions) {
         blocks.push_back(paragraph(explanationOf(finding.convention) + u' ' + effectOf(finding)));
     }
-    if (const QString sentence = attributionText(found.attribution, result.mechanism); !sentence.isEmpty()) {
+    if (const QString sentence = changeText(found, result.mechanism); !sentence.isEmpty()) {
         blocks.push_back(paragraph(sentence));
     }
 }
 
 void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &content)
 {
-    const Interpretation &found = content.interpretation;
+    const Diagnosis &found = content.diagnosis;
     if (!isFound(content)) {
         blocks.push_back(paragraph(summaryOf(found.identification)));
         return;

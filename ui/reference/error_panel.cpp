@@ -235,7 +235,7 @@ void ErrorPanel::setResult(const std::shared_ptr<const Result> &result)
     refresh();
 }
 
-void ErrorPanel::setDiagnosis(const std::shared_ptr<const Diagnosis> &diagnosis)
+void ErrorPanel::setDiagnosis(const std::shared_ptr<const ReferenceDiagnosis> &diagnosis)
 {
     m_diagnosis = diagnosis;
     refresh();

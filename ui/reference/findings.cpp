@@ -47,10 +47,10 @@ bool isBetter(const std::vector<ChannelComparison> &identified, const std::vecto
 }
 
 /// A line a parameter: old → new, and how it was measured.
-QString changesText(const Parameters &before, const Interpretation &interpretation)
+QString changesText(const Parameters &before, const Diagnosis &diagnosis)
 {
-    const Identification &found = interpretation.identification;
-    const Parameters &after = interpretation.rounded;
+    const Identification &found = diagnosis.identification;
+    const Parameters &after = diagnosis.rounded;
     constexpr int kDigits = 9;
     QString rows;
     for (const Parameter parameter : kParameters) {
@@ -85,18 +85,18 @@ QString conventionSentence(const ConventionFinding &found)
 }
 
 /// Which mechanism the file is of, where it is another one than that on show.
-Finding mechanismFinding(const Result &result, const Diagnosis &diagnosis)
+Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnosis)
 {
     const Identification &found = diagnosis.found.identification;
     Finding finding;
-    if (!diagnosis.found.conventions.empty() && diagnosis.found.attribution.empty()) {
+    if (!diagnosis.found.conventions.empty() && diagnosis.found.isOfMechanismAtHand) {
         return finding; // read with the conventions, it is of the one on show
     }
-    if (found.status != Identification::Status::Found) {
+    if (found.outcome != Identification::Outcome::Identified) {
         finding.sentence = summaryOf(found);
         return finding; // one parameter may explain much, but is not what is wrong
     }
-    finding.sentence = attributionText(diagnosis.found.attribution, Mechanism(diagnosis.parameters));
+    finding.sentence = changeText(diagnosis.found, Mechanism(diagnosis.parameters));
     if (isBetter(diagnosis.found.identified, result.comparison)) {
         finding.remedy = Finding::Remedy::TakeOver;
         finding.remedyText = FindingList::tr("Take this mechanism over");
@@ -110,7 +110,7 @@ Finding mechanismFinding(const Result &result, const Diagnosis &diagnosis)
 
 } // namespace
 
-std::vector<Finding> findingsOf(const Result &result, const Diagnosis *diagnosis)
+std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
     std::vector<Finding> findings;
     const bool agrees = std::ranges::all_of(

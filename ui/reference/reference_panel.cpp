@@ -196,7 +196,7 @@ void ReferencePanel::setReference(const std::shared_ptr<const Reference> &refere
     refill();
 }
 
-void ReferencePanel::setDiagnosis(const std::shared_ptr<const Diagnosis> &diagnosis)
+void ReferencePanel::setDiagnosis(const std::shared_ptr<const ReferenceDiagnosis> &diagnosis)
 {
     m_diagnosis = diagnosis;
     if (isVisible() && !m_stale) {
@@ -380,7 +380,7 @@ void ReferencePanel::fillFindings()
             summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
         }
         QLabel *mechanism = named("identificationLabel", plainText(summary));
-        if (m_diagnosis->found.identification.status == Identification::Status::Found) {
+        if (m_diagnosis->found.identification.outcome == Identification::Outcome::Identified) {
             auto *takeOver = named("takeOverButton", new QPushButton(tr("Take over")));
             takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
             takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show

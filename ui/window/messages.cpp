@@ -97,7 +97,7 @@ void Messages::announceReading()
 /// Said once, when a file is opened or read otherwise.
 void Messages::announceDiagnosis()
 {
-    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
     const Result &result = *m_session->result();
     if (!diagnosis || !m_announcesDiagnosis || diagnosis->reference != result.reference) {
         return;

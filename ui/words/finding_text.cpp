@@ -200,6 +200,14 @@ QString angleAdded(double degrees)
     return (degrees < 0.0 ? FindingText::tr(" − %1°") : FindingText::tr(" + %1°")).arg(numberText(std::abs(degrees)));
 }
 
+/// What is added where the origin is another one: "-5 mm", "30°".
+QString shiftText(const Convention &convention)
+{
+    const QString number = numberText(convention.amount);
+    return isAngle(convention.channels.front().coordinate) ? number + FindingText::tr("°")
+                                                           : number + FindingText::tr(" mm");
+}
+
 QString actionOf(const Convention &convention)
 {
     const QString columns = columnsOf(convention);
@@ -217,6 +225,7 @@ QString actionOf(const Convention &convention)
         return convention.amount == 0.0
                    ? FindingText::tr("Makes %1 continuous").arg(columns)
                    : FindingText::tr("Adds %1° to %2, made continuous").arg(numberText(convention.amount), columns);
+    case Convention::Kind::ZeroPoint: return FindingText::tr("Adds %1 to %2").arg(shiftText(convention), columns);
     case Convention::Kind::SwappedColumns: return FindingText::tr("Exchanges %1").arg(columns);
     case Convention::Kind::Branch: return FindingText::tr("Takes the other assembly for the model");
     case Convention::Kind::TimeShift:
@@ -342,20 +351,24 @@ QString measuredText(Parameter parameter, const Identification &found)
 
 QString caveatsOf(const Identification &identification)
 {
+    using Why = Identification::Alternative::Why;
+    const auto isPossible = [&](Why why) {
+        return std::ranges::count(identification.alternatives, why, &Identification::Alternative::why) > 0;
+    };
     QStringList sentences;
     if (identification.onlyRatios) {
         sentences << FindingText::tr("θ³ alone fixes only b/a and c/a; a = %1 is taken as given.")
                          .arg(parameterText(Parameter::A, identification.parameters.a));
     }
-    if (identification.reversePossible) {
+    if (isPossible(Why::Reversed)) {
         sentences << FindingText::tr("θ³ alone cannot tell it from one that turns the other way, from 180° − θ₂₀.");
     }
-    if (identification.otherBranchPossible) {
+    if (isPossible(Why::OtherAssembly)) {
         sentences << FindingText::tr(
             "The derivatives of θ³ alone cannot tell it from the other assembly with c negated "
             "and θ₂₀ half a turn on.");
     }
-    if (identification.mirrorImagePossible) {
+    if (isPossible(Why::MirrorImage)) {
         sentences << FindingText::tr("Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ "
                                      "negated).");
     }
@@ -374,16 +387,21 @@ QString caveatsOf(const Identification &identification)
 
 QString summaryOf(const Identification &identification)
 {
-    switch (identification.status) {
-    case Identification::Status::Found: break;
-    case Identification::Status::TooFewData:
+    if (identification.stopped) {
+        return FindingText::tr("The search was stopped.");
+    }
+    switch (identification.outcome) {
+    case Identification::Outcome::Identified:
+    case Identification::Outcome::Ambiguous: break;
+    case Identification::Outcome::Insufficient:
+        if (identification.lack == Identification::Lack::NothingMoves) {
+            return FindingText::tr("Nothing moves in these data: export the motion of a turning crank.");
+        }
         return FindingText::tr("There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: "
                                "export more instants, or more columns.");
-    case Identification::Status::NothingMoves:
-        return FindingText::tr("Nothing moves in these data: export the motion of a turning crank.");
-    case Identification::Status::NotFound:
-        return FindingText::tr("No slider-crank moves as these data do: check which column is which, and their units.");
-    case Identification::Status::Stopped: return FindingText::tr("The search was stopped.");
+    case Identification::Outcome::Nearest:
+    case Identification::Outcome::None:
+        return FindingText::tr("Nothing found explains this file: check which column is which, and their units.");
     }
     const QStringList parts = foundAndKept(identification).found << withNoun(identification.parameters.branch);
     const QString caveats = caveatsOf(identification);
@@ -391,38 +409,34 @@ QString summaryOf(const Identification &identification)
            caveats;
 }
 
-QString roundNumbersText(const Interpretation &interpretation)
+QString roundNumbersText(const Diagnosis &diagnosis)
 {
-    const Identification &found = interpretation.identification;
-    if (found.status != Identification::Status::Found || interpretation.rounded == found.parameters) {
+    const Identification &found = diagnosis.identification;
+    if (found.outcome != Identification::Outcome::Identified || diagnosis.rounded == found.parameters) {
         return {};
     }
     constexpr int kDigits = 9;
     return FindingText::tr("Round numbers come as near to the data: %1.")
-        .arg(mechanismText(Mechanism(interpretation.rounded), kDigits));
+        .arg(mechanismText(Mechanism(diagnosis.rounded), kDigits));
 }
 
-QString attributionText(std::span<const Attribution> attributions, const Mechanism &mechanism)
+QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism)
 {
-    constexpr double kNearlyAll = 0.99; // of the squares: what is left is a tenth of the error
-    if (attributions.empty() || !(attributions.front().explained >= kNearlyAll)) {
+    if (!diagnosis.change) {
         return {};
     }
-    const Attribution &found = attributions.front();
+    const ParameterChange &found = *diagnosis.change;
     const double factor = shownFactor(found.parameter);
     const double before = factor * valueOf(mechanism.parameters(), found.parameter);
     const double after = factor * found.value;
-    const QString shownBefore = numberText(before);
-    constexpr int kDigits = 5;
     constexpr int kMostDigits = 12;
-    int digits = kDigits; // more where those do not tell the two apart
-    while (digits < kMostDigits && shortNumber(after, digits) == shortNumber(before, digits)) {
+    int digits = 5; // of what was measured; more where those do not tell the two apart
+    while (digits < kMostDigits && numberText(after, digits) == numberText(before, digits)) {
         ++digits;
     }
-    return FindingText::tr("This error looks like %1: %2 instead of %3%4 explains %5 % of it.")
-        .arg(symbolOf(found.parameter), shortNumber(after, digits),
-             digits == kDigits ? shownBefore : numberText(before, digits), unitBehind(found.parameter),
-             percentText(found.explained));
+    return FindingText::tr("This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.")
+        .arg(symbolOf(found.parameter), numberText(after, digits), numberText(before, digits + 1),
+             unitBehind(found.parameter), percentText(found.explained));
 }
 
 QString nameOf(const Convention &convention)
@@ -434,6 +448,7 @@ QString nameOf(const Convention &convention)
     case Convention::Kind::Sign: return FindingText::tr("sign");
     case Convention::Kind::HalfTurn: return FindingText::tr("half a turn");
     case Convention::Kind::WholeTurns: return FindingText::tr("whole turns");
+    case Convention::Kind::ZeroPoint: return FindingText::tr("zero point");
     case Convention::Kind::SwappedColumns: return FindingText::tr("swapped columns");
     case Convention::Kind::Branch: return FindingText::tr("assembly");
     case Convention::Kind::TimeShift: return FindingText::tr("time shift");
@@ -465,6 +480,8 @@ QString explanationOf(const Convention &convention)
         return convention.amount == 0.0
                    ? FindingText::tr("%1: jumps by whole turns.").arg(columns)
                    : FindingText::tr("%1: off by whole turns; θ³ is %1%2.").arg(columns, angleAdded(convention.amount));
+    case Convention::Kind::ZeroPoint:
+        return FindingText::tr("%1: counted from another origin, at %2.").arg(columns, shiftText(convention));
     case Convention::Kind::SwappedColumns:
         return FindingText::tr("%1: each stands under the other's name.").arg(columns);
     case Convention::Kind::Branch:

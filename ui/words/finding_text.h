@@ -6,8 +6,8 @@
 // his files (theta3, R4_x_diff).
 
 #include "core/comparison/comparison.h"
-#include "core/diagnosis/conventions.h"
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/convention.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/identification/identification.h"
 
 #include <QString>
@@ -62,11 +62,11 @@ QString caveatsOf(const Identification &identification);
 QString summaryOf(const Identification &identification);
 
 /// "Round numbers come as near to the data: a = 20 mm, …". Empty where there are none.
-QString roundNumbersText(const Interpretation &interpretation);
+QString roundNumbersText(const Diagnosis &diagnosis);
 
-/// "This error looks like b: 60.000 instead of 65 mm explains 99.9999 % of it." Empty where no single parameter
-/// explains nearly all. To be said where the file differs from the mechanism.
-QString attributionText(std::span<const Attribution> attributions, const Mechanism &mechanism);
+/// "This error looks like b = 60 instead of 65 mm, which explains 99.9999 % of it." Empty where no single parameter
+/// explains nearly all. `mechanism`: the one at hand.
+QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism);
 
 /// A few words: "angle unit".
 QString nameOf(const Convention &convention);

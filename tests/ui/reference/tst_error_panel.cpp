@@ -64,13 +64,13 @@ std::shared_ptr<Result> resultWith(const std::vector<ChannelComparison> &compari
 }
 
 /// The file is of b = 60 mm, and agrees with that.
-std::shared_ptr<const Diagnosis> diagnosisOf(const Result &result)
+std::shared_ptr<const ReferenceDiagnosis> diagnosisOf(const Result &result)
 {
-    auto diagnosis = std::make_shared<Diagnosis>();
+    auto diagnosis = std::make_shared<ReferenceDiagnosis>();
     diagnosis->reference = result.reference;
     diagnosis->parameters = result.mechanism.parameters();
     Identification &found = diagnosis->found.identification;
-    found.status = Identification::Status::Found;
+    found.outcome = Identification::Outcome::Identified;
     found.parameters.b = 60.00001;
     found.standardError.fill(3e-5);
     found.identifiable.fill(true);
@@ -78,7 +78,7 @@ std::shared_ptr<const Diagnosis> diagnosisOf(const Result &result)
     for (ChannelComparison &channel : diagnosis->found.identified) {
         channel.verdict = Verdict::Agrees;
     }
-    diagnosis->found.attribution = {{Parameter::B, 60.00001, 0.9999999}};
+    diagnosis->found.change = {Parameter::B, 60.00001, 0.9999999};
     return diagnosis;
 }
 
@@ -220,7 +220,7 @@ private slots:
         QVERIFY(panel.findChildren<QPushButton *>("remedyButton").isEmpty()); // not known yet
         panel.setDiagnosis(diagnosis);
         QVERIFY2(
-            child<QLabel>(panel, "findingLabel")->text().startsWith("This error looks like b: 60.000 instead of 65 mm"),
+            child<QLabel>(panel, "findingLabel")->text().startsWith("This error looks like b = 60 instead of 65 mm"),
             qPrintable(child<QLabel>(panel, "findingLabel")->text()));
         auto *button = child<QPushButton>(panel, "remedyButton");
         QVERIFY(button->isVisible());
@@ -249,11 +249,11 @@ private slots:
     void offersEachConventionAndTheWayBack()
     {
         const auto result = resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});
-        auto diagnosis = std::make_shared<Diagnosis>(*diagnosisOf(*result));
+        auto diagnosis = std::make_shared<ReferenceDiagnosis>(*diagnosisOf(*result));
         const Convention radians{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRadian};
         const Convention late{Convention::Kind::TimeShift, {}, 0.1};
         diagnosis->found.conventions = {{radians, 98.0, 1e-3}, {late, 30.0, 1e-3}};
-        diagnosis->found.identification.status = Identification::Status::NotFound;
+        diagnosis->found.identification.outcome = Identification::Outcome::Nearest;
         ErrorPanel panel;
         panel.resize(900, 220);
         panel.show();

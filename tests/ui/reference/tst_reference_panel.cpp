@@ -62,12 +62,12 @@ const QByteArray kFile = "time;theta3 [rad];R4_x;remark\n"
                          "0,5;oops;60,1;x\n"
                          "1,0;0,429775;;x\n";
 
-std::shared_ptr<Diagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference)
+std::shared_ptr<ReferenceDiagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference)
 {
-    auto diagnosis = std::make_shared<Diagnosis>();
+    auto diagnosis = std::make_shared<ReferenceDiagnosis>();
     diagnosis->reference = reference;
     Identification found;
-    found.status = Identification::Status::Found;
+    found.outcome = Identification::Outcome::Identified;
     found.parameters.b = 60.0;
     found.identifiable.fill(true);
     found.standardError.fill(1e-6);
@@ -240,7 +240,7 @@ private slots:
         QTest::mouseClick(child<QPushButton>(*m_panel, QStringLiteral("takeOverButton")), Qt::LeftButton);
         AWAIT_COMPARE(taken.count(), 1);
 
-        const auto onShow = std::make_shared<Diagnosis>(*diagnosis);
+        const auto onShow = std::make_shared<ReferenceDiagnosis>(*diagnosis);
         onShow->parameters = onShow->found.rounded;
         m_panel->setDiagnosis(onShow);
         QVERIFY(!child<QPushButton>(*m_panel, QStringLiteral("takeOverButton"))->isEnabled()); // it is taken over

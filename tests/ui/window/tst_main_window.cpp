@@ -363,7 +363,8 @@ private slots:
         m_window->openReference(kSample); // b = 60, on show is 65
         auto *bar = m_window->findChild<MessageBar *>();
         AWAIT(bar->isVisible());
-        const QString sentence = QStringLiteral("This error looks like b: 60.000 instead of 65 mm explains 99.9999 %");
+        const QString sentence =
+            QStringLiteral("This error looks like b = 60 instead of 65 mm, which explains 99.9999 %");
         QVERIFY2(bar->text().contains(sentence), qPrintable(bar->text()));
         QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel"))->text().startsWith(sentence));
 

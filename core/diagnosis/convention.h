@@ -49,6 +49,7 @@ struct Convention {
         Sign,           ///< the axis, or the sense of rotation, is the opposite one: multiplied by amount = -1
         HalfTurn,       ///< the textbook's θ_3, seen from B: made continuous, and amount = ±180°, … is added
         WholeTurns,     ///< made continuous where it jumps by a turn, and amount = 0, ±360°, … is added
+        ZeroPoint,      ///< one column, counted from another origin: amount (in the author's unit) is added
         SwappedColumns, ///< the two channels stand under each other's names
         Branch,         ///< the motion of the other assembly: the model changes, not the data
         TimeShift,      ///< the clock of the file started early or late: amount (s) is added to its instants

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/identification.h"
+#include "core/identification/parameter_change.h"
 
 #include "core/identification/motion_fit.h"
 #include "core/identification/motion_start.h"
@@ -68,7 +68,8 @@ bool canMove(const Observations &observations, const Parameters &parameters)
 
 } // namespace
 
-std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
+std::vector<ParameterChange> parameterChanges(const ReferenceData &data, const Mechanism &mechanism,
+                                              std::stop_token stop)
 {
     const Supply supply = supplyOf(data);
     if (supply.rows.size() < 2) {
@@ -81,7 +82,7 @@ std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &m
     const Observations all = observe(data, units, thinned(supply.rows, kFitRows));
     const double before = misfit(all, given);
 
-    std::vector<Attribution> attributions;
+    std::vector<ParameterChange> changes;
     for (std::size_t i = 0; i < kParameterCount; ++i) {
         const auto parameter = static_cast<Parameter>(i);
         Parameters best = given;
@@ -110,10 +111,10 @@ std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &m
         }
         const double after = std::min(misfit(all, best), before);
         const double explained = before > 0.0 ? 1.0 - (after / before) * (after / before) : 0.0;
-        attributions.push_back({parameter, valueOf(units.fromFit(best), parameter), explained});
+        changes.push_back({parameter, valueOf(units.fromFit(best), parameter), explained});
     }
-    std::ranges::stable_sort(attributions, std::ranges::greater(), &Attribution::explained);
-    return attributions;
+    std::ranges::stable_sort(changes, std::ranges::greater(), &ParameterChange::explained);
+    return changes;
 }
 
 } // namespace slidercrank

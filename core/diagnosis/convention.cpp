@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/diagnosis/conventions.h"
+#include "core/diagnosis/convention.h"
 
 #include "core/diagnosis/column_reading.h"
 #include "core/diagnosis/explanation.h"
@@ -29,18 +29,22 @@ void multiply(ReferenceSeries &series, double factor)
     series.rounding.unitFactor *= std::abs(factor);
 }
 
-void turn(ReferenceSeries &series, double degrees)
+/// A column that is to be shifted keeps its decimals, but not its significant digits.
+void keepDecimals(ReferenceSeries &series)
 {
-    // A turned column keeps its decimals, but not its significant digits.
     Rounding &rounding = series.rounding;
     if (rounding.rule == Rounding::Rule::SignificantDigits) {
         const double step = rounding.stepAt(rangeOf(series.values).size()) / rounding.unitFactor;
         rounding.rule = Rounding::Rule::Decimals;
         rounding.digits = -static_cast<int>(std::lround(std::log10(step)));
     }
-    makeContinuous(series.values);
+}
+
+void shift(ReferenceSeries &series, double amount)
+{
+    keepDecimals(series);
     for (double &value : series.values) {
-        value += degrees;
+        value += amount;
     }
 }
 
@@ -110,7 +114,12 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         case Kind::Sign: multiply(series, convention.amount); break;
         case Kind::TimeUnit: multiply(series, powerOf(1.0 / convention.amount, series.channel)); break;
         case Kind::HalfTurn:
-        case Kind::WholeTurns: turn(series, convention.amount); break;
+        case Kind::WholeTurns:
+            keepDecimals(series);
+            makeContinuous(series.values);
+            shift(series, convention.amount);
+            break;
+        case Kind::ZeroPoint: shift(series, convention.amount); break;
         case Kind::SwappedColumns:
             series.channel = convention.channels[series.channel == convention.channels[0] ? 1 : 0];
             break;
@@ -139,6 +148,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
     case Kind::Sign:
     case Kind::HalfTurn:
     case Kind::WholeTurns:
+    case Kind::ZeroPoint:
     case Kind::SwappedColumns:
     case Kind::Branch: break;
     }
