@@ -28,14 +28,11 @@
 //     one of two columns negated, or the other: the derivative
 //     a crossed mechanism's angles negated, or its mirror image's less a whole turn: the latter
 //
-// A finding makes the error at least twenty times smaller, and leaves the file's rounding or at most 1 % of how much
-// the column varies. A derivative is none when it is farther off than that from the motion that all other columns agree
-// on. Columns other than the six plotted ones are read along, and prove nothing.
+// What proves a finding stands in hypotheses.h.
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/channel.h"
 #include "core/reading/reference_data.h"
 
-#include <stop_token>
 #include <vector>
 
 namespace slidercrank
@@ -77,10 +74,5 @@ struct ConventionFinding {
     double before = 0.0;
     double after = 0.0;
 };
-
-/// What explains the data, in the order in which it is to be applied; empty where the data need no other reading.
-/// Compared with `mechanism` first; where that cannot be it, with whatever mechanism fits the data best.
-std::vector<ConventionFinding> findConventions(const ReferenceData &data, const Mechanism &mechanism,
-                                               std::stop_token stop = {});
 
 } // namespace slidercrank

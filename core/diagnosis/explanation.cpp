@@ -205,11 +205,6 @@ double largestError(const ReadMotion &motion, std::span<const Channel> channels)
 
 } // namespace
 
-bool isPlotted(Channel channel)
-{
-    return std::find(kPlottedChannels.begin(), kPlottedChannels.end(), channel) != kPlottedChannels.end();
-}
-
 bool concerns(const Convention &convention, Channel channel)
 {
     return std::find(convention.channels.begin(), convention.channels.end(), channel) != convention.channels.end();

@@ -3,12 +3,11 @@
 
 #include "core/identification/motion_start.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace slidercrank
 {
@@ -39,11 +38,12 @@ double priceOfZero(std::size_t values)
     return 20.0 + std::log(static_cast<double>(std::max<std::size_t>(values, 1)));
 }
 
-SearchRows searchRowsOf(const ReferenceData &data, std::span<const std::size_t> rows, const Parameters &given)
+SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span<const std::size_t> rows,
+                        const Parameters &given)
 {
     const FitUnits units = unitsFor(data, rows, given.a);
-    SearchRows result{observe(data, units, rows), {}, units.toFit(given), kAllFree};
-    result.few = rows.size() > kFewRows ? observe(data, units, thinned(rows, kFewRows)) : result.all;
+    SearchRows result{observe(data, clock, units, rows), {}, units.toFit(given), kAllFree};
+    result.few = rows.size() > kFewRows ? observe(data, clock, units, thinned(rows, kFewRows)) : result.all;
     if (result.few.columns.size() != result.all.columns.size()) { // gaps everywhere: few rows miss a column
         result.few = result.all;
     }

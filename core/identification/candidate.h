@@ -27,7 +27,7 @@ struct Candidate {
 double priceOfZero(std::size_t values);
 inline constexpr double kPriceOfCrossed = 6.0;
 
-/// Rows of a file, in two densities: a search looks at few of them.
+/// Rows of a file, in two densities: a search looks at few of them first.
 struct SearchRows {
     Observations all;
     Observations few;
@@ -36,7 +36,8 @@ struct SearchRows {
 };
 
 /// `rows`: at most some hundreds.
-SearchRows searchRowsOf(const ReferenceData &data, std::span<const std::size_t> rows, const Parameters &given);
+SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span<const std::size_t> rows,
+                        const Parameters &given);
 
 /// From that start, with all rows; rounded instants are also taken as exact, and what scores better stays.
 Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, double penalty, const Parameters &start,

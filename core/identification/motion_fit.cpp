@@ -322,7 +322,11 @@ Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters
             }
         }
         const Parameters before = result.parameters;
-        descend(problem, result, isFree, weights, round == 0 ? kFirstSteps : kSteps, stop);
+        if (freeCount(problem, isFree) > 0) {
+            descend(problem, result, isFree, weights, round == 0 ? kFirstSteps : kSteps, stop);
+        } else {
+            result.chiSquared = 0.0; // nothing to fit
+        }
         if (!result.exists() || (isSame && before == result.parameters) || (isSame && round > 1)) {
             break;
         }

@@ -22,8 +22,9 @@ bool isNothing(Channel channel)
 }
 
 /// Takes out jumps of whole turns: between two rows the coupler turns by less than half of one.
-void takeOutJumps(std::vector<double> &degrees)
+bool takeOutJumps(std::vector<double> &degrees)
 {
+    bool any = false;
     double last = kNone;
     double turns = 0.0;
     for (double &value : degrees) {
@@ -31,11 +32,14 @@ void takeOutJumps(std::vector<double> &degrees)
             continue;
         }
         if (std::isfinite(last)) {
-            turns -= 360.0 * std::round((value + turns - last) / 360.0);
+            const double jumps = std::round((value + turns - last) / 360.0);
+            any = any || jumps != 0.0;
+            turns -= 360.0 * jumps;
         }
         value += turns;
         last = value;
     }
+    return any;
 }
 
 /// How many rows count for one: see observations.h.
@@ -220,7 +224,8 @@ double FitUnits::factor(Channel channel) const
     return unit * std::pow(second, static_cast<int>(channel.order));
 }
 
-Observations observe(const ReferenceData &data, const FitUnits &units, std::span<const std::size_t> rows)
+Observations observe(const ReferenceData &data, const Clock &clock, const FitUnits &units,
+                     std::span<const std::size_t> rows)
 {
     Observations observations;
     observations.units = units;
@@ -228,9 +233,8 @@ Observations observe(const ReferenceData &data, const FitUnits &units, std::span
     for (const std::size_t row : rows) {
         observations.time.push_back(units.timeOf(data.time[row]));
     }
-    const Clock clock = clockOf(data.time, data.timeRounding);
     observations.printedClockStep = clock.printedStep / units.second;
-    observations.clockStep = clock.even ? 0.0 : observations.printedClockStep;
+    observations.clockStep = clock.step() / units.second;
     for (const ReferenceSeries &series : data.series) {
         if (isNothing(series.channel)) {
             continue;
@@ -242,7 +246,7 @@ Observations observe(const ReferenceData &data, const FitUnits &units, std::span
             column.values.push_back(std::isfinite(series.values[row]) ? series.values[row] : kNone);
         }
         if (series.channel == Channel{Theta3, Order::Position}) {
-            takeOutJumps(column.values);
+            column.hasJumps = takeOutJumps(column.values);
         }
         learn(column, series.rounding);
         // A derivative of what does not move says something only where it is not zero.

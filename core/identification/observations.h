@@ -5,6 +5,7 @@
 // is known of each value's error before any mechanism is fitted.
 
 #include "core/identification/sensitivity.h"
+#include "core/reading/clock.h"
 #include "core/reading/reference_data.h"
 
 #include <cstddef>
@@ -40,6 +41,7 @@ struct ObservedColumn {
     double spread = 0.0; ///< standard deviation, or the step of a column that never changes
     double step = 0.0;   ///< the largest
     bool varies = false;
+    bool hasJumps = false; ///< of whole turns, that were taken out
 };
 
 /// Some rows of the data.
@@ -68,11 +70,12 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t 
 FitUnits unitsFor(const ReferenceData &data, std::span<const std::size_t> rows, double length);
 
 /// Columns with fewer than two values in these rows are left out, and those that every mechanism has as zeros.
-Observations observe(const ReferenceData &data, const FitUnits &units, std::span<const std::size_t> rows);
-
+///
 /// The rounding's variance is that of a uniform distribution over the step. Rows that repeat do not round
 /// independently: what is left of n such rows is as many as there are runs, or two where all differences are the same.
 /// A value that happens to be next to nothing, as a position counted from its start, is known no better than a
 /// hundredth of the column's largest step.
+Observations observe(const ReferenceData &data, const Clock &clock, const FitUnits &units,
+                     std::span<const std::size_t> rows);
 
 } // namespace slidercrank

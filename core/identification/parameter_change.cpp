@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/parameter_change.h"
 
-#include "core/identification/motion_fit.h"
-#include "core/identification/motion_start.h"
+#include "core/identification/file_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 namespace slidercrank
 {
@@ -15,103 +15,57 @@ namespace slidercrank
 namespace
 {
 
-/// Rows that a search looks at, and rows of the fit that ends it.
-constexpr std::size_t kSearchRows = 32;
-constexpr std::size_t kFitRows = 2000;
-
-constexpr int kMostIterations = 30;
-
-/// Where to look for one parameter, ascending: everywhere that the motion may still resemble.
-std::vector<double> valuesToTry(Parameter parameter, const Parameters &given, const Courses &courses)
+/// Σ r²/z², every column counting alike; infinite where the mechanism does not move as long as the data do.
+double squaresOf(const FitProblem &problem, const Parameters &parameters)
 {
-    std::vector<double> values;
-    switch (parameter) {
-    case Parameter::A:
-    case Parameter::B: {
-        const double length = parameter == Parameter::A ? given.a : given.b;
-        for (double factor = 0.1; factor < 10.0; factor *= 1.2) {
-            values.push_back(factor * length);
-        }
-        break;
+    Fit at;
+    at.parameters = parameters;
+    FitResiduals left;
+    if (!residualsOf(problem, at, left)) {
+        return std::numeric_limits<double>::infinity();
     }
-    case Parameter::C: {
-        // Farther out the slider cannot be reached.
-        constexpr int kEachSide = 16;
-        for (int i = -kEachSide; i <= kEachSide; ++i) {
-            values.push_back((given.a + given.b) * i / kEachSide);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        for (const double residual : left.residuals[k]) {
+            const double part = residual / problem.columns[k].spread;
+            sum += std::isnan(part) ? 0.0 : part * part;
         }
-        break;
     }
-    case Parameter::Omega2:
-        values = likelySpeeds(courses);
-        for (std::size_t i = 0, count = values.size(); i < count; ++i) {
-            values.push_back(-values[i]);
-        }
-        std::sort(values.begin(), values.end());
-        break;
-    case Parameter::Theta20:
-        constexpr int kDirections = 24;
-        for (int i = 0; i < kDirections; ++i) {
-            values.push_back(given.theta20 + 2.0 * std::numbers::pi * i / kDirections - std::numbers::pi);
-        }
-        break;
-    }
-    return values;
-}
-
-/// Whether the mechanism has a motion wherever the data have one: no cause of them otherwise.
-bool canMove(const Observations &observations, const Parameters &parameters)
-{
-    PlottedValues motion;
-    return std::ranges::all_of(observations.time, [&](double t) { return plottedMotion(parameters, t, motion); });
+    return sum;
 }
 
 } // namespace
 
 std::vector<ParameterChange> parameterChanges(const ReferenceData &data, const Mechanism &mechanism,
-                                              std::stop_token stop)
+                                              const Parameters &found, std::stop_token stop)
 {
-    const Supply supply = supplyOf(data);
-    if (supply.rows.size() < 2) {
+    const Parameters &given = mechanism.parameters();
+    const std::optional<FileSearch> search = searchIn(data, given);
+    if (!search) {
         return {};
     }
-    const FitUnits units = unitsFor(data, supply, mechanism.a());
-    const Parameters given = units.toFit(mechanism.parameters());
-    const Courses courses = coursesOf(data, supply, units);
-    const Observations few = observe(data, units, thinned(rowsBefore(supply.rows, courses.endRow), kSearchRows));
-    const Observations all = observe(data, units, thinned(supply.rows, kFitRows));
-    const double before = misfit(all, given);
-
+    const SearchRows rows = wholeOf(data, *search, given);
+    const FitProblem problem = problemOf(rows.all, asWritten(rows.all));
+    const FitUnits &units = rows.all.units;
+    // The crank's angle at the middle of the data depends on the speed: the parameters are changed as a person would.
+    const double before = squaresOf(problem, units.toFit(given));
     std::vector<ParameterChange> changes;
     for (std::size_t i = 0; i < kParameterCount; ++i) {
         const auto parameter = static_cast<Parameter>(i);
-        Parameters best = given;
-        double least = misfit(few, given);
-        for (const double value : valuesToTry(parameter, given, courses)) {
-            Parameters trial = given;
-            valueOf(trial, parameter) = value;
-            const double distance = misfit(few, trial);
-            if (distance < least && canMove(few, trial)) {
-                least = distance;
-                best = trial;
-            }
+        Parameters trial = given;
+        valueOf(trial, parameter) = valueOf(found, parameter);
+        if (parameter == Parameter::Theta20) {
+            trial.theta20 = given.theta20 + std::remainder(found.theta20 - given.theta20, 2.0 * std::numbers::pi);
         }
-        FreeParameters isFree{};
-        isFree[i] = true;
-        best = fit(few, best, isFree, kMostIterations, stop).parameters;
-        if (courses.endRow <= supply.rows.back()) {
-            best = fitGrowing(data, units, supply, courses.endRow, best, isFree, stop).parameters;
-        }
-        best = fit(all, best, isFree, kMostIterations, stop).parameters;
         if (stop.stop_requested()) {
             return {};
         }
-        if (!canMove(all, best)) {
-            best = given;
+        if (findFault(trial)) {
+            continue;
         }
-        const double after = std::min(misfit(all, best), before);
-        const double explained = before > 0.0 ? 1.0 - (after / before) * (after / before) : 0.0;
-        changes.push_back({parameter, valueOf(units.fromFit(best), parameter), explained});
+        const double least = squaresOf(problem, units.toFit(trial));
+        const double explained = before > 0.0 && std::isfinite(before) && least < before ? 1.0 - least / before : 0.0;
+        changes.push_back({parameter, valueOf(trial, parameter), explained});
     }
     std::ranges::stable_sort(changes, std::ranges::greater(), &ParameterChange::explained);
     return changes;

@@ -21,9 +21,9 @@ struct ParameterChange {
     double explained = 0.0; ///< 0 … 1: the part of the weighted sum of squares that is gone
 };
 
-/// Each of the five parameters, the one that explains most first. Empty when stopped, or where there is nothing to
-/// compare.
+/// Each of the five parameters, the one that explains most first, on the way from a mechanism to the one that the file
+/// was found to be of. Empty when stopped, or where there is nothing to compare.
 std::vector<ParameterChange> parameterChanges(const ReferenceData &data, const Mechanism &mechanism,
-                                              std::stop_token stop = {});
+                                              const Parameters &found, std::stop_token stop = {});
 
 } // namespace slidercrank

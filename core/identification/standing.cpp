@@ -17,6 +17,16 @@ namespace
 
 constexpr std::size_t kFewestNoisyRows = 20;
 
+/// What a column's noise is held against: how much it varies, or would if it were not constant by nature.
+double sizeOf(const FitColumn &column, const Parameters &p)
+{
+    const double rate = std::pow(std::abs(p.omega2), static_cast<int>(column.channel.order));
+    const double constant = column.channel.coordinate == R4y                                                ? p.a * rate
+                            : column.channel.coordinate == Theta2 && column.channel.order != Order::Position ? rate
+                                                                                                             : 0.0;
+    return std::max(column.spread, constant);
+}
+
 /// Lag-1 autocorrelation.
 double correlationOf(const std::vector<double> &values)
 {
@@ -80,7 +90,7 @@ Standing standingOf(const FitProblem &problem, const Fit &fit)
             }
         }
         const double deviation = std::sqrt(fit.noise[k]);
-        const double part = deviation / problem.columns[k].spread;
+        const double part = deviation / sizeOf(problem.columns[k], fit.parameters);
         const double inTime = correlationOf(values);
         if (problem.columns[k].count < kFewestNoisyRows) {
             standing.columnStands[k] = false;
