@@ -266,7 +266,7 @@ void finish(ClaimFile &file, Dice &dice)
 
 ClaimFile claimFile(const ClaimKind &kind, std::uint64_t suiteSeed, int n)
 {
-    Dice dice(mixed(kind.name, suiteSeed, n));
+    Dice dice(mixed(kind.name, suiteSeed, n), n);
     return kind.make(dice);
 }
 

@@ -79,9 +79,10 @@ struct ClaimFile {
     std::vector<TrueReading> readings{}; ///< the true ones; of truth alone where nothing is to be found
     Parameters atHand{};                 ///< what the program is asked with
 
-    bool tooFew = false;              ///< whatever is identified from it is luck
-    bool mayBeMissed = false;         ///< what fixes the mechanism on paper, and may still be refused
-    bool unevenCrank = false;         ///< θ2 is in the file and does not advance evenly
+    bool tooFew = false;      ///< whatever is identified from it is luck
+    bool mayBeMissed = false; ///< what fixes the mechanism on paper, and may still be refused
+    /// θ2 is in the file and does not advance evenly: its speed (rad/s) at the first and at the last instant.
+    std::optional<std::array<double, 2>> crankSpeeds{};
     std::optional<Parameter> offBy{}; ///< the one parameter in which atHand differs from the truth
 
     std::vector<double> instants{}; ///< s, as the motion had them
@@ -96,10 +97,14 @@ struct ClaimFile {
 class Dice
 {
 public:
-    explicit Dice(std::uint64_t seed)
+    /// `number`: of the file in its kind, for kinds that go through a list.
+    explicit Dice(std::uint64_t seed, int number = 0)
         : m_engine(seed)
+        , m_number(number)
     {
     }
+
+    int number() const { return m_number; }
 
     double uniform(double from, double to);
     double logUniform(double from, double to); ///< both > 0
@@ -110,11 +115,13 @@ public:
 
 private:
     std::mt19937_64 m_engine;
+    int m_number;
 };
 
 struct ClaimKind {
     std::string_view name;
     ClaimFile (*make)(Dice &);
+    int fewest = 0; ///< files that go through all of its list
 };
 
 /// All of them: those of a slider-crank, then those of none.

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/claim_judge.h"
 
+#include "core/comparison/comparison.h"
 #include "core/mechanism/turn.h"
-
-#if __has_include("core/diagnosis/diagnosis.h")
-#include "core/diagnosis/diagnosis.h"
-#else
-#include "core/diagnosis/interpretation.h"
-#endif
 
 #include <Eigen/Dense>
 
@@ -21,26 +16,6 @@ namespace slidercrank
 
 namespace
 {
-
-std::string_view wordOf(Convention::Kind kind)
-{
-    switch (kind) {
-#if __has_include("core/diagnosis/diagnosis.h")
-    case Convention::Kind::ZeroPoint: return "zero-point";
-#endif
-    case Convention::Kind::AngleUnit: return "angle-unit";
-    case Convention::Kind::LengthUnit: return "length-unit";
-    case Convention::Kind::TimeUnit: return "time-unit";
-    case Convention::Kind::Sign: return "sign";
-    case Convention::Kind::HalfTurn: return "half-turn";
-    case Convention::Kind::WholeTurns: return "whole-turns";
-    case Convention::Kind::SwappedColumns: return "swapped-columns";
-    case Convention::Kind::Branch: return "branch";
-    case Convention::Kind::TimeShift: return "time-shift";
-    case Convention::Kind::NotDerivative: return "not-derivative";
-    default: return "axis";
-    }
-}
 
 std::string described(const Parameters &p)
 {
@@ -297,6 +272,8 @@ Fixed fixedBy(const ClaimFile &file)
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
     Fixed fixed;
     double logs = 0.0;
+    // θ20 is fixed in the middle of the file: far from t = 0 it would go with ω.
+    const double middle = 0.5 * (file.instants.front() + file.instants.back());
     std::vector<std::pair<AllChannels, AllChannels>> beside(unknowns.size());
     for (std::size_t row = 0; row < file.instants.size(); ++row) {
         const double t = file.instants[row];
@@ -309,7 +286,7 @@ Fixed fixedBy(const ClaimFile &file)
             if (unknowns[j] == Parameter::Omega2) { // ω^k g(ω t + θ20)
                 for (std::size_t k = 0; k < kChannelCount; ++k) {
                     const auto order = static_cast<long double>(channelAt(k).order);
-                    beside[j].second[k] = order * here[k] + t * (after[k] - before[k]) / (2.0L * late);
+                    beside[j].second[k] = order * here[k] + (t - middle) * (after[k] - before[k]) / (2.0L * late);
                 }
                 continue;
             }
@@ -357,11 +334,16 @@ Fixed fixedBy(const ClaimFile &file)
     const Eigen::FullPivLU<Eigen::MatrixXd> lu(scaled);
     const Eigen::MatrixXd inverse =
         lu.isInvertible() ? Eigen::MatrixXd(lu.inverse()) : Eigen::MatrixXd::Constant(count, count, kNone);
+    const Eigen::MatrixXd covariance = scale.asDiagonal() * inverse * scale.asDiagonal();
     for (std::size_t j = 0; j < unknowns.size(); ++j) {
         const auto at = static_cast<Eigen::Index>(j);
-        const double variance = inverse(at, at);
+        double variance = covariance(at, at);
+        if (unknowns[j] == Parameter::Theta20) { // back to t = 0; ω is the unknown before it, in parts of itself
+            const double lever = middle * truth.omega2;
+            variance += lever * lever * covariance(at - 1, at - 1) - 2.0 * lever * covariance(at, at - 1);
+        }
         fixed.part[indexOf(unknowns[j])] =
-            variance >= 0.0 ? std::sqrt(variance) * scale[at] : std::numeric_limits<double>::infinity();
+            variance >= 0.0 ? std::sqrt(variance) : std::numeric_limits<double>::infinity();
     }
     fixed.evidence = (fixed.values - fixed.unknowns) / std::max(fixed.values, 1.0) * logs;
     return fixed;
@@ -452,6 +434,13 @@ bool isPlain(const ClaimFile &file)
            });
 }
 
+bool isNear(const std::array<double, 2> &claimed, const std::optional<std::array<double, 2>> &speeds)
+{
+    constexpr double kNear = 0.05;
+    return speeds && std::abs(claimed[0] - (*speeds)[0]) <= kNear * std::abs((*speeds)[0]) &&
+           std::abs(claimed[1] - (*speeds)[1]) <= kNear * std::abs((*speeds)[1]);
+}
+
 std::string falseClaim(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim, bool &right)
 {
     right = false;
@@ -487,8 +476,9 @@ std::string falseClaim(const ClaimFile &file, const ReferenceData &data, const P
             return "finds " + described(claim.findings) + " without a mechanism";
         }
     }
-    if (claim.unevenCrank && !file.unevenCrank) {
-        return "an uneven crank that is even";
+    if (claim.crankSpeeds && !isNear(*claim.crankSpeeds, file.crankSpeeds)) {
+        return "an uneven crank, from " + std::to_string((*claim.crankSpeeds)[0]) + " to " +
+               std::to_string((*claim.crankSpeeds)[1]) + " rad/s, that is another";
     }
     if (claim.change && file.offBy &&
         (claim.change != file.offBy || std::abs(claim.changed / valueOf(*file.truth, *file.offBy) - 1.0) > 0.01)) {
@@ -514,50 +504,6 @@ std::string falseClaim(const ClaimFile &file, const ReferenceData &data, const P
 }
 
 } // namespace
-
-ProgramClaim claimOf(const ReferenceData &data, const Mechanism &atHand)
-{
-    ProgramClaim claim;
-#if __has_include("core/diagnosis/diagnosis.h")
-    const Diagnosis said = diagnose(data, atHand);
-    switch (said.identification.outcome) {
-    case Identification::Outcome::Identified: claim.outcome = ClaimedOutcome::Identified; break;
-    case Identification::Outcome::Ambiguous: claim.outcome = ClaimedOutcome::Ambiguous; break;
-    case Identification::Outcome::Insufficient: claim.outcome = ClaimedOutcome::Insufficient; break;
-    case Identification::Outcome::Nearest: claim.outcome = ClaimedOutcome::Nearest; break;
-    case Identification::Outcome::None: claim.outcome = ClaimedOutcome::None; break;
-    }
-    using Why = Identification::Alternative::Why;
-    for (const auto &[why, parameters] : said.identification.alternatives) {
-        const bool isImage = why != Why::Alias && why != Why::AnotherMechanism;
-        (isImage ? claim.images : claim.alternatives).push_back(parameters);
-    }
-    if (said.change) {
-        claim.change = said.change->parameter;
-        claim.changed = said.change->value;
-    }
-    claim.unevenCrank = said.unevenCrank.has_value();
-#else
-    const Interpretation said = interpret(data, atHand);
-    using Ended = Identification::Status;
-    claim.outcome = said.identification.status == Ended::Found      ? ClaimedOutcome::Identified
-                    : said.identification.status == Ended::NotFound ? ClaimedOutcome::Nearest
-                                                                    : ClaimedOutcome::Insufficient;
-#endif
-    claim.parameters = said.identification.parameters;
-    claim.standardError = said.identification.standardError;
-    claim.identifiable = said.identification.identifiable;
-    claim.onlyRatios = said.identification.onlyRatios;
-    claim.rounded = said.rounded;
-    claim.identified = said.identified;
-    claim.read = data;
-    for (const ConventionFinding &finding : said.conventions) {
-        const Convention &convention = finding.convention;
-        claim.findings.push_back({wordOf(convention.kind), convention.channels, convention.amount});
-        claim.read = applied(convention, std::move(claim.read));
-    }
-    return claim;
-}
 
 std::vector<double> standardErrorsOff(const ClaimFile &file, const ProgramClaim &claim)
 {
@@ -594,6 +540,10 @@ ClaimJudgement judged(const ClaimFile &file, const ReferenceData &data)
     judgement.fixes = fixesTheMechanism(file);
     if (judgement.fixes && !judgement.right && judgement.falseClaim.empty()) {
         judgement.miss = "missed " + described(*file.truth);
+    }
+    if (file.crankSpeeds) {
+        judgement.fixes = true;
+        judgement.miss = claim.crankSpeeds ? "" : "does not say that the crank turns unevenly";
     }
     return judgement;
 }

@@ -1,44 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the program claims of a file of known origin, and whether that is so.
+// Whether what the program claims of a file of known origin is so.
 
-#include "core/comparison/comparison.h"
-#include "core/mechanism/mechanism.h"
 #include "tests/support/claim_files.h"
+#include "tests/support/program_claim.h"
 
-#include <array>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace slidercrank
 {
-
-enum class ClaimedOutcome { Identified, Ambiguous, Insufficient, Nearest, None };
-
-/// All that the program says of a file.
-struct ProgramClaim {
-    ClaimedOutcome outcome = ClaimedOutcome::None;
-    Parameters parameters;
-    std::array<double, kParameterCount> standardError{};
-    std::array<bool, kParameterCount> identifiable{};
-    bool onlyRatios = false;
-    std::vector<Parameters> images;       ///< that no column is said to exclude
-    std::vector<Parameters> alternatives; ///< other mechanisms
-    std::vector<ExpectedFinding> findings;
-    Parameters rounded;
-    std::optional<Parameter> change;
-    double changed = 0.0; ///< its value
-    bool unevenCrank = false;
-
-    /// The file as it reads with the findings, and its verdicts against `parameters`.
-    ReferenceData read;
-    std::vector<ChannelComparison> identified;
-};
-
-ProgramClaim claimOf(const ReferenceData &data, const Mechanism &atHand);
 
 struct ClaimJudgement {
     ClaimedOutcome outcome = ClaimedOutcome::None;

@@ -76,7 +76,7 @@ ClaimFile sixColumns(Dice &dice)
 
 ClaimFile someOfSix(Dice &dice)
 {
-    const auto mask = static_cast<unsigned>(dice.whole(1, 63));
+    const auto mask = static_cast<unsigned>(1 + dice.number() % 63);
     return ordinary(dice, plottedColumns({}, mask));
 }
 
@@ -98,6 +98,12 @@ ClaimFile twoDecimals(Dice &dice)
 ClaimFile nineDigits(Dice &dice)
 {
     return ordinary(dice, plottedColumns({Rule::Digits, 9}));
+}
+
+/// As a person types them into a spreadsheet.
+ClaimFile oneDecimal(Dice &dice)
+{
+    return ordinary(dice, {column(kCrank, {Rule::Decimals, 0}), column(kX, {Rule::Decimals, 1})});
 }
 
 ClaimFile wholeMillimetres(Dice &dice)
@@ -122,6 +128,17 @@ ClaimFile noiseOfSix(Dice &dice)
     setInstants(file, dice);
     file.columns = plottedColumns(formOfNoise());
     return noisy(dice, std::move(file), dice.logUniform(0.001, 0.02));
+}
+
+/// Two encoders.
+ClaimFile noiseOfCrankAndSlider(Dice &dice)
+{
+    ClaimFile file = mechanismOf(dice);
+    setInstants(file, dice);
+    file.columns = {column(kCrank, formOfNoise()), column(kX, formOfNoise())};
+    file.columns[0].noise = dice.logUniform(0.05, 1.0);
+    file.columns[1].noise = dice.logUniform(0.001, 0.01) * file.truth->a;
+    return finished(std::move(file), dice);
 }
 
 ClaimFile noiseOfSliderAlone(Dice &dice)
@@ -390,14 +407,16 @@ std::span<const ClaimKind> plainKinds()
 {
     static constexpr std::array kKinds{
         ClaimKind{"six columns", sixColumns},
-        ClaimKind{"some of the six columns", someOfSix},
+        ClaimKind{"some of the six columns", someOfSix, 63},
         ClaimKind{"theta2, R4_x, R4_x_diff, R4_y", crankAndSlider},
         ClaimKind{"theta2, R4_x", crankAndPosition},
         ClaimKind{"R4_x with two decimals", twoDecimals},
         ClaimKind{"six columns of nine digits", nineDigits},
+        ClaimKind{"theta2 in whole degrees, R4_x to 0.1 mm", oneDecimal},
         ClaimKind{"R4_x in whole mm", wholeMillimetres},
         ClaimKind{"noise of R4_x and theta3", noiseOfPositions},
         ClaimKind{"noise of six columns", noiseOfSix},
+        ClaimKind{"noise of theta2 and R4_x", noiseOfCrankAndSlider},
         ClaimKind{"noise of R4_x alone", noiseOfSliderAlone},
         ClaimKind{"noise, 0.1 to 0.6 turns", noiseOfPartOfATurn},
         ClaimKind{"noise, a quarter turn of theta3", quarterTurnOfAngle},

@@ -85,7 +85,6 @@ private slots:
         const QByteArray wanted = qgetenv("SLIDERCRANK_CLAIM_KIND");
         const bool one = qEnvironmentVariableIsSet("SLIDERCRANK_CLAIM_FILE");
         const int asked = qEnvironmentVariableIntValue("SLIDERCRANK_CLAIM_RUNS");
-        const int files = one ? 1 : asked > 0 ? asked : runs(50, 500);
         const int first = qEnvironmentVariableIntValue("SLIDERCRANK_CLAIM_FILE");
 
         std::printf("%-46s %5s %5s %5s %5s %5s | %5s %5s %5s\n", "kind", "ident", "ambig", "insuf", "near", "none",
@@ -99,6 +98,7 @@ private slots:
                 std::string_view::npos) {
                 continue;
             }
+            const int files = one ? 1 : asked > 0 ? asked : std::max(kind.fewest, runs(50, 500));
             std::vector<Judged> all(static_cast<std::size_t>(files));
             inParallel(all.size(), [&](std::size_t i) { all[i] = judgedFile(kind, first + static_cast<int>(i)); });
             std::array<int, 5> outcomes{};
