@@ -8,6 +8,8 @@
 #include "core/identification/motion_start.h"
 #include "core/identification/round_numbers.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 
@@ -282,9 +284,26 @@ std::optional<CrankSpeedChange> unevenCrankOf(const SearchRows &rows)
     if (isRounding || isNoise) {
         return std::nullopt;
     }
-    const std::size_t part = std::max<std::size_t>(3, n / 10);
+    // At the ends by a parabola through the nearest tenth of the rows, of the angle; of the speed as it stands there.
     const double scale = 1.0 / all.units.second;
-    return CrankSpeedChange{scale * slopeOver(0, part).first, scale * slopeOver(n - part, n).first};
+    if (!angle) {
+        return CrankSpeedChange{scale * values.front(), scale * values.back()};
+    }
+    const auto part = static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(n / 10, 4, n));
+    const auto speedAtFirst = [&](auto time, auto value) {
+        Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        const double first = *time;
+        for (std::ptrdiff_t i = 0; i < part; ++i, ++time, ++value) {
+            const double t = *time - first;
+            const Eigen::Vector3d basis(1.0, t, t * t);
+            sums += basis * basis.transpose();
+            right += *value * basis;
+        }
+        return Eigen::Vector3d(sums.ldlt().solve(right))[1];
+    };
+    return CrankSpeedChange{scale * speedAtFirst(times.begin(), values.begin()),
+                            scale * speedAtFirst(times.rbegin(), values.rbegin())};
 }
 
 /// A length is not beyond a hundredth and a hundred times the others.

@@ -164,7 +164,7 @@ Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const doubl
         const double perCause = kPriceOfCause + kPriceOfColumn;
         scored.price = (one.unit != 1.0 ? perCause : 0.0) + (one.sign < 0.0 ? perCause : 0.0) +
                        (one.isPerSecond ? kPriceOfColumn : 0.0) + (one.isTurned ? kPriceOfHalfTurn : 0.0) +
-                       (one.isZeroFree ? priceOfZero(values) : 0.0);
+                       (one.isZeroFree ? kPriceOfZero + std::log(static_cast<double>(values)) : 0.0);
         return scored;
     };
     ways.plain = consider({channel});
@@ -396,7 +396,7 @@ double Hypothesis::price(const Observations &observations) const
             add(Kind::SwappedColumns, 0.0);
         }
         if (column.isZeroFree) {
-            price += priceOfZero(observations.valueCount());
+            price += kPriceOfZero;
         }
     }
     return price + kPriceOfCause * static_cast<double>(causes.size());
@@ -570,6 +570,12 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
     for (const FitColumn &column : problem.columns) {
         if (column.zero >= 0) {
             const double zero = candidate.fit.zeros[static_cast<std::size_t>(column.zero)];
+            // So small a constant takes up what else is not quite right, and is no origin.
+            constexpr double kLeastOrigin = 1e-3;
+            const double size = column.channel.coordinate == R4y ? candidate.fit.parameters.a : column.spread;
+            if (std::abs(zero) < kLeastOrigin * size) {
+                continue;
+            }
             conventions.push_back(
                 {Kind::ZeroPoint, {column.channel}, -zero / observations.units.factor(column.channel) + 0.0});
         }

@@ -33,11 +33,6 @@ double priceOf(const Candidate &candidate)
 
 } // namespace
 
-double priceOfZero(std::size_t values)
-{
-    return 20.0 + std::log(static_cast<double>(std::max<std::size_t>(values, 1)));
-}
-
 SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span<const std::size_t> rows,
                         const Parameters &given)
 {
@@ -173,7 +168,7 @@ Candidate withoutIdleZeros(const SearchRows &rows, Candidate candidate, const st
             }
             FileReading reading = candidate.reading;
             reading[i].isZeroFree = false;
-            const double penalty = candidate.penalty - priceOf(candidate) - priceOfZero(rows.all.valueCount());
+            const double penalty = candidate.penalty - priceOf(candidate) - kPriceOfZero;
             Candidate without = candidateFrom(rows, reading, penalty, candidate.fit.parameters, stop);
             const bool isAllowed = without.standing.stands || !candidate.standing.stands;
             if (isAllowed && without.score() < candidate.score() && (!best || without.score() < best->score())) {
@@ -194,11 +189,11 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
     std::vector<Candidate> candidates = bestCandidates(rows, plain, 0.0, starts, stop);
     const FileReading shifted = withFreeZeros(rows.all, plain);
     const auto zeros = static_cast<double>(std::ranges::count(shifted, true, &ColumnReading::isZeroFree));
-    const double spent = zeros * priceOfZero(rows.all.valueCount());
+    const double spent = zeros * kPriceOfZero;
     // Where rounding explains all, a free constant has nothing to gain but what it costs.
     const bool isDone =
         !candidates.empty() && candidates.front().standing.isExact && candidates.front().standing.stands &&
-        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + priceOfZero(rows.all.valueCount());
+        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + kPriceOfZero;
     if (zeros > 0.0 && !isDone) {
         std::vector<Candidate> others = bestCandidates(rows, shifted, spent, starts, stop);
         for (Candidate &other : others) {

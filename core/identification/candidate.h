@@ -23,8 +23,9 @@ struct Candidate {
     double score() const { return fit.score + penalty; }
 };
 
-/// What a free constant costs, e^-10 against the plain reading; and the crossed assembly, to break ties.
-double priceOfZero(std::size_t values);
+/// What a free constant costs besides its score, e^-10 against the plain reading; and the crossed assembly, to break
+/// ties.
+inline constexpr double kPriceOfZero = 20.0;
 inline constexpr double kPriceOfCrossed = 6.0;
 
 /// Rows of a file, in two densities: a search looks at few of them first.

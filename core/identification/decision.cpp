@@ -18,7 +18,7 @@ using Why = Identification::Alternative::Why;
 /// Within so much of a score (odds of 1 : 400) two explanations are equally good.
 constexpr double kMargin = 12.0;
 
-constexpr double kStandardErrors = 5.0;
+constexpr double kFarStandardErrors = 5.0;
 
 FitProblem problemOf(const SearchRows &rows, const Candidate &candidate)
 {
@@ -32,7 +32,7 @@ bool isAnother(const Parameters &one, const std::array<double, kParameterCount> 
 {
     const auto room = [&](Parameter parameter, double size) {
         const double error = errors[indexOf(parameter)];
-        return std::max(1e-3 * size, std::isfinite(error) ? kStandardErrors * error : 0.0);
+        return std::max(1e-3 * size, std::isfinite(error) ? kFarStandardErrors * error : 0.0);
     };
     return std::ranges::none_of(imagesOf(other), [&](const Parameters &image) {
         return std::abs(one.a - image.a) <= room(Parameter::A, one.a) &&

@@ -337,21 +337,29 @@ Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters
     }
     result.chiSquared = 0.0;
     double logarithms = 0.0;
+    double constants = 0.0;
+    const double perUnknown = std::log(static_cast<double>(problem.valueCount + problem.leftOut));
     for (std::size_t k = 0; k < problem.columns.size(); ++k) {
         result.noise[k] = noiseOf(apart.residuals[k], apart.variance[k], problem.columns[k].count);
         const double square = problem.columns[k].spread * problem.columns[k].spread;
+        double information = 0.0; // of a free constant
         for (std::size_t row = 0; row < problem.time.size(); ++row) {
             const double residual = apart.residuals[k][row];
             if (!std::isnan(residual)) {
                 const double variance = apart.variance[k][row] + result.noise[k];
                 result.chiSquared += residual * residual / variance;
                 logarithms += std::log(variance / square);
+                information += 1.0 / variance;
             }
         }
+        if (problem.columns[k].zero >= 0) {
+            // Anything up to about the crank's length, or a radian, might have been.
+            const double size = isAngle(problem.columns[k].channel.coordinate) ? 1.0 : result.parameters.a;
+            constants += std::max(std::log(size * size * information), perUnknown);
+        }
     }
-    const std::size_t all = problem.valueCount + problem.leftOut;
-    result.score = result.chiSquared + logarithms + static_cast<double>(problem.leftOut) +
-                   static_cast<double>(freeCount(problem, isFree)) * std::log(static_cast<double>(all));
+    const double parameters = static_cast<double>(std::ranges::count(isFree, true));
+    result.score = result.chiSquared + logarithms + static_cast<double>(problem.leftOut) + parameters * perUnknown + constants;
     return result;
 }
 

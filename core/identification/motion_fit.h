@@ -13,7 +13,7 @@
 //
 //     S = Σ r²/V + ln(V / z²) + k ln N        z the spread of the column, k free parameters, N values
 //
-// A column that is left out counts as explained by its own spread.
+// A free constant pays for what it might have been: ln(size² Σ 1/V) instead of ln N where that is more. A column that is left out counts as explained by its own spread.
 //
 // Sources: K. Levenberg 1944, D. W. Marquardt 1963; G. Schwarz, "Estimating the dimension of a model", 1978.
 
