@@ -86,6 +86,11 @@ bool isNoChance(double some, double all)
     return 4.0 * some >= all + 8.0;
 }
 
+bool isNearlyAll(double some, double all)
+{
+    return some >= 0.9 * all;
+}
+
 /// What a decade tells: the place where its values were rounded, and how many values say so.
 struct Decade {
     int exponent;
@@ -245,12 +250,10 @@ Rounding RoundingObserver::infer(double unitFactor) const
 
 Rounding RoundingObserver::inferOfInstants(double unitFactor) const
 {
-    constexpr double kNearlyAll = 0.9;
-    return inferWith([](double some, double all) { return some >= kNearlyAll * all; }, unitFactor);
+    return inferWith(isNearlyAll, unitFactor);
 }
 
-template <typename HasEnded>
-Rounding RoundingObserver::inferWith(HasEnded hasEnded, double unitFactor) const
+Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), double unitFactor) const
 {
     Rounding rounding;
     rounding.unitFactor = unitFactor;

@@ -116,9 +116,8 @@ public:
 
 private:
     void count(const PrintedPlaces &places, std::string_view digits);
-    /// `hasEnded`(some, all): whether a decade was rounded to the place before which so many of its values end.
-    template <typename HasEnded>
-    Rounding inferWith(HasEnded hasEnded, double unitFactor) const;
+    /// `hasEnded`: whether a decade was rounded to the place before which so many of all its values end.
+    Rounding inferWith(bool (*hasEnded)(double some, double all), double unitFactor) const;
     int coarsestPlace(const Rounding &rounding) const;
 
     static constexpr int kLargestExponent = 48; ///< decades beyond ±48 teach nothing
