@@ -11,6 +11,9 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <cmath>
 
 namespace slidercrank
@@ -33,9 +36,22 @@ bool isBetter(const Tried &x, const Tried &y)
                                                                       : x.candidate.score() < y.candidate.score();
 }
 
+/// With no other unit, sense or origin than it says.
+bool isAsWritten(const Tried &tried)
+{
+    return tried.hypothesis.isPlain() && std::ranges::none_of(tried.hypothesis.columns, &ColumnHypothesis::isZeroFree);
+}
+
 bool anyStands(const std::vector<Tried> &tried)
 {
     return std::ranges::any_of(tried, [](const Tried &one) { return one.candidate.standing.stands; });
+}
+
+/// Another origin may take up what is another fault: it has to compete.
+bool anyStandsAsWritten(const std::vector<Tried> &tried)
+{
+    return std::ranges::any_of(tried,
+                               [](const Tried &one) { return one.candidate.standing.stands && isAsWritten(one); });
 }
 
 /// As the candidate's reading has it: constants that turned out to be idle are gone.
@@ -186,6 +202,13 @@ bool leavesOut(const Tried &tried)
     return std::ranges::any_of(tried.hypothesis.columns, [](const ColumnHypothesis &column) { return !column.isUsed; });
 }
 
+void dump(const SearchRows&rows,const Tried&t,const char*what){
+  auto p=rows.all.units.fromFit(t.candidate.fit.parameters);
+  std::fprintf(stderr,"%s stands %d score %.1f (fit %.1f chi2 %.1f) a %.6g b %.6g c %.6g w %.6g ph %.6g %d :",what,t.candidate.standing.stands,t.candidate.score(),t.candidate.fit.score,t.candidate.fit.chiSquared,p.a,p.b,p.c,p.omega2,p.theta20,(int)p.branch);
+  auto pr=problemOf(rows.all,t.candidate.reading);
+  for(auto&c:pr.columns){ size_t k=&c-pr.columns.data(); auto&h=t.hypothesis.columns[c.source]; std::fprintf(stderr," [%s%s u%.3g s%g%s%s sig %.2g %s]",std::string(nameOf(c.channel)).c_str(),c.zero>=0?" zero":"",h.unit,h.sign,h.isPerSecond?" perS":"",h.isTurned?" turned":"",k<t.candidate.fit.noise.size()?std::sqrt(t.candidate.fit.noise[k])/c.spread:-1, k<t.candidate.standing.columnStands.size()&&t.candidate.standing.columnStands[k]?"ok":"BAD");}
+  std::fprintf(stderr,"\n");
+}
 /// Every way to read the file, as far as it takes until one stands; the best first.
 std::vector<Tried> allWays(const SearchRows &rows, const Mechanism &atHand, const std::stop_token &stop)
 {
@@ -196,8 +219,10 @@ std::vector<Tried> allWays(const SearchRows &rows, const Mechanism &atHand, cons
     if (!anyStands(tried)) {
         tryWithoutDifferences(rows, tried, stop);
     }
-    if (!anyStands(tried)) {
+    if (std::getenv("DBG")) for (auto&t:tried) dump(rows,t,"plain");
+    if (!anyStandsAsWritten(tried)) {
         tryReadings(rows, starts, tried, stop);
+    if (std::getenv("DBG")) for (auto&t:tried) dump(rows,t,"readings");
         std::ranges::stable_sort(tried, isBetter);
         if (tried.empty() || !tried.front().candidate.standing.stands || leavesOut(tried.front())) {
             tryReadings(rows, startsFromParts(rows.all, rows.given.a, stop), tried, stop);

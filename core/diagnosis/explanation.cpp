@@ -329,7 +329,7 @@ std::optional<Explanation> proven(const ReferenceData &data, Explanation explana
     for (const ReferenceSeries &series : motion.read.series) {
         const ChannelComparison column =
             compareChannel(motion.read.time, motion.model[series.channel], series,
-                           naturalScale(Mechanism(explanation.parameters), series.channel));
+                           slidercrank::sizeOf(Mechanism(explanation.parameters), series.channel));
         const double error = column.maxAbs.value_or(kInfinity);
         const bool small =
             error <= kNearlyNothing * sizeOf(motion.model[series.channel]) && column.missingModel <= column.count / 20;

@@ -573,7 +573,7 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
             // So small a constant takes up what else is not quite right, and is no origin.
             constexpr double kLeastOrigin = 1e-3;
             const double size = column.channel.coordinate == R4y ? candidate.fit.parameters.a : column.spread;
-            if (std::abs(zero) < kLeastOrigin * size) {
+            if (std::abs(zero) < std::max(kLeastOrigin * size, column.step)) {
                 continue;
             }
             conventions.push_back(

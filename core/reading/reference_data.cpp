@@ -193,7 +193,7 @@ public:
     {
         m_data.skipped = std::move(skipped);
         m_data.layout = std::move(layout.table.layout);
-        m_data.timeRounding = m_timeObserver.infer(1.0 / layout.columns[layout.timeColumn].factor);
+        m_data.timeRounding = m_timeObserver.inferOfInstants(1.0 / layout.columns[layout.timeColumn].factor);
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {
             const ReadColumn &column = layout.columns[i];
             FileColumn &described = m_data.layout.columns[i];

@@ -207,11 +207,15 @@ void addErrors(std::vector<ReportBlock> &blocks, const Result &result)
         Report::tr(
             "Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where "
             "the reference is not zero. File's step: distance of the numbers that the file can print, where it "
-            "is largest. To the last printed digit: at least %1 % of the values within half a step, none beyond "
-            "%2 halves. Within n × the file's rounding: none beyond n half steps, n ≤ %3.")
-            .arg(kPercentWithinHalfStep)
-            .arg(kHalfStepsOfAgreement)
-            .arg(kHalfStepsOfCloseness),
+            "is largest. Within the file's rounding: at least %1 % of the values within half a step of their own and "
+            "what the motion does in half a step of their instant (none where the instants are evenly spaced), none "
+            "beyond %2 times that. Close: none beyond %3 times. And none beyond that bound by more than %4 % of half "
+            "the motion's range, or %5 %.")
+            .arg(kPercentWithinBound)
+            .arg(kBoundsOfAgreement)
+            .arg(kBoundsOfCloseness)
+            .arg(100.0 * kExcessOfAgreement)
+            .arg(100.0 * kExcessOfCloseness),
         Kind::Note));
     if (const QString leftOut = leftOutText(result.reference->data); !leftOut.isEmpty()) {
         blocks.push_back(paragraph(leftOut, Kind::Note));

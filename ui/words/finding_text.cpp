@@ -510,13 +510,15 @@ QString effectOf(const ConventionFinding &finding)
 QString verdictText(const ChannelComparison &channel)
 {
     switch (channel.verdict) {
-    case Verdict::Agrees: return FindingText::tr("agrees to the last printed digit");
+    case Verdict::Agrees: return FindingText::tr("agrees within the file's rounding");
     case Verdict::Close: {
+        if (channel.clockIsRounded) {
+            return FindingText::tr("close, if the file's instants are rounded");
+        }
         // Rounded up: no value lies beyond.
-        const double worst = channel.worstHalfSteps < kHalfStepsOfAgreement
-                                 ? std::ceil(10.0 * channel.worstHalfSteps) / 10.0
-                                 : std::ceil(channel.worstHalfSteps);
-        return FindingText::tr("agrees within %1 × the file's rounding").arg(numberText(worst));
+        const double worst = channel.worstOver < kBoundsOfAgreement ? std::ceil(10.0 * channel.worstOver) / 10.0
+                                                                    : std::ceil(channel.worstOver);
+        return FindingText::tr("close: within %1 × the file's rounding").arg(numberText(worst));
     }
     case Verdict::Differs: break;
     }
@@ -525,38 +527,46 @@ QString verdictText(const ChannelComparison &channel)
 
 QString verdictFormula(const ChannelComparison &channel)
 {
+    if (channel.count == 0) {
+        return FindingText::tr("At no instant of the file do both the model and the file have a value.");
+    }
+    const auto percent = [](double part) { return numberText(100.0 * part); };
     QString rule;
     switch (channel.verdict) {
     case Verdict::Agrees:
         rule =
-            FindingText::tr("|model − reference| ≤ ½ step for at least %1 % of the values, ≤ %2 · ½ step for all; the "
-                            "step is that of each value's last printed digit.")
-                .arg(kPercentWithinHalfStep)
-                .arg(kHalfStepsOfAgreement);
+            FindingText::tr("|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none "
+                            "beyond it by more than %3 % of half the motion's range.")
+                .arg(kPercentWithinBound)
+                .arg(numberText(kBoundsOfAgreement), percent(kExcessOfAgreement));
         break;
     case Verdict::Close:
-        rule =
-            FindingText::tr("|model − reference| ≤ %1 · ½ step for all values; the step is that of each value's last "
-                            "printed digit.")
-                .arg(kHalfStepsOfCloseness);
+        rule = FindingText::tr("|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of "
+                               "half the motion's range.")
+                   .arg(numberText(kBoundsOfCloseness), percent(kExcessOfCloseness));
         break;
     case Verdict::Differs:
-        rule = FindingText::tr("|model − reference| > %1 · ½ step somewhere; the step is that of each value's last "
-                               "printed digit.")
-                   .arg(kHalfStepsOfCloseness);
+        rule = FindingText::tr("|model − reference| > %1 · bound somewhere, or beyond it by more than %2 % of half the "
+                               "motion's range.")
+                   .arg(numberText(kBoundsOfCloseness), percent(kExcessOfCloseness));
         break;
-    }
-    if (channel.count == 0) {
-        return FindingText::tr("At no instant of the file do both the model and the file have a value.");
     }
     if (channel.missingModel > 0) {
         rule += FindingText::tr(" At %1 instants the model has no value to compare with.").arg(channel.missingModel);
     }
     return rule + u'\n' +
-           FindingText::tr("Here: %1 of %2 within ½ step, the worst %3 · ½ step.")
-               .arg(channel.withinHalfStep)
+           (channel.clockIsRounded
+                ? FindingText::tr(
+                      "The bound: half a step of the value's last digit, and what the motion does in half a "
+                      "step of the instant's, though the instants are evenly spaced.")
+                : FindingText::tr(
+                      "The bound: half a step of the value's last digit, and what the motion does in half a "
+                      "step of the instant's; evenly spaced instants count as exact.")) +
+           u'\n' +
+           FindingText::tr("Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.")
+               .arg(channel.withinBound)
                .arg(channel.count)
-               .arg(errorText(channel.worstHalfSteps));
+               .arg(errorText(channel.worstOver), errorText(100.0 * channel.excess));
 }
 
 QString summaryOf(std::span<const ChannelComparison> channels)
@@ -572,6 +582,10 @@ QString summaryOf(std::span<const ChannelComparison> channels)
                                     : FindingText::tr("in %1 of %2 channels").arg(count(verdict)).arg(channels.size());
     };
     if (count(Verdict::Differs) == 0) {
+        if (std::ranges::all_of(channels, &ChannelComparison::clockIsRounded)) {
+            return FindingText::tr("Comes close to this mechanism in every channel, if the file's instants, evenly "
+                                   "spaced as they are, were rounded.");
+        }
         if (count(Verdict::Agrees) == 0) {
             return FindingText::tr("Comes close to this mechanism in every channel, a little beyond the rounding of "
                                    "the file.");
@@ -580,10 +594,9 @@ QString summaryOf(std::span<const ChannelComparison> channels)
                                    .arg(within(Verdict::Agrees));
         return count(Verdict::Close) == 0 ? agrees + u'.' : FindingText::tr("%1; close in the others.").arg(agrees);
     }
-    const auto worst =
-        std::max_element(channels.begin(), channels.end(), [](const ChannelComparison &x, const ChannelComparison &y) {
-            return x.percentOfPeak.value_or(0.0) < y.percentOfPeak.value_or(0.0);
-        });
+    const auto worst = std::ranges::max_element(channels, {}, [](const ChannelComparison &channel) {
+        return channel.verdict == Verdict::Differs ? channel.percentOfPeak.value_or(0.0) : -1.0;
+    });
     QString text = FindingText::tr("Differs from this mechanism %1").arg(within(Verdict::Differs));
     if (worst->percentOfPeak) {
         text += FindingText::tr(", most in %1: by up to %2 % of its peak")

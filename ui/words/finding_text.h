@@ -78,10 +78,10 @@ QString explanationOf(const Convention &convention);
 /// %."
 QString effectOf(const ConventionFinding &finding);
 
-/// "agrees to the last printed digit", "agrees within 12 × the file's rounding", "differs".
+/// "agrees within the file's rounding", "close: within 12 × the file's rounding", "differs".
 QString verdictText(const ChannelComparison &channel);
 
-/// How that verdict comes about, with this channel's numbers, for a tooltip; two lines.
+/// How that verdict comes about, with this channel's numbers, for a tooltip; three lines.
 QString verdictFormula(const ChannelComparison &channel);
 
 /// The verdict on a file: "Agrees with this mechanism in 6 of 6 channels, within the rounding of the file."

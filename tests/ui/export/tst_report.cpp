@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(errors.header.size(), errors.numeric.size());
         for (const QStringList &row : errors.rows) {
             QCOMPARE(row.size(), errors.header.size());
-            QCOMPARE(row.last(), QString("agrees to the last printed digit"));
+            QCOMPARE(row.last(), QString("agrees within the file's rounding"));
         }
         QCOMPARE(errors.rows[3].first(), QString("θ³ [°]"));
         QVERIFY(std::abs(errors.rows[3][1].toDouble() / *content.result->comparison[3].maxAbs - 1.0) < 5e-3);

@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(textOf(table, 1, LargestError), QString("14.2"));
         QCOMPARE(textOf(table, 0, LargestErrorAt), QString("0.25"));
         QVERIFY(textOf(table, 0, Outcome).startsWith(QString("✓ agrees")));
-        QVERIFY(toolTipOf(table, 1, Outcome).contains("½ step"));
+        QVERIFY(toolTipOf(table, 1, Outcome).contains("· bound"));
         for (int column = 0; column < table->model()->columnCount(); ++column) {
             QVERIFY(!table->model()->headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
         }
@@ -201,12 +201,12 @@ private slots:
         panel.show();
         panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25)}));
         auto *table = child<NumberTable>(panel, "errorTable");
-        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
+        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees within the file's rounding"));
         panel.resize(560, 220);
         AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees"));
-        QVERIFY(toolTipOf(table, 0, Outcome).startsWith("agrees to the last printed digit"));
+        QVERIFY(toolTipOf(table, 0, Outcome).startsWith("agrees within the file's rounding"));
         panel.resize(1000, 220);
-        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
+        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees within the file's rounding"));
     }
 
     void explainsTheDifferenceAndOffersTheRemedy()

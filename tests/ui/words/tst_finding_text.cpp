@@ -48,13 +48,14 @@ QString textOfChange(Parameter parameter, double value, double explained)
     return changeText(diagnosis, Mechanism());
 }
 
-ChannelComparison compared(Verdict verdict, double worstHalfSteps)
+ChannelComparison compared(Verdict verdict, double worstOver)
 {
     ChannelComparison channel;
     channel.channel = kTheta3;
     channel.count = 201;
-    channel.withinHalfStep = 150;
-    channel.worstHalfSteps = worstHalfSteps;
+    channel.withinBound = 150;
+    channel.worstOver = worstOver;
+    channel.excess = 0.00123;
     channel.percentOfPeak = 9.83;
     channel.verdict = verdict;
     return channel;
@@ -308,19 +309,25 @@ private slots:
 
     void putsVerdictsIntoWords()
     {
-        QCOMPARE(verdictText(compared(Verdict::Agrees, 5.4)), QString("agrees to the last printed digit"));
-        QCOMPARE(verdictText(compared(Verdict::Close, 3.21)), QString("agrees within 3.3 × the file's rounding"));
-        QCOMPARE(verdictText(compared(Verdict::Close, 41.01)), QString("agrees within 42 × the file's rounding"));
+        QCOMPARE(verdictText(compared(Verdict::Agrees, 5.4)), QString("agrees within the file's rounding"));
+        QCOMPARE(verdictText(compared(Verdict::Close, 3.21)), QString("close: within 3.3 × the file's rounding"));
+        QCOMPARE(verdictText(compared(Verdict::Close, 41.01)), QString("close: within 42 × the file's rounding"));
         QCOMPARE(verdictText(compared(Verdict::Differs, 4e5)), QString("differs"));
+        ChannelComparison rounded = compared(Verdict::Close, 0.8);
+        rounded.clockIsRounded = true;
+        QCOMPARE(verdictText(rounded), QString("close, if the file's instants are rounded"));
     }
 
     void tellsHowAVerdictComesAbout()
     {
         const QString agrees = verdictFormula(compared(Verdict::Agrees, 5.4));
-        QVERIFY2(agrees.contains("95 %") && agrees.contains("≤ 10 · ½ step"), qPrintable(agrees));
-        QVERIFY2(agrees.endsWith("\nHere: 150 of 201 within ½ step, the worst 5.40 · ½ step."), qPrintable(agrees));
+        QVERIFY2(agrees.contains("95 %") && agrees.contains("≤ 10 · bound") && agrees.contains("0.5 % of half"),
+                 qPrintable(agrees));
+        QVERIFY2(agrees.contains("evenly spaced instants count as exact"), qPrintable(agrees));
+        QVERIFY2(agrees.endsWith("\nHere: 150 of 201 within the bound, the worst 5.40 · bound, beyond it by 0.123 %."),
+                 qPrintable(agrees));
         const QString differs = verdictFormula(compared(Verdict::Differs, std::numeric_limits<double>::infinity()));
-        QVERIFY2(differs.contains("> 100 · ½ step") && differs.contains("∞"), qPrintable(differs));
+        QVERIFY2(differs.contains("> 100 · bound") && differs.contains("∞"), qPrintable(differs));
         ChannelComparison missing = compared(Verdict::Differs, 1.0);
         missing.missingModel = 7;
         QVERIFY(verdictFormula(missing).contains("At 7 instants the model has no value"));
@@ -343,6 +350,14 @@ private slots:
         QCOMPARE(summaryOf(std::vector{agrees}),
                  QString("Agrees with this mechanism in its one channel, within the rounding of the file."));
         QVERIFY(summaryOf(std::vector{close, close}).startsWith("Comes close to this mechanism in every channel"));
+        ChannelComparison rounded = close;
+        rounded.clockIsRounded = true;
+        QVERIFY(summaryOf(std::vector{rounded, rounded}).contains("if the file's instants, evenly spaced"));
+        ChannelComparison coarse = agrees; // whole millimetres: far off, and yet within its rounding
+        coarse.channel = kSlider;
+        coarse.percentOfPeak = 50.0;
+        QCOMPARE(summaryOf(std::vector{coarse, differs}),
+                 QString("Differs from this mechanism in 1 of 2 channels, most in θ³: by up to 9.83 % of its peak."));
         ChannelComparison missing = differs;
         missing.missingModel = 47;
         QVERIFY(summaryOf(std::vector{agrees, missing})
