@@ -106,11 +106,15 @@ double offBy(const Observations &observations, const Tried &tried, const std::ve
     return most;
 }
 
+/// A derivative that is a little off and smooth, as differences are, is left out of the fit and is no finding.
+constexpr double kALittleOff = 0.03;
+
 /// The same without the derivatives that do not stand.
 std::optional<Tried> withoutFailing(const SearchRows &rows, const Tried &tried, const std::stop_token &stop)
 {
     const std::vector<std::size_t> failing = failingDerivatives(rows.all, tried);
-    if (failing.empty() || !mayLeaveOut(tried.hypothesis, failing.size())) {
+    const bool isLittle = !failing.empty() && offBy(rows.all, tried, failing) <= kALittleOff;
+    if (failing.empty() || (!isLittle && !mayLeaveOut(tried.hypothesis, failing.size()))) {
         return std::nullopt;
     }
     const FitProblem problem = problemOf(rows.all, tried.candidate.reading);
@@ -122,9 +126,6 @@ std::optional<Tried> withoutFailing(const SearchRows &rows, const Tried &tried, 
     fewer.start = tried.candidate.fit.parameters;
     return triedOn(rows, fewer, stop);
 }
-
-/// A derivative that is a little off and smooth, as differences are, is left out of the fit and is no finding.
-constexpr double kALittleOff = 0.01;
 
 /// Half a turn rather than a zero point of 180°.
 void tryHalfTurn(const SearchRows &rows, std::vector<Tried> &tried, const std::stop_token &stop)

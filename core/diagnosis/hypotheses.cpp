@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
-#include <set>
+#include <tuple>
 #include <utility>
 
 namespace slidercrank
@@ -97,6 +101,7 @@ public:
         return part < kExplained * kExplained ? m_n * std::log(part) : 0.0;
     }
 
+    double count() const { return m_n; }
     double bestFactor() const { return m_yy > 0.0 ? m_my / m_yy : 0.0; }
     double bestFactorAboutMeans() const
     {
@@ -118,10 +123,9 @@ private:
             double residual = factor * m_column.values[i] + turn - m_model[i];
             if (isZeroFree) {
                 first = std::isnan(first) ? residual : first;
-                residual = std::remainder(residual - first, 360.0);
-            } else {
-                residual = std::remainder(residual, 360.0);
+                residual -= first;
             }
+            residual -= 360.0 * std::nearbyint(residual / 360.0);
             sum += residual;
             squares += residual * residual;
         }
@@ -175,6 +179,11 @@ Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const doubl
         ways.shifted = consider(shifted);
     }
     ways.best = ways.shifted.total() < ways.plain.total() ? ways.shifted : ways.plain;
+    // What is met so well needs no other reading.
+    constexpr double kMet = 0.003;
+    if (ways.plain.score < 2.0 * match.count() * std::log(kMet)) {
+        return ways;
+    }
     const auto improve = [&](const ColumnHypothesis &one) {
         const Scored scored = consider(one);
         if (scored.score < 0.0 && scored.total() < ways.best.total()) {
@@ -250,15 +259,16 @@ struct Screened {
     double total = 0.0;
 };
 
-/// All that one mechanism makes of the columns.
-void explainBy(const Observations &few, const Parameters &start, double timeUnit, std::vector<Screened> &found)
+/// All that one mechanism makes of the columns. False where the derivatives are explained as they are: then they are in
+/// no other unit of time.
+bool explainBy(const Observations &few, const Parameters &start, double timeUnit, std::vector<Screened> &found)
 {
     const std::size_t rows = few.time.size();
     std::vector<std::vector<double>> models(few.columns.size(), std::vector<double>(rows));
     InstantMotion motion;
     for (std::size_t row = 0; row < rows; ++row) {
-        if (!motion.compute(start, few.time[row])) {
-            return;
+        if (!motion.computeValues(start, few.time[row])) {
+            return false;
         }
         for (std::size_t k = 0; k < models.size(); ++k) {
             const Channel channel = few.columns[k].channel;
@@ -311,7 +321,8 @@ void explainBy(const Observations &few, const Parameters &start, double timeUnit
     std::vector<Scored> swapped;
     for (std::size_t i = 0; i < best.size(); ++i) {
         for (std::size_t j = i + 1; j < best.size(); ++j) {
-            if (!isPlotted(few.columns[i].channel) || !isPlotted(few.columns[j].channel)) {
+            if (!isPlotted(few.columns[i].channel) || !isPlotted(few.columns[j].channel) ||
+                plain[i].score < 0.0 || plain[j].score < 0.0) {
                 continue;
             }
             const Ways one = waysOf(few.columns[i], few.columns[j].channel, models[j], timeUnit, values);
@@ -328,6 +339,41 @@ void explainBy(const Observations &few, const Parameters &start, double timeUnit
     if (!swapped.empty()) {
         keepAlsoWithoutBadDerivatives(swapped);
     }
+    return std::ranges::any_of(
+        plain, [](const Scored &one) { return one.column.channel.order != Order::Position && one.score == 0.0; });
+}
+
+/// The mechanism in the sizes that single columns of length have: together they may be in different units.
+std::vector<Parameters> sizesOf(const Observations &few, const Parameters &start)
+{
+    std::vector<Parameters> sizes{start};
+    std::vector<double> scales{1.0};
+    InstantMotion motion;
+    std::vector<double> model(few.time.size());
+    for (const ObservedColumn &column : few.columns) {
+        if (isAngle(column.channel.coordinate) || !column.varies) {
+            continue;
+        }
+        for (std::size_t row = 0; row < model.size(); ++row) {
+            if (!motion.computeValues(start, few.time[row])) {
+                return sizes;
+            }
+            model[row] = motion.valueOf(column.channel) / few.units.factor(column.channel);
+        }
+        const double scale = std::abs(1.0 / Match(column, column.channel, model).bestFactorAboutMeans());
+        constexpr double kSame = 1.5;
+        const bool isKnown = std::ranges::any_of(
+            scales, [&](double other) { return scale < kSame * other && other < kSame * scale; });
+        if (std::isfinite(scale) && scale > 0.0 && !isKnown) {
+            scales.push_back(scale);
+            Parameters one = start;
+            one.a *= scale;
+            one.b *= scale;
+            one.c *= scale;
+            sizes.push_back(one);
+        }
+    }
+    return sizes;
 }
 
 /// The same ways of reading, whatever the mechanism.
@@ -367,39 +413,49 @@ bool Hypothesis::isPlain() const
 
 double Hypothesis::price(const Observations &observations) const
 {
-    std::set<std::pair<int, double>> causes;
+    // Of one kind and amount, angles and lengths apart: how many columns. All of them are one cause.
+    std::map<std::tuple<Kind, double, bool>, std::size_t> causes;
     double price = 0.0;
-    const auto add = [&](Kind kind, double amount) {
-        causes.insert({static_cast<int>(kind), amount});
-        price += kPriceOfColumn;
-    };
+    bool isTimed = false;
+    const auto add = [&](Kind kind, double amount, bool isOfAngle) { ++causes[{kind, amount, isOfAngle}]; };
+    std::array<std::size_t, 2> counts{};
+    for (const ColumnHypothesis &column : columns) {
+        const bool isConstant = column.channel.coordinate == R4y || column.channel.coordinate == Theta2;
+        counts[isAngle(column.channel.coordinate) ? 1 : 0] += isConstant ? 0 : 1;
+    }
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const ColumnHypothesis &column = columns[i];
         const bool isOfAngle = isAngle(column.channel.coordinate);
         if (!column.isUsed) {
-            add(Kind::NotDerivative, 0.0);
+            add(Kind::NotDerivative, 0.0, false);
             continue;
         }
         if (column.unit != 1.0) {
-            add(isOfAngle ? Kind::AngleUnit : Kind::LengthUnit, column.unit);
+            add(isOfAngle ? Kind::AngleUnit : Kind::LengthUnit, column.unit, isOfAngle);
         }
         if (column.sign < 0.0) {
-            add(Kind::Sign, isOfAngle ? 1.0 : 0.0);
+            add(Kind::Sign, -1.0, isOfAngle);
         }
         if (column.isPerSecond) {
-            causes.insert({static_cast<int>(Kind::TimeUnit), timeUnit});
+            isTimed = true;
         }
         if (column.isTurned) {
             price += kPriceOfHalfTurn;
         }
         if (column.channel != observations.columns[i].channel) {
-            add(Kind::SwappedColumns, 0.0);
+            add(Kind::SwappedColumns, 0.0, false);
         }
         if (column.isZeroFree) {
             price += kPriceOfZero;
         }
     }
-    return price + kPriceOfCause * static_cast<double>(causes.size());
+    for (const auto &[cause, count] : causes) {
+        const auto [kind, amount, isOfAngle] = cause;
+        const bool isWhole = (kind == Kind::Sign || kind == Kind::AngleUnit || kind == Kind::LengthUnit) && count > 1 &&
+                             count >= counts[isOfAngle ? 1 : 0];
+        price += kPriceOfCause + kPriceOfColumn * static_cast<double>(isWhole ? 1 : count);
+    }
+    return price + (isTimed ? kPriceOfCause : 0.0);
 }
 
 std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const Parameters> starts,
@@ -408,24 +464,24 @@ std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const 
     constexpr std::size_t kMost = 8;
     constexpr std::size_t kMostAlike = 2;
     const FitProblem problem = problemOf(few, asWritten(few));
-    const bool hasDerivatives = std::ranges::any_of(
-        few.columns, [](const ObservedColumn &column) { return column.channel.order != Order::Position; });
     std::vector<Screened> screened;
-    for (const Parameters &start : starts) {
+    for (const Parameters &start : distinct(starts)) {
         for (Parameters image : imagesOf(start)) {
             if (stop.stop_requested()) {
                 return {};
             }
             lengthenCoupler(problem, image);
-            explainBy(few, image, 1.0, screened);
-            for (const double timeUnit : kTimeUnits) {
-                if (hasDerivatives) {
-                    explainBy(few, image, timeUnit, screened);
+            for (const Parameters &sized : sizesOf(few, image)) {
+                if (explainBy(few, sized, 1.0, screened)) {
+                    for (const double timeUnit : kTimeUnits) {
+                        explainBy(few, sized, timeUnit, screened);
+                    }
                 }
             }
         }
     }
     std::ranges::stable_sort(screened, {}, &Screened::total);
+    if(std::getenv("DBG2")) for(size_t i=0;i<std::min<size_t>(screened.size(),12);++i){auto&s=screened[i];auto p=few.units.fromFit(s.hypothesis.start);std::fprintf(stderr,"screen %.1f a %.4g b %.4g c %.4g w %.4g T %g:",s.total,p.a,p.b,p.c,p.omega2,s.hypothesis.timeUnit);for(auto&h:s.hypothesis.columns)std::fprintf(stderr," [%s%s u%.3g s%g%s%s%s]",std::string(nameOf(h.channel)).c_str(),h.isZeroFree?" zero":"",h.unit,h.sign,h.isPerSecond?" perS":"",h.isTurned?" turned":"",h.isUsed?"":" OUT");std::fprintf(stderr,"\n");}
     std::vector<Hypothesis> best;
     for (const Screened &one : screened) {
         const auto alike = static_cast<std::size_t>(std::ranges::count_if(
@@ -553,7 +609,7 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
         double most = -least;
         double first = kNone;
         for (std::size_t row = 0; row < problem.time.size(); ++row) {
-            if (!std::isnan(column.values[row]) && motion.compute(candidate.fit.parameters, problem.time[row])) {
+            if (!std::isnan(column.values[row]) && motion.computeValues(candidate.fit.parameters, problem.time[row])) {
                 const double off = std::round((motion.valueOf(column.channel) + zero + turn - column.values[row]) /
                                               std::numbers::pi);
                 first = std::isnan(first) ? off : first;

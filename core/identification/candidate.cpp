@@ -85,7 +85,7 @@ std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading 
         Parameters parameters;
     };
     std::vector<Ranked> ranked;
-    for (const Parameters &start : starts) {
+    for (const Parameters &start : distinct(starts)) {
         for (Parameters image : imagesOf(start)) {
             lengthenCoupler(few, image);
             const double misfit = misfitOf(few, image);
@@ -223,6 +223,17 @@ bool isSameMechanism(const Parameters &x, const Parameters &y)
         }
     }
     return false;
+}
+
+std::vector<Parameters> distinct(std::span<const Parameters> mechanisms)
+{
+    std::vector<Parameters> some;
+    for (const Parameters &one : mechanisms) {
+        if (std::ranges::none_of(some, [&](const Parameters &other) { return isSameMechanism(other, one); })) {
+            some.push_back(one);
+        }
+    }
+    return some;
 }
 
 } // namespace slidercrank

@@ -62,4 +62,7 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
 /// Whether they are one mechanism, images apart: within 1e-3.
 bool isSameMechanism(const Parameters &x, const Parameters &y);
 
+/// Each of them once, images apart.
+std::vector<Parameters> distinct(std::span<const Parameters> mechanisms);
+
 } // namespace slidercrank

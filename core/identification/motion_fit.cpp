@@ -179,8 +179,16 @@ double noiseOf(std::span<const double> residuals, std::span<const double> varian
     if (excess(0.0, nullptr) <= 5.0 * std::sqrt(0.8 / n) + 5.0 / n) {
         return 0.0;
     }
-    // Convex and falling: Newton from the left never passes the root.
-    double noise = 0.0;
+    // Convex and falling: Newton from the left never passes the root, which is not below this.
+    double squares = 0.0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        if (!std::isnan(residuals[i])) {
+            squares += residuals[i] * residuals[i];
+            most = std::max(most, variance[i]);
+        }
+    }
+    double noise = std::max(squares / n - most, 0.0);
     for (int i = 0; i < 100; ++i) {
         double slope = 0.0;
         const double above = excess(noise, &slope);
@@ -258,8 +266,10 @@ bool residualsOf(const FitProblem &problem, const Fit &fit, FitResiduals &result
     result.residuals.assign(problem.columns.size(), std::vector<double>(rows, kNone));
     result.variance.assign(problem.columns.size(), std::vector<double>(rows, kNone));
     InstantMotion motion;
+    const bool hasRates = problem.clockStep > 0.0;
     for (std::size_t row = 0; row < rows; ++row) {
-        if (!motion.compute(fit.parameters, problem.time[row])) {
+        const double t = problem.time[row];
+        if (!(hasRates ? motion.compute(fit.parameters, t) : motion.computeValues(fit.parameters, t))) {
             return false;
         }
         for (std::size_t k = 0; k < problem.columns.size(); ++k) {
@@ -271,7 +281,7 @@ bool residualsOf(const FitProblem &problem, const Fit &fit, FitResiduals &result
             const double difference = column.values[row] - zero - motion.valueOf(column.channel);
             result.residuals[k][row] = isTurning(column.channel) ? withoutTurns(difference) : difference;
             double variance = column.variance[row];
-            if (problem.clockStep > 0.0) {
+            if (hasRates) {
                 const double late = motion.rateOf(column.channel) * problem.clockStep;
                 variance += late * late / 12.0;
             }

@@ -646,7 +646,7 @@ void scaleToFit(const FitProblem &problem, Parameters &parameters)
     std::vector<Sums> sums(problem.columns.size());
     InstantMotion motion;
     for (std::size_t row = 0; row < problem.time.size(); ++row) {
-        if (!motion.compute(parameters, problem.time[row])) {
+        if (!motion.computeValues(parameters, problem.time[row])) {
             return;
         }
         for (std::size_t k = 0; k < problem.columns.size(); ++k) {
@@ -688,7 +688,7 @@ double misfitOf(const FitProblem &problem, const Parameters &parameters)
     std::vector<Sums> sums(problem.columns.size());
     InstantMotion motion;
     for (std::size_t row = 0; row < problem.time.size(); ++row) {
-        if (!motion.compute(parameters, problem.time[row])) {
+        if (!motion.computeValues(parameters, problem.time[row])) {
             return kUnbounded;
         }
         for (std::size_t k = 0; k < problem.columns.size(); ++k) {

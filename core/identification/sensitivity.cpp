@@ -100,30 +100,36 @@ bool InstantMotion::compute(const Parameters &parameters, double t)
 {
     m_parameters = parameters;
     m_time = t;
-    const double theta2 = parameters.omega2 * t + parameters.theta20;
-    m_sin2 = std::sin(theta2);
-    m_cos2 = std::cos(theta2);
     return plottedMotion(parameters, t, m_plotted, m_derivatives);
+}
+
+bool InstantMotion::computeValues(const Parameters &parameters, double t)
+{
+    m_parameters = parameters;
+    m_time = t;
+    return plottedMotion(parameters, t, m_plotted);
 }
 
 double InstantMotion::pin(bool alongX, int order) const
 {
-    const std::array<double, 4> quarters{m_cos2, -m_sin2, -m_cos2, m_sin2}; // of cos(θ2 + k π/2); the sine is one behind
-    return m_parameters.a * std::pow(m_parameters.omega2, order) *
-           quarters[static_cast<std::size_t>(order + (alongX ? 0 : 3)) % quarters.size()];
+    return pinGradient(alongX, order)[0] * m_parameters.a;
 }
 
 Gradient InstantMotion::pinGradient(bool alongX, int order) const
 {
     const double w = m_parameters.omega2;
-    const std::array<double, 4> quarters{m_cos2, -m_sin2, -m_cos2, m_sin2};
-    const std::size_t first = static_cast<std::size_t>(order + (alongX ? 0 : 3));
+    const double theta2 = w * m_time + m_parameters.theta20;
+    const double cosine = std::cos(theta2);
+    const double sine = std::sin(theta2);
+    const std::array<double, 4> quarters{cosine, -sine, -cosine, sine}; // of cos(θ2 + k π/2); the sine is one behind
+    const auto first = static_cast<std::size_t>(order + (alongX ? 0 : 3));
     const double power = std::pow(w, order);
+    const double slope = quarters[first % quarters.size()];
     Gradient gradient = Gradient::Zero();
-    gradient[0] = power * quarters[first % quarters.size()];
+    gradient[0] = power * slope;
     gradient[4] = m_parameters.a * power * quarters[(first + 1) % quarters.size()];
-    gradient[3] = m_time * gradient[4] +
-                  (order > 0 ? order * m_parameters.a * std::pow(w, order - 1) * quarters[first % quarters.size()] : 0.0);
+    gradient[3] =
+        m_time * gradient[4] + (order > 0 ? order * m_parameters.a * std::pow(w, order - 1) * slope : 0.0);
     return gradient;
 }
 

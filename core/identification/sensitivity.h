@@ -57,8 +57,11 @@ public:
     /// False where the mechanism has no motion; then nothing may be asked.
     bool compute(const Parameters &parameters, double t);
 
+    /// Without gradients.
+    bool computeValues(const Parameters &parameters, double t);
+
     double valueOf(Channel channel) const;
-    Gradient gradientOf(Channel channel) const; ///< what compute() was given as parameters
+    Gradient gradientOf(Channel channel) const; ///< by the parameters that compute() was given
     double rateOf(Channel channel) const { return m_parameters.omega2 * gradientOf(channel)[4]; }
 
 private:
@@ -67,8 +70,6 @@ private:
 
     Parameters m_parameters;
     double m_time = 0.0;
-    double m_sin2 = 0.0;
-    double m_cos2 = 1.0;
     PlottedValues m_plotted;
     PlottedDerivatives m_derivatives;
 };
