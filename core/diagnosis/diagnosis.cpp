@@ -163,18 +163,51 @@ std::vector<Tried> plainly(const SearchRows &rows, std::span<const Parameters> s
     return tried;
 }
 
-/// The same without derivatives that are off by next to nothing.
+/// Where all columns are off by little only, the derivatives may be differences: the lowest orders have to stand
+/// without them, and then those of them that agree are taken in again.
 void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, const std::stop_token &stop)
 {
-    const std::size_t count = tried.size();
-    for (std::size_t n = 0; n < count && !anyStands(tried); ++n) {
-        const std::vector<std::size_t> failing = failingDerivatives(rows.all, tried[n]);
-        if (!failing.empty() && offBy(rows.all, tried[n], failing) <= kALittleOff) {
-            if (std::optional<Tried> fewer = withoutFailing(rows, tried[n], stop)) {
-                tried.push_back(std::move(*fewer));
-            }
+    if (tried.empty() || !tried.front().candidate.fit.exists()) {
+        return;
+    }
+    const Tried &nearest = tried.front();
+    const FitProblem problem = problemOf(rows.all, nearest.candidate.reading);
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        if (std::sqrt(nearest.candidate.fit.noise[k]) > kALittleOff * problem.columns[k].spread) {
+            return;
         }
     }
+    Hypothesis lowest = plainHypothesis(rows.all);
+    lowest.start = nearest.candidate.fit.parameters;
+    bool any = false;
+    for (ColumnHypothesis &column : lowest.columns) {
+        column.isUsed = !isPlotted(column.channel) || std::ranges::none_of(lowest.columns, [&](const ColumnHypothesis &other) {
+            return other.channel.coordinate == column.channel.coordinate && other.channel.order < column.channel.order;
+        });
+        any = any || !column.isUsed;
+    }
+    if (!any) {
+        return;
+    }
+    Tried stood = triedOn(rows, lowest, stop);
+    if (!stood.candidate.standing.stands) {
+        return;
+    }
+    constexpr FreeParameters kNoneFree{};
+    const FitProblem whole = problemOf(rows.all, asWritten(rows.all));
+    const Fit against = fit(whole, stood.candidate.fit.parameters, kNoneFree, 1, stop);
+    Hypothesis more = lowest;
+    more.start = stood.candidate.fit.parameters;
+    for (std::size_t k = 0; against.exists() && k < whole.columns.size(); ++k) {
+        more.columns[k].isUsed = lowest.columns[k].isUsed || against.noise[k] == 0.0;
+    }
+    if (more.columns != lowest.columns) {
+        Tried again = triedOn(rows, more, stop);
+        if (again.candidate.standing.stands) {
+            stood = std::move(again);
+        }
+    }
+    tried.push_back(std::move(stood));
 }
 
 void tryReadings(const SearchRows &rows, std::span<const Parameters> starts, std::vector<Tried> &tried,

@@ -109,6 +109,13 @@ public:
         return yy > 0.0 ? (m_my - m_m * m_y / m_n) / yy : 0.0;
     }
 
+    double correlation() const
+    {
+        const double yy = m_yy - m_y * m_y / m_n;
+        const double mm = m_mm - m_m * m_m / m_n;
+        return (m_my - m_m * m_y / m_n) / std::sqrt(std::max(yy * mm, 1e-300));
+    }
+
 private:
     double meanOfTurning(double factor, bool isTurned, bool isZeroFree) const
     {
@@ -360,8 +367,13 @@ std::vector<Parameters> sizesOf(const Observations &few, const Parameters &start
             }
             model[row] = motion.valueOf(column.channel) / few.units.factor(column.channel);
         }
-        const double scale = std::abs(1.0 / Match(column, column.channel, model).bestFactorAboutMeans());
-        constexpr double kSame = 1.5;
+        const Match match(column, column.channel, model);
+        constexpr double kAlike = 0.95;
+        if (std::abs(match.correlation()) < kAlike) {
+            continue;
+        }
+        const double scale = std::abs(1.0 / match.bestFactorAboutMeans());
+        constexpr double kSame = 1.003;
         const bool isKnown = std::ranges::any_of(
             scales, [&](double other) { return scale < kSame * other && other < kSame * scale; });
         if (std::isfinite(scale) && scale > 0.0 && !isKnown) {
@@ -417,6 +429,7 @@ double Hypothesis::price(const Observations &observations) const
     std::map<std::tuple<Kind, double, bool>, std::size_t> causes;
     double price = 0.0;
     bool isTimed = false;
+    std::size_t perFileTime = 0;
     const auto add = [&](Kind kind, double amount, bool isOfAngle) { ++causes[{kind, amount, isOfAngle}]; };
     std::array<std::size_t, 2> counts{};
     for (const ColumnHypothesis &column : columns) {
@@ -438,6 +451,8 @@ double Hypothesis::price(const Observations &observations) const
         }
         if (column.isPerSecond) {
             isTimed = true;
+        } else if (column.channel.order != Order::Position) {
+            ++perFileTime;
         }
         if (column.isTurned) {
             price += kPriceOfHalfTurn;
@@ -455,7 +470,7 @@ double Hypothesis::price(const Observations &observations) const
                              count >= counts[isOfAngle ? 1 : 0];
         price += kPriceOfCause + kPriceOfColumn * static_cast<double>(isWhole ? 1 : count);
     }
-    return price + (isTimed ? kPriceOfCause : 0.0);
+    return price + (isTimed ? kPriceOfCause + kPriceOfColumn * static_cast<double>(1 + perFileTime) : 0.0);
 }
 
 std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const Parameters> starts,

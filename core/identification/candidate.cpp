@@ -125,10 +125,9 @@ std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading 
         }
         const bool isExact = std::ranges::all_of(found.noise, [](double noise) { return noise == 0.0; });
         fitted.push_back({found, isExact});
-        constexpr double kFarOff = 3.0; // times the values: a factor of e^1.5 in every residual
-        if (isExact && i + 1 < ranked.size() &&
-            ranked[i + 1].misfit - found.score > kFarOff * static_cast<double>(few.valueCount) && fits >= 2) {
-            break;
+        constexpr double kTwoDigits = -9.0; // a value, in the score
+        if (isExact && found.score < kTwoDigits * static_cast<double>(few.valueCount)) {
+            break; // no other mechanism meets all of them as well
         }
     }
     std::ranges::stable_sort(fitted, {}, [](const Fitted &one) { return one.fit.score; });

@@ -107,7 +107,8 @@ std::array<bool, kParameterCount> openParametersOf(const Fit &fit, const Uncerta
 /// Speeds that meet the same instants: positions alone, at even instants, few a turn.
 bool hasAliases(const Observations &observations, const Fit &fit)
 {
-    constexpr double kFewestRowsATurn = 4.0;
+    // 1.3 rows a turn look like 4.3.
+    constexpr double kFewestRowsATurn = 4.5;
     const double turns = std::abs(fit.parameters.omega2) / (2.0 * std::numbers::pi); // a unit of time is all of it
     const double span = observations.time.back() - observations.time.front();
     const double rowsATurn = static_cast<double>(observations.time.size() - 1) / (turns * span);
