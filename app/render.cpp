@@ -72,8 +72,7 @@ std::optional<Mechanism> ghostOf(const Diagnosis &diagnosis, const RenderOptions
     if (!diagnosis.conventions.empty() || diagnosis.isOfMechanismAtHand) {
         return std::nullopt;
     }
-    const bool isFound = diagnosis.identification.outcome == Identification::Outcome::Identified;
-    return isFound ? Mechanism(diagnosis.identification.parameters) : options.mechanism;
+    return diagnosis.identification.stands() ? Mechanism(diagnosis.identification.parameters) : options.mechanism;
 }
 
 Animation filmOf(const RenderOptions &options)

@@ -32,6 +32,9 @@ struct Identification {
     Outcome outcome = Outcome::None;
     bool stopped = false; ///< nothing else counts
 
+    /// Whether there is a mechanism that explains the file.
+    bool stands() const { return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Ambiguous); }
+
     /// Identified, Ambiguous: the (first) mechanism; Nearest: what comes nearest; else the mechanism at hand. θ20 in
     /// (-π, π]; what is not identifiable is as in the mechanism at hand.
     Parameters parameters;

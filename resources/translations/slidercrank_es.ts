@@ -374,14 +374,6 @@
         <translation>no finitos</translation>
     </message>
     <message>
-        <source>Read so, it agrees with this mechanism.</source>
-        <translation>Leído así, coincide con este mecanismo.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s own mechanism: %1</source>
-        <translation>El mecanismo propio del archivo: %1</translation>
-    </message>
-    <message>
         <source>Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6</source>
         <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
     </message>
@@ -1074,6 +1066,404 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
 Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
     </message>
+    <message>
+        <source>To go on with the first: %1</source>
+        <translation>Para seguir con el primero: %1</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ConventionText</name>
+    <message>
+        <source>%1: in %2, but read as %3.</source>
+        <translation>%1: en %2, pero leído como %3.</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>grados</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>radianes</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>%1: in a unit of angle %2 times as large as the one read.</source>
+        <translation>%1: en una unidad de ángulo %2 veces mayor que la leída.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>%1: in a unit of length %2 times as large as the one read.</source>
+        <translation>%1: en una unidad de longitud %2 veces mayor que la leída.</translation>
+    </message>
+    <message>
+        <source>The time is in milliseconds, but was read as seconds</source>
+        <translation>El tiempo está en milisegundos, pero se leyó como segundos</translation>
+    </message>
+    <message>
+        <source>The time is in seconds, but was read as milliseconds</source>
+        <translation>El tiempo está en segundos, pero se leyó como milisegundos</translation>
+    </message>
+    <message>
+        <source>The time is in minutes, but was read as seconds</source>
+        <translation>El tiempo está en minutos, pero se leyó como segundos</translation>
+    </message>
+    <message>
+        <source>The unit of the time is %1 times as large as the one read</source>
+        <translation>La unidad del tiempo es %1 veces mayor que la leída</translation>
+    </message>
+    <message>
+        <source>; so are the derivatives %1</source>
+        <translation>; también las derivadas %1</translation>
+    </message>
+    <message>
+        <source> − %1°</source>
+        <translation> − %1°</translation>
+    </message>
+    <message>
+        <source> + %1°</source>
+        <translation> + %1°</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1: counted from where it began; %2 is %1%3.</source>
+        <translation>%1: medido desde donde empezó; %2 es %1%3.</translation>
+    </message>
+    <message>
+        <source>%1: counted from another direction; %2 is %1%3.</source>
+        <translation>%1: medido desde otra dirección; %2 es %1%3.</translation>
+    </message>
+    <message>
+        <source>%1 to the right of O₂</source>
+        <translation>%1 a la derecha de O₂</translation>
+    </message>
+    <message>
+        <source>%1 to the left of O₂</source>
+        <translation>%1 a la izquierda de O₂</translation>
+    </message>
+    <message>
+        <source>%1 above O₂</source>
+        <translation>%1 por encima de O₂</translation>
+    </message>
+    <message>
+        <source>%1 below O₂</source>
+        <translation>%1 por debajo de O₂</translation>
+    </message>
+    <message>
+        <source>%1: counted from where it began, %2.</source>
+        <translation>%1: medido desde donde empezó, %2.</translation>
+    </message>
+    <message>
+        <source>%1: counted from another origin, %2.</source>
+        <translation>%1: medido desde otro origen, %2.</translation>
+    </message>
+    <message>
+        <source>Multiplies %1 by %2</source>
+        <translation>Multiplica %1 por %2</translation>
+    </message>
+    <message>
+        <source>Multiplies the instants by %1</source>
+        <translation>Multiplica los instantes por %1</translation>
+    </message>
+    <message>
+        <source>Multiplies the instants by %1, and brings %2 to the same unit</source>
+        <translation>Multiplica los instantes por %1 y lleva %2 a la misma unidad</translation>
+    </message>
+    <message>
+        <source>Changes the sign of %1</source>
+        <translation>Cambia el signo de %1</translation>
+    </message>
+    <message>
+        <source>Makes %1 continuous</source>
+        <translation>Hace continuo %1</translation>
+    </message>
+    <message>
+        <source>Adds %1° to %2, made continuous</source>
+        <translation>Suma %1° a %2, hecho continuo</translation>
+    </message>
+    <message>
+        <source>Subtracts %1 from %2</source>
+        <translation>Resta %1 de %2</translation>
+    </message>
+    <message>
+        <source>Adds %1 to %2</source>
+        <translation>Suma %1 a %2</translation>
+    </message>
+    <message>
+        <source>Exchanges %1</source>
+        <translation>Intercambia %1</translation>
+    </message>
+    <message>
+        <source>Takes the other assembly for the model</source>
+        <translation>Toma para el modelo la otra configuración</translation>
+    </message>
+    <message>
+        <source>Adds %1 s to the instants</source>
+        <translation>Suma %1 s a los instantes</translation>
+    </message>
+    <message>
+        <source>Leaves %1 out</source>
+        <translation>Deja fuera %1</translation>
+    </message>
+    <message>
+        <source>angle unit</source>
+        <translation>unidad de ángulo</translation>
+    </message>
+    <message>
+        <source>length unit</source>
+        <translation>unidad de longitud</translation>
+    </message>
+    <message>
+        <source>time unit</source>
+        <translation>unidad de tiempo</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>signo</translation>
+    </message>
+    <message>
+        <source>half a turn</source>
+        <translation>media vuelta</translation>
+    </message>
+    <message>
+        <source>whole turns</source>
+        <translation>vueltas enteras</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>origen</translation>
+    </message>
+    <message>
+        <source>swapped columns</source>
+        <translation>columnas intercambiadas</translation>
+    </message>
+    <message>
+        <source>assembly</source>
+        <translation>configuración</translation>
+    </message>
+    <message>
+        <source>time shift</source>
+        <translation>desfase de tiempo</translation>
+    </message>
+    <message>
+        <source>no derivative</source>
+        <translation>no es derivada</translation>
+    </message>
+    <message>
+        <source>%1: counted clockwise, against the sense of the model.</source>
+        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
+    </message>
+    <message>
+        <source>%1: along an axis that points the other way.</source>
+        <translation>%1: a lo largo de un eje que apunta al revés.</translation>
+    </message>
+    <message>
+        <source>%1: of the opposite sign.</source>
+        <translation>%1: de signo contrario.</translation>
+    </message>
+    <message>
+        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; θ³ is %1%2.</source>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; θ³ es %1%2.</translation>
+    </message>
+    <message>
+        <source>%1: jumps by whole turns.</source>
+        <translation>%1: salta vueltas enteras.</translation>
+    </message>
+    <message>
+        <source>%1: off by whole turns; θ³ is %1%2.</source>
+        <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
+    </message>
+    <message>
+        <source>%1: each stands under the other&apos;s name.</source>
+        <translation>%1: cada una está bajo el nombre de la otra.</translation>
+    </message>
+    <message>
+        <source>The file moves as the other assembly: the slider on the other side of A.</source>
+        <translation>El archivo se mueve en la otra configuración: la corredera al otro lado de A.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
+        <translation>El reloj del archivo va %1 s adelantado: lo que tiene en t ocurre ese tiempo antes.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s clock is %1 s behind: what it has at t happens that much later.</source>
+        <translation>El reloj del archivo va %1 s atrasado: lo que tiene en t ocurre ese tiempo después.</translation>
+    </message>
+    <message>
+        <source>%1: not the time derivative of its position column.</source>
+        <translation>%1: no es la derivada temporal de su columna de posición.</translation>
+    </message>
+    <message>
+        <source>%1: its largest error is %2 % of peak.</source>
+        <translation>%1: su error máximo es el %2 % del pico.</translation>
+    </message>
+    <message>
+        <source>%1: largest error %2 % of peak instead of %3 %.</source>
+        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::DiagnosisText</name>
+    <message>
+        <source>%1/a = %2</source>
+        <translation>%1/a = %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from its mirror image (c, ω₂ and θ₂₀ negated).</source>
+        <translation>Estas columnas no lo distinguen de su imagen especular (c, ω₂ y θ₂₀ cambiados de signo).</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from one that turns the other way, from 180° − θ₂₀.</source>
+        <translation>Estas columnas no lo distinguen de uno que gira en sentido contrario, desde 180° − θ₂₀.</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from the other assembly with c negated and θ₂₀ half a turn on.</source>
+        <translation>Estas columnas no lo distinguen de la otra configuración con c cambiado de signo y θ₂₀ media vuelta más allá.</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from %1.</source>
+        <translation>Estas columnas no lo distinguen de %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source> (mirror image)</source>
+        <translation> (imagen especular)</translation>
+    </message>
+    <message>
+        <source> (turning the other way)</source>
+        <translation> (girando en sentido contrario)</translation>
+    </message>
+    <message>
+        <source> (the other assembly)</source>
+        <translation> (la otra configuración)</translation>
+    </message>
+    <message>
+        <source> (another speed that meets the same instants)</source>
+        <translation> (otra velocidad que pasa por los mismos instantes)</translation>
+    </message>
+    <message>
+        <source>%1 mechanisms explain this file equally: %2.</source>
+        <translation>%1 mecanismos explican este archivo por igual: %2.</translation>
+    </message>
+    <message>
+        <source>; or </source>
+        <translation>; o </translation>
+    </message>
+    <message>
+        <source>More instants a turn, derivatives or θ₂ would tell them apart.</source>
+        <translation>Más instantes por vuelta, derivadas o θ₂ los distinguirían.</translation>
+    </message>
+    <message>
+        <source>There are too few instants to find the mechanism by: export more of them.</source>
+        <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
+    </message>
+    <message>
+        <source>Nothing moves in these data: export the motion of a turning crank.</source>
+        <translation>En estos datos no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
+    </message>
+    <message>
+        <source>So few values can be met by chance, and do not tell the mechanism: export more instants, or more columns.</source>
+        <translation>Tan pocos valores pueden coincidir por azar y no determinan el mecanismo: exporte más instantes, o más columnas.</translation>
+    </message>
+    <message>
+        <source>These data leave %1 open: export a longer motion, more digits, or more columns.</source>
+        <translation>Estos datos no determinan %1: exporte un movimiento más largo, más cifras, o más columnas.</translation>
+    </message>
+    <message>
+        <source>Many mechanisms move nearly as these data do: export a longer motion, more digits, or more columns.</source>
+        <translation>Muchos mecanismos se mueven casi como estos datos: exporte un movimiento más largo, más cifras, o más columnas.</translation>
+    </message>
+    <message>
+        <source>There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
+        <translation>Hay muy pocos valores de θ³, Rₓ⁴ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
+    </message>
+    <message>
+        <source>The crank speed is not constant: θ₂ turns at %1 rad/s at the start and %2 rad/s at the end.</source>
+        <translation>La velocidad de la manivela no es constante: θ₂ gira a %1 rad/s al principio y a %2 rad/s al final.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file. What comes nearest: %1.</source>
+        <translation>Nada de lo hallado explica este archivo. Lo más cercano: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file. What comes nearest: %1, off by up to %2 % of peak, in %3.</source>
+        <translation>Nada de lo hallado explica este archivo. Lo más cercano: %1, que se aparta hasta un %2 % del máximo, en %3.</translation>
+    </message>
+    <message>
+        <source>%1 a</source>
+        <translation>%1 a</translation>
+    </message>
+    <message>
+        <source>θ³ alone fixes only b/a and c/a; a = %1 is taken as given.</source>
+        <translation>θ³ por sí solo únicamente determina b/a y c/a; se toma a = %1 como dado.</translation>
+    </message>
+    <message>
+        <source>The data do not fix %1: kept as given.</source>
+        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
+    </message>
+    <message>
+        <source>What is left looks like noise: %1 (rms).</source>
+        <translation>Lo que queda parece ruido: %1 (rms).</translation>
+    </message>
+    <message>
+        <source>The search was stopped.</source>
+        <translation>La búsqueda se detuvo.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file.</source>
+        <translation>Nada de lo hallado explica este archivo.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file: check which column is which, and their units.</source>
+        <translation>Nada de lo hallado explica este archivo: revise qué columna es cuál, y sus unidades.</translation>
+    </message>
+    <message>
+        <source>Read so, it does not differ from this mechanism.</source>
+        <translation>Leído así, no difiere de este mecanismo.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s own mechanism: %1</source>
+        <translation>El mecanismo propio del archivo: %1</translation>
+    </message>
+    <message>
+        <source>Round numbers come as near to the data: %1.</source>
+        <translation>Unos números redondos se acercan igual de bien a los datos: %1.</translation>
+    </message>
+    <message>
+        <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
+        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EditCommandText</name>
@@ -1466,6 +1856,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>Now → then (as measured ± standard error)</source>
         <translation>Ahora → después (medido ± error estándar)</translation>
     </message>
+    <message>
+        <source>Take the first of them over</source>
+        <translation>Adoptar el primero de ellos</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FindingText</name>
@@ -1490,252 +1884,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>, </translation>
     </message>
     <message>
-        <source>%1/a = %2</source>
-        <translation>%1/a = %2</translation>
-    </message>
-    <message>
         <source>%1 = %2</source>
         <translation>%1 = %2</translation>
     </message>
     <message>
-        <source>%1: in %2, but read as %3.</source>
-        <translation>%1: en %2, pero leído como %3.</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>grados</translation>
-    </message>
-    <message>
-        <source>radians</source>
-        <translation>radianes</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
-    </message>
-    <message>
-        <source>%1: in a unit of angle %2 times as large as the one read.</source>
-        <translation>%1: en una unidad de ángulo %2 veces mayor que la leída.</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>milímetros</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centímetros</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>metros</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pulgadas</translation>
-    </message>
-    <message>
-        <source>%1: in a unit of length %2 times as large as the one read.</source>
-        <translation>%1: en una unidad de longitud %2 veces mayor que la leída.</translation>
-    </message>
-    <message>
-        <source>The time is in milliseconds, but was read as seconds</source>
-        <translation>El tiempo está en milisegundos, pero se leyó como segundos</translation>
-    </message>
-    <message>
-        <source>The time is in seconds, but was read as milliseconds</source>
-        <translation>El tiempo está en segundos, pero se leyó como milisegundos</translation>
-    </message>
-    <message>
-        <source>The time is in minutes, but was read as seconds</source>
-        <translation>El tiempo está en minutos, pero se leyó como segundos</translation>
-    </message>
-    <message>
-        <source>The unit of the time is %1 times as large as the one read</source>
-        <translation>La unidad del tiempo es %1 veces mayor que la leída</translation>
-    </message>
-    <message>
-        <source>; so are the derivatives %1</source>
-        <translation>; también las derivadas %1</translation>
-    </message>
-    <message>
-        <source> − %1°</source>
-        <translation> − %1°</translation>
-    </message>
-    <message>
-        <source> + %1°</source>
-        <translation> + %1°</translation>
-    </message>
-    <message>
-        <source>Multiplies %1 by %2</source>
-        <translation>Multiplica %1 por %2</translation>
-    </message>
-    <message>
-        <source>Multiplies the instants by %1</source>
-        <translation>Multiplica los instantes por %1</translation>
-    </message>
-    <message>
-        <source>Multiplies the instants by %1, and brings %2 to the same unit</source>
-        <translation>Multiplica los instantes por %1 y lleva %2 a la misma unidad</translation>
-    </message>
-    <message>
-        <source>Changes the sign of %1</source>
-        <translation>Cambia el signo de %1</translation>
-    </message>
-    <message>
-        <source>Makes %1 continuous</source>
-        <translation>Hace continuo %1</translation>
-    </message>
-    <message>
-        <source>Adds %1° to %2, made continuous</source>
-        <translation>Suma %1° a %2, hecho continuo</translation>
-    </message>
-    <message>
-        <source>Exchanges %1</source>
-        <translation>Intercambia %1</translation>
-    </message>
-    <message>
-        <source>Takes the other assembly for the model</source>
-        <translation>Toma para el modelo la otra configuración</translation>
-    </message>
-    <message>
-        <source>Adds %1 s to the instants</source>
-        <translation>Suma %1 s a los instantes</translation>
-    </message>
-    <message>
-        <source>Leaves %1 out</source>
-        <translation>Deja fuera %1</translation>
-    </message>
-    <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
-    </message>
-    <message>
-        <source>%1 a</source>
-        <translation>%1 a</translation>
-    </message>
-    <message>
-        <source>θ³ alone fixes only b/a and c/a; a = %1 is taken as given.</source>
-        <translation>θ³ por sí solo únicamente determina b/a y c/a; se toma a = %1 como dado.</translation>
-    </message>
-    <message>
-        <source>θ³ alone cannot tell it from one that turns the other way, from 180° − θ₂₀.</source>
-        <translation>θ³ por sí solo no lo distingue de uno que gira en sentido contrario, desde 180° − θ₂₀.</translation>
-    </message>
-    <message>
-        <source>The derivatives of θ³ alone cannot tell it from the other assembly with c negated and θ₂₀ half a turn on.</source>
-        <translation>Las derivadas de θ³ por sí solas no lo distinguen de la otra configuración con c cambiado de signo y θ₂₀ media vuelta más allá.</translation>
-    </message>
-    <message>
-        <source>Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ negated).</source>
-        <translation>Rₓ⁴ por sí solo no distingue este mecanismo de su imagen especular (c, ω₂ y θ₂₀ cambiados de signo).</translation>
-    </message>
-    <message>
-        <source>The data do not fix %1: kept as given.</source>
-        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
-    </message>
-    <message>
-        <source>It comes nearest of all, but the data are still off by %1 × the file&apos;s rounding step (rms).</source>
-        <translation>Es el que más se acerca, pero los datos aún se apartan %1 × el paso de redondeo del archivo (rms).</translation>
-    </message>
-    <message>
-        <source>There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
-        <translation>Hay muy pocos valores de θ³, Rₓ⁴ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
-    </message>
-    <message>
-        <source>The search was stopped.</source>
-        <translation>La búsqueda se detuvo.</translation>
-    </message>
-    <message>
-        <source>angle unit</source>
-        <translation>unidad de ángulo</translation>
-    </message>
-    <message>
-        <source>length unit</source>
-        <translation>unidad de longitud</translation>
-    </message>
-    <message>
-        <source>time unit</source>
-        <translation>unidad de tiempo</translation>
-    </message>
-    <message>
-        <source>sign</source>
-        <translation>signo</translation>
-    </message>
-    <message>
-        <source>half a turn</source>
-        <translation>media vuelta</translation>
-    </message>
-    <message>
-        <source>whole turns</source>
-        <translation>vueltas enteras</translation>
-    </message>
-    <message>
-        <source>swapped columns</source>
-        <translation>columnas intercambiadas</translation>
-    </message>
-    <message>
-        <source>assembly</source>
-        <translation>configuración</translation>
-    </message>
-    <message>
-        <source>time shift</source>
-        <translation>desfase de tiempo</translation>
-    </message>
-    <message>
-        <source>no derivative</source>
-        <translation>no es derivada</translation>
-    </message>
-    <message>
-        <source>%1: counted clockwise, against the sense of the model.</source>
-        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
-    </message>
-    <message>
-        <source>%1: along an axis that points the other way.</source>
-        <translation>%1: a lo largo de un eje que apunta al revés.</translation>
-    </message>
-    <message>
-        <source>%1: of the opposite sign.</source>
-        <translation>%1: de signo contrario.</translation>
-    </message>
-    <message>
-        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; θ³ is %1%2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; θ³ es %1%2.</translation>
-    </message>
-    <message>
-        <source>%1: jumps by whole turns.</source>
-        <translation>%1: salta vueltas enteras.</translation>
-    </message>
-    <message>
-        <source>%1: off by whole turns; θ³ is %1%2.</source>
-        <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
-    </message>
-    <message>
-        <source>%1: each stands under the other&apos;s name.</source>
-        <translation>%1: cada una está bajo el nombre de la otra.</translation>
-    </message>
-    <message>
-        <source>The file moves as the other assembly: the slider on the other side of A.</source>
-        <translation>El archivo se mueve en la otra configuración: la corredera al otro lado de A.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
-        <translation>El reloj del archivo va %1 s adelantado: lo que tiene en t ocurre ese tiempo antes.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s clock is %1 s behind: what it has at t happens that much later.</source>
-        <translation>El reloj del archivo va %1 s atrasado: lo que tiene en t ocurre ese tiempo después.</translation>
-    </message>
-    <message>
-        <source>%1: not the time derivative of its position column.</source>
-        <translation>%1: no es la derivada temporal de su columna de posición.</translation>
-    </message>
-    <message>
-        <source>%1: its largest error is %2 % of peak.</source>
-        <translation>%1: su error máximo es el %2 % del pico.</translation>
-    </message>
-    <message>
-        <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
     </message>
     <message>
         <source>agrees to the last printed digit</source>
@@ -1814,14 +1968,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>En %1 de los instantes del archivo el mecanismo no se puede ensamblar, o no tiene derivadas.</translation>
     </message>
     <message>
-        <source>Nothing moves in these data: export the motion of a turning crank.</source>
-        <translation>En estos datos no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
-    </message>
-    <message>
-        <source>Round numbers come as near to the data: %1.</source>
-        <translation>Unos números redondos se acercan igual de bien a los datos: %1.</translation>
-    </message>
-    <message>
         <source>open</source>
         <translation>abierta</translation>
     </message>
@@ -1832,26 +1978,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>%1 assembly</source>
         <translation>configuración %1</translation>
-    </message>
-    <message>
-        <source>Adds %1 to %2</source>
-        <translation>Suma %1 a %2</translation>
-    </message>
-    <message>
-        <source>Nothing found explains this file: check which column is which, and their units.</source>
-        <translation>Nada de lo encontrado explica este archivo: revise qué columna es cuál, y sus unidades.</translation>
-    </message>
-    <message>
-        <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
-        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
-    </message>
-    <message>
-        <source>zero point</source>
-        <translation>origen</translation>
-    </message>
-    <message>
-        <source>%1: counted from another origin, at %2.</source>
-        <translation>%1: contado desde otro origen, en %2.</translation>
     </message>
 </context>
 <context>
@@ -2740,12 +2866,16 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
     </message>
     <message>
-        <source>%1 differs from this mechanism. %2</source>
-        <translation>%1 difiere de este mecanismo. %2</translation>
-    </message>
-    <message>
         <source>Show the errors</source>
         <translation>Mostrar los errores</translation>
+    </message>
+    <message>
+        <source>%1 differs from this mechanism.</source>
+        <translation>%1 difiere de este mecanismo.</translation>
+    </message>
+    <message>
+        <source>%1 comes close to this mechanism.</source>
+        <translation>%1 se acerca a este mecanismo.</translation>
     </message>
 </context>
 <context>
@@ -3890,6 +4020,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>Makes this mechanism the one on show; can be undone</source>
         <translation>Hace de este mecanismo el que se muestra; se puede deshacer</translation>
     </message>
+    <message>
+        <source>Take the first over</source>
+        <translation>Adoptar el primero</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Report</name>
@@ -4056,6 +4190,14 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Motion</source>
         <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>one of the file&apos;s</source>
+        <translation>uno de los del archivo</translation>
+    </message>
+    <message>
+        <source>Against the first of several mechanisms the file agrees in %1 of %2 channels.</source>
+        <translation>Frente al primero de varios mecanismos, el archivo coincide en %1 de %2 canales.</translation>
     </message>
 </context>
 <context>

@@ -216,6 +216,9 @@ private slots:
     void comparesSeveralFiles();
     void comparesTheFilesThatItCanRead();
     void saysWhoseMotionADifferentFileIs();
+    void saysInJsonWhyAFileDiffers();
+    void itsSentencesAgreeWithEachOther_data();
+    void itsSentencesAgreeWithEachOther();
     void saysWhatAFileMeansOtherwise();
     void neverOverwritesWhatItReads();
     void identifiesTheAuthorsFile_data();
@@ -223,6 +226,7 @@ private slots:
     void identifiesInWordsAndGoesOnWithIt();
     void identifiesWhatReadsOtherwise();
     void saysWhatAFileCannotFix();
+    void namesTheMirrorImageOfASlider();
     void saysWhenItFindsNoMechanism();
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
@@ -769,10 +773,18 @@ void TestCommandLine::comparesTheSampleInJson()
     QCOMPARE(object.keys(), QStringList(QStringLiteral("files")));
     QCOMPARE(object["files"].toArray().size(), qsizetype(1));
     const QJsonObject file = object["files"].toArray().first().toObject();
-    QCOMPARE(file.keys(), QStringList({"channels", "file", "ignoredColumns", "mechanism", "skipped"}));
+    QCOMPARE(file.keys(), QStringList({"channels", "columns", "explanation", "file", "ignoredColumns", "mechanism",
+                                       "skipped", "verdict"}));
     QCOMPARE(file["file"].toString(), sample());
     QCOMPARE(file["mechanism"].toObject()["b"].toDouble(), 60.0);
+    QCOMPARE(file["verdict"].toString(), QStringLiteral("agrees"));
+    QCOMPARE(file["explanation"], QJsonValue(QJsonValue::Null));
     QCOMPARE(file["skipped"].toArray(), QJsonArray());
+    QCOMPARE(file["columns"].toArray().size(), qsizetype(7));
+    const QJsonObject time = file["columns"].toArray().first().toObject();
+    QCOMPARE(time.keys(), QStringList({"channel", "guessed", "heading", "unit", "why"}));
+    QCOMPARE(time["channel"].toString(), QStringLiteral("time"));
+    QCOMPARE(time["guessed"], QJsonValue(false));
 
     QStringList keys{"name",          "unit",          "count",        "maxAbs",
                      "timeOfMaxAbs",  "rms",           "maxPercent",   "timeOfMaxPercent",
@@ -921,6 +933,45 @@ void TestCommandLine::saysWhoseMotionADifferentFileIs()
     }
 }
 
+void TestCommandLine::saysInJsonWhyAFileDiffers()
+{
+    const Outcome outcome = run({"compare", sample(), "--format", "json"});
+    const QJsonObject file = QJsonDocument::fromJson(outcome.out).object()["files"].toArray().first().toObject();
+    QCOMPARE(file["verdict"].toString(), QStringLiteral("differs"));
+    const QJsonObject explanation = file["explanation"].toObject();
+    QVERIFY(
+        explanation["sentence"].toString().startsWith(QStringLiteral("This error looks like b = 60 instead of 65")));
+    QVERIFY(std::abs(explanation["mechanism"].toObject()["b"].toDouble() - 60.0) < 1e-5);
+    QCOMPARE(explanation["conventions"].toArray(), QJsonArray());
+}
+
+void TestCommandLine::itsSentencesAgreeWithEachOther_data()
+{
+    QTest::addColumn<QStringList>("channels");
+    QTest::addColumn<QString>("rows");
+    QTest::newRow("the coupler's centre alone") << QStringList{"--channels", "R3_x,R3_y,R3_x_diff"} << "200";
+    QTest::newRow("two exact rows") << QStringList{"--channels", "theta3,R4_x"} << "1";
+}
+
+void TestCommandLine::itsSentencesAgreeWithEachOther()
+{
+    QFETCH(const QStringList, channels);
+    QFETCH(const QString, rows);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    QCOMPARE(run(QStringList{"solve", "--b", "60", "--duration", "0.3", "--steps", rows, "--output", path} + channels)
+                 .status,
+             0);
+    const Outcome outcome = run({"compare", path});
+    QVERIFY2(outcome.out.contains("\nDiffers from this mechanism in "), outcome.out.constData());
+    for (const char *claim : {"Read so", "explains 9", "No slider-crank", "own mechanism"}) {
+        QVERIFY2(!outcome.out.contains(claim), outcome.out.constData());
+    }
+    const Outcome identified = run({"identify", path});
+    QCOMPARE(identified.status, 5);
+    QVERIFY2(isOneLine(identified.err) && !identified.err.contains("±"), identified.err.constData());
+}
+
 void TestCommandLine::saysWhatAFileMeansOtherwise()
 {
     QTemporaryDir folder;
@@ -929,7 +980,7 @@ void TestCommandLine::saysWhatAFileMeansOtherwise()
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.out.contains("\ntheta3: in radians, but read as degrees. Multiplies theta3 by 57.2958: "),
              outcome.out.constData());
-    QVERIFY2(outcome.out.endsWith("\nRead so, it agrees with this mechanism.\n"), outcome.out.constData());
+    QVERIFY2(outcome.out.endsWith("\nRead so, it does not differ from this mechanism.\n"), outcome.out.constData());
     QVERIFY2(!outcome.out.contains("This error"), outcome.out.constData());
 }
 
@@ -967,9 +1018,13 @@ void TestCommandLine::identifiesTheAuthorsFile()
     QJsonParseError parsing;
     const QJsonObject found = QJsonDocument::fromJson(outcome.out, &parsing).object();
     QCOMPARE(parsing.error, QJsonParseError::NoError);
-    QCOMPARE(found.keys(), QStringList({"channels", "conditionNumber", "conventions", "file", "identifiable",
-                                        "iterations", "mechanism", "rounded", "standardError", "summary"}));
+    QCOMPARE(found.keys(), QStringList({"alternatives", "channels", "columns", "conditionNumber", "conventions", "file",
+                                        "identifiable", "iterations", "mechanism", "noise", "outcome", "rounded",
+                                        "standardError", "summary"}));
     QCOMPARE(found["file"].toString(), file);
+    QCOMPARE(found["outcome"].toString(), QStringLiteral("identified"));
+    QCOMPARE(found["alternatives"].toArray(), QJsonArray());
+    QCOMPARE(found["noise"].toObject(), QJsonObject());
 
     // Other measurements of the same file found these within 3e-5 mm, 1e-6 rad/s and 1e-6 rad.
     const struct {
@@ -1036,8 +1091,11 @@ void TestCommandLine::identifiesWhatReadsOtherwise()
     const QJsonArray conventions = found["conventions"].toArray();
     QCOMPARE(conventions.size(), qsizetype(1));
     const QJsonObject convention = conventions[0].toObject();
-    QCOMPARE(convention.keys(), QStringList({"after", "before", "explanation", "name"}));
+    QCOMPARE(convention.keys(), QStringList({"after", "amount", "before", "channel", "explanation", "name", "unit"}));
     QCOMPARE(convention["name"].toString(), QStringLiteral("angle-unit"));
+    QCOMPARE(convention["channel"].toString(), QStringLiteral("theta3"));
+    QVERIFY(std::abs(convention["amount"].toDouble() - 180.0 / std::numbers::pi) < 1e-12);
+    QCOMPARE(convention["unit"], QJsonValue(QJsonValue::Null));
     QCOMPARE(convention["explanation"].toString(), QStringLiteral("theta3: in radians, but read as degrees."));
     QVERIFY(convention["before"].toDouble() > 90.0);
     QVERIFY(convention["after"].toDouble() < 0.01);
@@ -1064,6 +1122,23 @@ void TestCommandLine::saysWhatAFileCannotFix()
     QVERIFY2(summary.contains(QStringLiteral("θ³ alone fixes only b/a and c/a; a = 20 mm")), qPrintable(summary));
 }
 
+void TestCommandLine::namesTheMirrorImageOfASlider()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("slider.csv"));
+    run({"solve", "--a", "30", "--b", "90", "--c", "-15", "--channels", "R4_x", "--output", path});
+    const Outcome outcome = run({"identify", path, "--format", "json"});
+    QCOMPARE(outcome.status, 0);
+    const QJsonObject found = QJsonDocument::fromJson(outcome.out).object();
+    QCOMPARE(found["outcome"].toString(), QStringLiteral("identified"));
+    QCOMPARE(found["alternatives"].toArray().size(), qsizetype(1));
+    const QJsonObject image = found["alternatives"].toArray().first().toObject();
+    QCOMPARE(image.keys(), QStringList({"mechanism", "why"}));
+    QCOMPARE(image["why"].toString(), QStringLiteral("mirror-image"));
+    QCOMPARE(image["mechanism"].toObject()["c"].toDouble(), -found["mechanism"].toObject()["c"].toDouble());
+    QCOMPARE(image["mechanism"].toObject()["omega2"].toDouble(), -found["mechanism"].toObject()["omega2"].toDouble());
+}
+
 void TestCommandLine::saysWhenItFindsNoMechanism()
 {
     QTemporaryDir folder;
@@ -1079,7 +1154,10 @@ void TestCommandLine::saysWhenItFindsNoMechanism()
     const Outcome json = run({"identify", path, "--format", "json"});
     QCOMPARE(json.status, 5);
     const QJsonObject none = QJsonDocument::fromJson(json.out).object();
+    QCOMPARE(none["outcome"].toString(), QStringLiteral("insufficient"));
     QCOMPARE(none["mechanism"], QJsonValue(QJsonValue::Null));
+    QCOMPARE(none["rounded"], QJsonValue(QJsonValue::Null));
+    QCOMPARE(none["conditionNumber"], QJsonValue(QJsonValue::Null));
     QCOMPARE(none["identifiable"].toObject()["b"], QJsonValue(false));
     QCOMPARE(none["channels"].toArray(), QJsonArray());
     QCOMPARE(run({"identify", folder.filePath(QStringLiteral("missing.csv"))}).status, 3);

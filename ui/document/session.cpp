@@ -283,7 +283,7 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
 
 void Session::takeOver()
 {
-    if (m_diagnosis && m_diagnosis->found.identification.outcome == Identification::Outcome::Identified) {
+    if (m_diagnosis && m_diagnosis->found.identification.stands()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded), tr("taking over the file's mechanism"));
     }
 }

@@ -3,6 +3,7 @@
 
 #include "ui/words/axis_scale.h"
 #include "ui/words/column_text.h"
+#include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 #include "ui/words/written_number.h"
@@ -38,7 +39,7 @@ ReportBlock paragraph(const QString &text, Kind kind = Kind::Text)
 
 bool isFound(const ReportContent &content)
 {
-    return content.result->reference && content.diagnosis.identification.outcome == Identification::Outcome::Identified;
+    return content.result->reference && content.diagnosis.identification.stands();
 }
 
 bool differs(const std::vector<ChannelComparison> &channels)
@@ -68,7 +69,8 @@ ReportBlock mechanismBlock(const ReportContent &content)
         block.text = Report::tr("Thin: the linkage as the file has it.");
     }
     if (isFound(content)) {
-        block.table.header << Report::tr("the file's own");
+        block.table.header << (found.outcome == Identification::Outcome::Identified ? Report::tr("the file's own")
+                                                                                    : Report::tr("one of the file's"));
         block.table.numeric += u'n';
     }
     for (const Parameter parameter : kParameters) {
@@ -163,11 +165,8 @@ void addComparison(std::vector<ReportBlock> &blocks, const ReportContent &conten
     const Diagnosis &found = content.diagnosis;
     blocks.push_back(
         paragraph(summaryOf(result.comparison), differs(result.comparison) ? Kind::Difference : Kind::Agreement));
-    for (const ConventionFinding &finding : found.conventions) {
-        blocks.push_back(paragraph(explanationOf(finding.convention) + u' ' + effectOf(finding)));
-    }
-    if (const QString sentence = changeText(found, result.mechanism); !sentence.isEmpty()) {
-        blocks.push_back(paragraph(sentence));
+    for (const QString &line : differenceLines(found, result.reference->data, result.mechanism)) {
+        blocks.push_back(paragraph(line));
     }
 }
 
@@ -175,15 +174,19 @@ void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &co
 {
     const Diagnosis &found = content.diagnosis;
     if (!isFound(content)) {
-        blocks.push_back(paragraph(summaryOf(found.identification)));
+        if (!found.isOfMechanismAtHand) {
+            blocks.push_back(paragraph(summaryOf(found)));
+        }
         return;
     }
     const auto agreeing = std::ranges::count(found.identified, Verdict::Agrees, &ChannelComparison::verdict);
-    QString text = Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
+    const bool isOne = found.identification.outcome == Identification::Outcome::Identified;
+    QString text = (isOne ? Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
+                          : Report::tr("Against the first of several mechanisms the file agrees in %1 of %2 channels."))
                        .arg(agreeing)
                        .arg(found.identified.size());
-    if (const QString caveats = caveatsOf(found.identification); !caveats.isEmpty()) {
-        text += u' ' + caveats;
+    if (const QString more = isOne ? caveatsOf(found) : summaryOf(found); !more.isEmpty()) {
+        text += u' ' + more;
     }
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         text += u' ' + rounded;

@@ -43,11 +43,14 @@ private:
     void greet();
     void announceReading();
     void announceDiagnosis();
+    void tellDifference();
+    void tellDifferenceAnew();
     void tellRefused(const QString &path, const QString &sentence);
 
     Session *m_session;
     MessageBar *m_bar;
     QString m_greeting;                ///< as it was said; empty: it was not
+    QString m_difference;              ///< likewise, of the file
     bool m_announcesDiagnosis = false; ///< the next one is the first of a newly loaded file
 };
 

@@ -452,6 +452,27 @@ private slots:
         QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
     }
 
+    void anOriginIsMovedAndMovedBack()
+    {
+        const Channel slider{R4x, Order::Position};
+        auto printed = std::make_shared<Reference>();
+        printed->data.time = {0.0, 0.5};
+        printed->data.series = {{slider, {0.0, kNone}, {Rounding::Rule::SignificantDigits, 6}}};
+        Session session;
+        session.setReference(printed);
+        session.apply({Convention::Kind::ZeroPoint, {slider}, 74.5});
+        const ReferenceSeries &moved = *session.reference()->data.find(slider);
+        QCOMPARE(moved.values[0], 74.5);
+        QVERIFY(std::isnan(moved.values[1]));
+        QCOMPARE(moved.rounding.rule, Rounding::Rule::Decimals); // six digits of the distance are not six of the place
+        session.undoStack().undo();
+        QCOMPARE(session.reference(), printed);
+        session.undoStack().redo();
+        QCOMPARE(session.reference()->data.find(slider)->values[0], 74.5);
+        session.readAsPrinted();
+        QCOMPARE(session.reference(), printed);
+    }
+
     void theOtherAssemblyIsTheModelsNotTheFiles()
     {
         Session session;

@@ -171,6 +171,16 @@ private slots:
         QString text = allText(reportOf(content));
         QVERIFY2(text.contains("theta3: in radians, but read as degrees."), qPrintable(text));
         QVERIFY(text.contains("read with the conventions named above"));
+        content.diagnosis.isOfMechanismAtHand = true; // by itself that is all there is to say
+        text = allText(reportOf(content));
+        QVERIFY(text.contains("Read so, it does not differ") && !text.contains("This error looks like"));
+
+        content.diagnosis.conventions.clear();
+        content.diagnosis.isOfMechanismAtHand = false;
+        content.diagnosis.identification.outcome = Identification::Outcome::Ambiguous;
+        text = allText(reportOf(content));
+        QVERIFY2(text.contains("Against the first of several") && !text.contains("the file's own"), qPrintable(text));
+
         content.diagnosis.identification.outcome = Identification::Outcome::Nearest;
         text = allText(reportOf(content));
         QVERIFY2(text.contains("Nothing found explains this file") && !text.contains("its own mechanism") &&

@@ -246,6 +246,33 @@ private slots:
         AWAIT(!child<QWidget>(panel, "findings")->isVisible());
     }
 
+    void offersOnlyWhatStands()
+    {
+        const auto result = resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});
+        auto diagnosis = std::make_shared<ReferenceDiagnosis>(*diagnosisOf(*result));
+        ErrorPanel panel;
+        panel.resize(900, 220);
+        panel.show();
+        panel.setResult(result);
+
+        diagnosis->found.identification.outcome = Identification::Outcome::Ambiguous;
+        panel.setDiagnosis(diagnosis);
+        QVERIFY(child<QLabel>(panel, "findingLabel")->text().contains("explain this file equally"));
+        QCOMPARE(child<QPushButton>(panel, "remedyButton")->text(), QString("Take the first of them over"));
+
+        auto nearest = std::make_shared<ReferenceDiagnosis>(*diagnosis);
+        nearest->found.identification.outcome = Identification::Outcome::Nearest;
+        nearest->found.change.reset();
+        nearest->found.identified[0].percentOfPeak = 0.001; // however near
+        panel.setDiagnosis(nearest);
+        AWAIT(child<QLabel>(panel, "findingLabel")->text().contains("What comes nearest"));
+        AWAIT(panel.findChildren<QPushButton *>("remedyButton").isEmpty());
+
+        // Beside a file that comes close, what could not be found of it is of no interest.
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Close, 2.0, 0.5)}));
+        AWAIT(!child<QWidget>(panel, "findings")->isVisible());
+    }
+
     void offersEachConventionAndTheWayBack()
     {
         const auto result = resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});

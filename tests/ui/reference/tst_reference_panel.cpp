@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/number_table.h"
 #include "ui/reference/reference_panel.h"
+#include "ui/words/convention_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
 
@@ -197,7 +198,7 @@ private slots:
         m_panel->setDiagnosis(diagnosis);
         const QString text = allText(*child<QScrollArea>(*m_panel, QStringLiteral("findings")));
         for (const ConventionFinding &finding : diagnosis->found.conventions) {
-            QVERIFY2(text.contains(explanationOf(finding.convention)), qPrintable(text));
+            QVERIFY2(text.contains(explanationOf(finding.convention, reference->data)), qPrintable(text));
             QVERIFY2(text.contains(effectOf(finding)), qPrintable(text));
         }
         const auto buttons = m_panel->findChildren<QPushButton *>(QStringLiteral("applyButton"));
@@ -218,7 +219,7 @@ private slots:
         reference->conventions = {kDegrees};
         reference->asPrinted = printed;
         m_panel->setReference(reference);
-        QVERIFY(allText(*m_panel).contains(explanationOf(kDegrees)));
+        QVERIFY(allText(*m_panel).contains(explanationOf(kDegrees, printed->data)));
         QSignalSpy back(m_panel.get(), &ReferencePanel::readAsPrintedRequested);
         // The panel is filled anew by what follows the click: that must not pull the rug from under the button.
         connect(m_panel.get(), &ReferencePanel::readAsPrintedRequested, m_panel.get(),
@@ -244,6 +245,22 @@ private slots:
         onShow->parameters = onShow->found.rounded;
         m_panel->setDiagnosis(onShow);
         QVERIFY(!child<QPushButton>(*m_panel, QStringLiteral("takeOverButton"))->isEnabled()); // it is taken over
+    }
+
+    void offersOnlyWhatStandsToBeTakenOver()
+    {
+        const auto reference = referenceOf(kFile);
+        m_panel->setReference(reference);
+        const auto diagnosis = diagnosisOf(reference);
+        diagnosis->found.identification.outcome = Identification::Outcome::Ambiguous;
+        m_panel->setDiagnosis(diagnosis);
+        QCOMPARE(child<QPushButton>(*m_panel, QStringLiteral("takeOverButton"))->text(),
+                 QStringLiteral("Take the first over"));
+        const auto nearest = std::make_shared<ReferenceDiagnosis>(*diagnosis);
+        nearest->found.identification.outcome = Identification::Outcome::Nearest;
+        m_panel->setDiagnosis(nearest);
+        QVERIFY(child<QLabel>(*m_panel, QStringLiteral("identificationLabel"))->text().contains("What comes nearest"));
+        QVERIFY(!m_panel->findChild<QPushButton *>(QStringLiteral("takeOverButton")));
     }
 
     void aDiagnosisOfAnotherFileIsNotShown()

@@ -380,6 +380,25 @@ private slots:
         QVERIFY(std::abs(m_window->session().parameters().b - 60.0) < 1e-5);
     }
 
+    void theBarSpeaksOfTheMechanismOnShow()
+    {
+        Session &session = m_window->session();
+        m_window->openReference(kSample); // b = 60, on show is 65
+        auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT(bar->isVisible());
+        session.setParameters(withCoupler(60.5));
+        QCOMPARE(bar->text(), QStringLiteral("inventor_sample.csv differs from this mechanism."));
+        AWAIT(bar->text().contains(QStringLiteral("b = 60 instead of 60.5 mm")));
+        QVERIFY(m_window->findChild<QAbstractButton *>(QStringLiteral("messageRemedy"))->isVisible());
+        session.setParameters(withCoupler(60.0));
+        QVERIFY(!bar->isVisible()); // it agrees
+
+        // Put away, it stays away.
+        session.undoStack().undo();
+        AWAIT(session.diagnosis()->parameters == session.parameters());
+        QVERIFY(!bar->isVisible());
+    }
+
     void noSentenceIsCutOffInASmallWindow()
     {
         m_window->resize(1024, 700);
