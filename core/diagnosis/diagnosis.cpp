@@ -213,11 +213,20 @@ void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, co
 void tryReadings(const SearchRows &rows, std::span<const Parameters> starts, std::vector<Tried> &tried,
                  const std::stop_token &stop)
 {
-    for (const Hypothesis &hypothesis : hypothesesFrom(rows.few, starts, stop)) {
-        if (stop.stop_requested()) {
-            return;
+    constexpr std::size_t kMostTried = 4;
+    constexpr int kScreeningRounds = 5;
+    std::vector<std::pair<double, Hypothesis>> screened;
+    for (Hypothesis &hypothesis : hypothesesFrom(rows.few, starts, stop)) {
+        const FitProblem few = problemOf(rows.few, hypothesis.reading());
+        const Fit found = fit(few, hypothesis.start, rows.isFree, kScreeningRounds, stop);
+        if (found.exists()) {
+            hypothesis.start = found.parameters;
+            screened.emplace_back(found.score + hypothesis.price(rows.few), std::move(hypothesis));
         }
-        Tried one = triedOn(rows, hypothesis, stop);
+    }
+    std::ranges::stable_sort(screened, {}, [](const auto &one) { return one.first; });
+    for (std::size_t i = 0; i < std::min(screened.size(), kMostTried) && !stop.stop_requested(); ++i) {
+        Tried one = triedOn(rows, screened[i].second, stop);
         if (!one.candidate.fit.exists()) {
             continue;
         }
