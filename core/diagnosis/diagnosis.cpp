@@ -255,8 +255,8 @@ void dump(const SearchRows&rows,const Tried&t,const char*what){
 /// Every way to read the file, as far as it takes until one stands; the best first.
 std::vector<Tried> allWays(const SearchRows &rows, const Mechanism &atHand, const std::stop_token &stop)
 {
-    std::vector<Parameters> starts =
-        startsOf(problemOf(rows.all, asWritten(rows.all)), rows.given.a, stop);
+    const FitProblem problem = problemOf(rows.all, asWritten(rows.all));
+    std::vector<Parameters> starts = startsOf(problem, speedsOf(problem, stop), rows.given.a, stop);
     starts.push_back(rows.given);
     std::vector<Tried> tried = plainly(rows, starts, stop);
     if (!anyStands(tried)) {

@@ -571,13 +571,23 @@ std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const 
 std::vector<Parameters> startsFromParts(const Observations &observations, double size, const std::stop_token &stop)
 {
     std::vector<Parameters> starts;
+    // The speed is the same in whatever unit and under whatever name: looked for once.
+    std::map<std::vector<bool>, std::vector<double>> speeds;
     const auto addFrom = [&](const FileReading &reading) {
+        std::vector<bool> used;
+        for (const ColumnReading &column : reading) {
+            used.push_back(column.isUsed);
+        }
+        const auto [known, isNew] = speeds.try_emplace(used);
+        if (isNew) {
+            known->second = speedsOf(problemOf(observations, reading), stop);
+        }
         // What does not even explain its own part explains nothing.
         const FitProblem part = problemOf(observations, withFreeZeros(observations, reading));
         const double most = static_cast<double>(part.valueCount) * 2.0 * std::log(kExplained);
         constexpr std::size_t kMostOfAPart = 3;
         std::vector<std::pair<double, Parameters>> ranked;
-        for (const Parameters &start : distinct(startsOf(problemOf(observations, reading), size, stop))) {
+        for (const Parameters &start : distinct(startsOf(problemOf(observations, reading), known->second, size, stop))) {
             const double misfit = misfitOf(part, start);
             if (misfit < most) {
                 ranked.emplace_back(misfit, start);
