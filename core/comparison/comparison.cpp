@@ -43,6 +43,9 @@ struct Measure {
     double smallestStep = 0.0; ///< of its rounding
     double unit = 1.0;         ///< a power of two of about the size of the numbers: in it no square over- or underflows
 
+    /// What the doubt about an instant may add to a bound.
+    double mostDrift = std::numeric_limits<double>::infinity();
+
     /// The bound of an error where the instant is exact. `step`: of the file, at that value.
     double boundOf(double value, double step) const
     {
@@ -61,7 +64,9 @@ Measure measureOf(const ReferenceSeries &reference, const ChannelSize &channelSi
     const double size = std::max(peak, channelSize.natural);
     constexpr int kMostPowers = 1000; // of two, that still have an inverse
     const double unit = size > 0.0 ? std::ldexp(1.0, std::clamp(std::ilogb(size), -kMostPowers, kMostPowers)) : 1.0;
-    return {reference, channelSize, peak, kArithmeticStep * size, unit};
+    const double smallestStep =
+        std::max(kArithmeticStep * size, kSmallestPartOfLargestStep * reference.rounding.stepAt(peak));
+    return {reference, channelSize, peak, smallestStep, unit};
 }
 
 /// What was seen at some instants in a row.
@@ -175,8 +180,8 @@ void judgeBeyond(const Stretch &stretch, const Measure &measure, std::span<const
         const double early = sides ? sides->early[measure.reference.channel][placeOf[row]] : kNone;
         const double late = sides ? sides->late[measure.reference.channel][placeOf[row]] : kNone;
         if (std::isfinite(model)) {
-            judge(std::abs(model - value), measure.boundOf(value, steps.at(value)) + driftFrom(model, early, late),
-                  seen);
+            const double drift = std::min(driftFrom(model, early, late), measure.mostDrift);
+            judge(std::abs(model - value), measure.boundOf(value, steps.at(value)) + drift, seen);
         } else if (!std::isfinite(early) && !std::isfinite(late)) {
             ++seen.missingModel; // else the instant itself may have been one where the model is
         }
@@ -360,7 +365,8 @@ bool mayComeClose(const Mechanism &mechanism, const Measure &measure, const Seen
     const Trajectory motion =
         sample(mechanism, {seen.timeOfMaxAbs - half, seen.timeOfMaxAbs, seen.timeOfMaxAbs + half}, channels, exactly());
     const std::vector<double> &f = motion[channel];
-    const double bound = measure.boundOf(measure.peak, seen.largestStep) + driftFrom(f[1], f[0], f[2]);
+    const double drift = std::min(driftFrom(f[1], f[0], f[2]), measure.mostDrift);
+    const double bound = measure.boundOf(measure.peak, seen.largestStep) + drift;
     return seen.count > 0 && !(seen.maxAbs - bound > kExcessOfCloseness * halfRangeOf(seen, measure));
 }
 
@@ -373,24 +379,41 @@ std::vector<ChannelComparison> compareSeries(const Mechanism &mechanism, const R
         measures.push_back(measureOf(series, sizeOf(mechanism, series.channel)));
     }
     const Clock clock = clockOf(reference);
-    const std::vector<Seen> seen =
-        compareBlocks(mechanism, reference.time, measures, {reference.timeRounding, !clock.even}, withModel);
-    const Doubt doubt{reference.timeRounding, true};
-    const bool mayBeRounded = clock.even && doubt.matters(mechanism, reference.time);
+    std::vector<Seen> seen =
+        compareBlocks(mechanism, reference.time, measures, {reference.timeRounding, clock.rounded}, withModel);
     std::vector<ChannelComparison> result;
     for (std::size_t i = 0; i < measures.size(); ++i) {
         result.push_back(comparisonOf(seen[i], measures[i]));
-        if (mayBeRounded && result[i].verdict == Verdict::Differs &&
-            mayComeClose(mechanism, measures[i], seen[i], doubt)) {
-            const std::vector<Seen> again =
-                compareBlocks(mechanism, reference.time, {&measures[i], 1}, doubt, withModel);
-            ChannelComparison rounded = comparisonOf(again.front(), measures[i]);
-            if (rounded.verdict != Verdict::Differs) {
-                rounded.verdict = Verdict::Close;
-                rounded.clockIsRounded = true;
-                result[i] = rounded;
-            }
+    }
+
+    // Instants that may have been rounded: what that adds must be small beside the motion, as what lies beyond must.
+    const Doubt doubt{reference.timeRounding, true};
+    if (clock.rounded || !doubt.matters(mechanism, reference.time)) {
+        return result;
+    }
+    std::vector<std::size_t> doubted;
+    std::vector<Measure> again;
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+        measures[i].mostDrift = kExcessOfCloseness * halfRangeOf(seen[i], measures[i]);
+        const bool mayRise =
+            result[i].verdict == Verdict::Differs || (result[i].verdict == Verdict::Close && !clock.even);
+        if (mayRise && mayComeClose(mechanism, measures[i], seen[i], doubt)) {
+            doubted.push_back(i);
+            again.push_back(measures[i]);
         }
+    }
+    if (again.empty()) {
+        return result;
+    }
+    seen = compareBlocks(mechanism, reference.time, again, doubt, withModel);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+        ChannelComparison found = comparisonOf(seen[k], again[k]);
+        if (found.verdict == Verdict::Differs) {
+            continue;
+        }
+        found.clockIsRounded = clock.even;
+        found.verdict = clock.even ? Verdict::Close : found.verdict;
+        result[doubted[k]] = found;
     }
     return result;
 }
