@@ -161,12 +161,11 @@ struct Sides {
     Trajectory late;
 };
 
-/// How far the motion goes from `model` to the sides; what does not exist there is as good as here.
+/// How far the motion goes from `model` to the sides: without bound where it ends in between.
 double driftFrom(double model, double early, double late)
 {
-    const double toEarly = std::isfinite(early) ? std::abs(early - model) : 0.0;
-    const double toLate = std::isfinite(late) ? std::abs(late - model) : 0.0;
-    return std::max(toEarly, toLate);
+    return std::isfinite(early) && std::isfinite(late) ? std::max(std::abs(early - model), std::abs(late - model))
+                                                       : std::numeric_limits<double>::infinity();
 }
 
 /// Judges the rows that were left. `sides`: null where the instants are exact, else the rows of `placeOf`, in turn.
@@ -174,11 +173,12 @@ void judgeBeyond(const Stretch &stretch, const Measure &measure, std::span<const
                  const Sides *sides, std::span<const std::size_t> placeOf, Seen &seen)
 {
     RoundingSteps steps(measure.reference.rounding);
+    const Channel channel = measure.reference.channel;
     for (const std::size_t row : beyond) {
         const double value = stretch.values[row];
         const double model = stretch.model[row];
-        const double early = sides ? sides->early[measure.reference.channel][placeOf[row]] : kNone;
-        const double late = sides ? sides->late[measure.reference.channel][placeOf[row]] : kNone;
+        const double early = sides ? sides->early[channel][placeOf[row]] : model;
+        const double late = sides ? sides->late[channel][placeOf[row]] : model;
         if (std::isfinite(model)) {
             const double drift = std::min(driftFrom(model, early, late), measure.mostDrift);
             judge(std::abs(model - value), measure.boundOf(value, steps.at(value)) + drift, seen);

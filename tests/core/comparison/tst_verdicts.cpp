@@ -62,6 +62,7 @@ struct Kind {
     const char *timeFormat = "%.9g";
     double rate = 30.0; ///< instants a second
     int rows = 61;
+    bool rocks = false;                ///< cannot turn round: the file has gaps
     bool chosenAngles = false;         ///< the crank advances by whole degrees
     bool sixDigits = false;            ///< whatever the format prints
     double clockError = 0.0;           ///< of all the instants together, in steps of the last decimal of four
@@ -91,6 +92,9 @@ std::vector<std::pair<const char *, Kind>> kinds()
         {"constants of six digits printed with six decimals",
          {.channels = constants, .format = "%.6f", .sixDigits = true}},
         {"whole millimetres", {.channels = {kSlider}, .format = "%.0f", .rate = 100.0, .rows = 201}},
+        {"rockers", {.channels = kSix, .rate = 100.0, .rows = 201, .rocks = true}},
+        {"rockers, instants of 4 decimals", {.channels = kSix, .timeFormat = "%.4f", .rocks = true}},
+        {"rockers, instants of 2 decimals", {.channels = kSix, .timeFormat = "%.2f", .rocks = true}},
         {"chosen angles", {.channels = {kCrank, kSlider}, .format = "%.0f", .rate = 100.0, .chosenAngles = true}},
         {"two rows", {.channels = kSix, .timeFormat = "%.1f", .rate = 10.0, .rows = 2}},
         {"whole millimetres of another mechanism",
@@ -142,6 +146,9 @@ Written written(const Kind &kind, const Parameters &of, const Parameters &model)
             const double value = exactValue(of, kind.channels[k], t);
             const std::string cell = text(kind.format, kind.sixDigits ? toSixDigits(value) : value);
             file.bytes += ',' + cell;
+            if (std::isnan(value)) {
+                continue;
+            }
             const bool isWhole = std::string(kind.format) == "%.0f";
             const double half = isWhole ? 0.5 : std::abs(std::strtod(cell.c_str(), nullptr) - value);
             peaks[k] = std::max(peaks[k], std::abs(value));
@@ -188,6 +195,9 @@ private slots:
         int tooFar = 0;
         for (int i = 0; i < files; ++i) {
             Parameters model = slow(random.next(), random);
+            if (kind.rocks) {
+                model.b = random.uniform(0.6, 0.95) * model.a + std::abs(model.c);
+            }
             if (kind.chosenAngles) {
                 model.omega2 = std::numbers::pi / 180.0 * 300.0;
                 model.theta20 = std::numbers::pi / 6.0;
