@@ -106,9 +106,9 @@ void judge(double error, double bound, Seen &seen)
     }
 }
 
-/// All but the judgement of what is not within the bound of an exact instant, or has no model: those rows go to
-/// `beyond`.
-Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::size_t> &beyond)
+/// `beyond`: where the rows go that are not within the bound of an exact instant, or have no model, to be judged with
+/// their doubt; null where they have none.
+Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::size_t> *beyond)
 {
     Seen seen;
     RoundingSteps steps(measure.reference.rounding);
@@ -122,7 +122,11 @@ Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::siz
         seen.largestStep = std::max(seen.largestStep, stepOfFile);
         const double model = stretch.model[i];
         if (!std::isfinite(model)) {
-            beyond.push_back(i);
+            if (beyond) {
+                beyond->push_back(i);
+            } else {
+                ++seen.missingModel;
+            }
             continue;
         }
         ++seen.count;
@@ -146,10 +150,10 @@ Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::siz
             }
         }
         const double bound = measure.boundOf(value, stepOfFile);
-        if (error <= bound) {
-            judge(error, bound, seen);
+        if (beyond && !(error <= bound)) {
+            beyond->push_back(i);
         } else {
-            beyond.push_back(i);
+            judge(error, bound, seen);
         }
     }
     return seen;
@@ -168,17 +172,17 @@ double driftFrom(double model, double early, double late)
                                                        : std::numeric_limits<double>::infinity();
 }
 
-/// Judges the rows that were left. `sides`: null where the instants are exact, else the rows of `placeOf`, in turn.
+/// Judges the rows that were left. `placeOf`: where each of them is in `sides`.
 void judgeBeyond(const Stretch &stretch, const Measure &measure, std::span<const std::size_t> beyond,
-                 const Sides *sides, std::span<const std::size_t> placeOf, Seen &seen)
+                 const Sides &sides, std::span<const std::size_t> placeOf, Seen &seen)
 {
     RoundingSteps steps(measure.reference.rounding);
     const Channel channel = measure.reference.channel;
     for (const std::size_t row : beyond) {
         const double value = stretch.values[row];
         const double model = stretch.model[row];
-        const double early = sides ? sides->early[channel][placeOf[row]] : model;
-        const double late = sides ? sides->late[channel][placeOf[row]] : model;
+        const double early = sides.early[channel][placeOf[row]];
+        const double late = sides.late[channel][placeOf[row]];
         if (std::isfinite(model)) {
             const double drift = std::min(driftFrom(model, early, late), measure.mostDrift);
             judge(std::abs(model - value), measure.boundOf(value, steps.at(value)) + drift, seen);
@@ -328,20 +332,18 @@ std::vector<Seen> compareBlocks(const Mechanism &mechanism, std::span<const doub
                 return Stretch{time.subspan(from, count), std::span(model[series.channel]).subspan(place, count),
                                std::span(series.values).subspan(from, count)};
             };
+            Seen *const seenHere = &seen[block * measures.size()];
             std::vector<std::vector<std::size_t>> beyond(measures.size());
-            bool anyBeyond = false;
             for (std::size_t i = 0; i < measures.size(); ++i) {
-                seen[block * measures.size() + i] = seenIn(stretchOf(measures[i].reference), measures[i], beyond[i]);
-                anyBeyond = anyBeyond || !beyond[i].empty();
+                seenHere[i] = seenIn(stretchOf(measures[i].reference), measures[i], inDoubt ? &beyond[i] : nullptr);
+            }
+            if (std::ranges::all_of(beyond, &std::vector<std::size_t>::empty)) {
+                return;
             }
             std::vector<std::size_t> placeOf;
-            std::optional<Sides> sides;
-            if (anyBeyond && inDoubt) {
-                sides = sidesOf(mechanism, channels, time.subspan(from, count), doubt, beyond, placeOf);
-            }
+            const Sides sides = sidesOf(mechanism, channels, time.subspan(from, count), doubt, beyond, placeOf);
             for (std::size_t i = 0; i < measures.size(); ++i) {
-                judgeBeyond(stretchOf(measures[i].reference), measures[i], beyond[i], sides ? &*sides : nullptr,
-                            placeOf, seen[block * measures.size() + i]);
+                judgeBeyond(stretchOf(measures[i].reference), measures[i], beyond[i], sides, placeOf, seenHere[i]);
             }
         });
     };
@@ -444,14 +446,10 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
     assert(model.size() == time.size() && values.size() == time.size());
     const Measure measure = measureOf(reference, size);
     Seen seen;
-    std::vector<std::size_t> beyond;
     for (std::size_t from = 0; from < time.size(); from += kBlock) {
         const std::size_t count = std::min(kBlock, time.size() - from);
-        const Stretch stretch{time.subspan(from, count), model.subspan(from, count), values.subspan(from, count)};
-        beyond.clear();
-        Seen piece = seenIn(stretch, measure, beyond);
-        judgeBeyond(stretch, measure, beyond, nullptr, {}, piece);
-        add(seen, piece);
+        add(seen, seenIn({time.subspan(from, count), model.subspan(from, count), values.subspan(from, count)}, measure,
+                         nullptr));
     }
     return comparisonOf(seen, measure);
 }
