@@ -604,24 +604,6 @@ Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canal
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. A column agrees when at least
-95 % of its values are within half a rounding step of the file and none beyond ten halves, is close when none
-is beyond a hundred halves, and differs otherwise. Where one differs, the text says what explains it. A file that
-cannot be read is told on standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Una columna coincide cuando al menos
-el 95 % de sus valores está a menos de medio paso de redondeo del archivo y ninguno pasa de diez medios; se aproxima
-cuando ninguno pasa de cien medios, y en otro caso difiere. Donde una difiere, el texto dice qué lo explica. De un
-archivo que no se puede leer se informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
         <source>Usage: slidercrank identify FILE [options]
 
 Finds the mechanism that a simulation&apos;s file belongs to, from any of the columns theta3, R4_x and their
@@ -1074,6 +1056,28 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
 Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
     </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+standard error, and the others are still compared.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
+como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente.
+</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EditCommandText</name>
@@ -1200,14 +1204,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>veredicto</translation>
     </message>
     <message>
-        <source>agrees: at least 95 % of the values within half a step of the file, none beyond ten halves
-close: none beyond a hundred halves
-differs: anything else</source>
-        <translation>coincide: al menos el 95 % de los valores a menos de medio paso del archivo, ninguno más allá de diez medios
-próximo: ninguno más allá de cien medios
-difiere: todo lo demás</translation>
-    </message>
-    <message>
         <source>max error</source>
         <translation>error máx.</translation>
     </message>
@@ -1324,6 +1320,14 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
 %2</source>
         <translation>%1
 %2</translation>
+    </message>
+    <message>
+        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
+close: none beyond a hundred times
+differs: anything else, and what lies beyond the rounding by 1 % of half the motion&apos;s range</source>
+        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
+próximo: ninguno más allá de cien veces
+difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
     </message>
 </context>
 <context>
@@ -1746,14 +1750,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
     </message>
     <message>
-        <source>agrees to the last printed digit</source>
-        <translation>coincide hasta la última cifra escrita</translation>
-    </message>
-    <message>
-        <source>agrees within %1 × the file&apos;s rounding</source>
-        <translation>coincide dentro de %1 × el redondeo del archivo</translation>
-    </message>
-    <message>
         <source>differs: nothing to compare with</source>
         <translation>difiere: nada con qué comparar</translation>
     </message>
@@ -1762,28 +1758,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>difiere</translation>
     </message>
     <message>
-        <source>|model − reference| ≤ ½ step for at least %1 % of the values, ≤ %2 · ½ step for all; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| ≤ ½ paso para al menos el %1 % de los valores, ≤ %2 · ½ paso para todos; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
-        <source>|model − reference| ≤ %1 · ½ step for all values; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| ≤ %1 · ½ paso para todos los valores; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
-        <source>|model − reference| &gt; %1 · ½ step somewhere; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| &gt; %1 · ½ paso en alguna parte; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
         <source>At no instant of the file do both the model and the file have a value.</source>
         <translation>En ningún instante del archivo tienen valor a la vez el modelo y el archivo.</translation>
     </message>
     <message>
         <source> At %1 instants the model has no value to compare with.</source>
         <translation> En %1 instantes el modelo no tiene valor con el que comparar.</translation>
-    </message>
-    <message>
-        <source>Here: %1 of %2 within ½ step, the worst %3 · ½ step.</source>
-        <translation>Aquí: %1 de %2 a menos de ½ paso, el peor a %3 · ½ paso.</translation>
     </message>
     <message>
         <source>The file has no column that this program knows.</source>
@@ -1840,6 +1820,46 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>%1 assembly</source>
         <translation>configuración %1</translation>
+    </message>
+    <message>
+        <source>agrees within the file&apos;s rounding</source>
+        <translation>coincide dentro del redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>close, if the file&apos;s instants are rounded</source>
+        <translation>próximo, si los instantes del archivo están redondeados</translation>
+    </message>
+    <message>
+        <source>close: within %1 × the file&apos;s rounding</source>
+        <translation>próximo: dentro de %1 × el redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none beyond it by more than %3 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| ≤ cota para al menos el %1 % de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>|model − reference| &gt; %1 · bound somewhere, or beyond it by more than %2 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s, though the instants are evenly spaced.</source>
+        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante, aunque los instantes estén a intervalos iguales.</translation>
+    </message>
+    <message>
+        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s; evenly spaced instants count as exact.</source>
+        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante; los instantes a intervalos iguales cuentan como exactos.</translation>
+    </message>
+    <message>
+        <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
+        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4 %.</translation>
+    </message>
+    <message>
+        <source>Comes close to this mechanism in every channel, if the file&apos;s instants, evenly spaced as they are, were rounded.</source>
+        <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, aun a intervalos iguales, se redondearon.</translation>
     </message>
 </context>
 <context>
@@ -4022,10 +4042,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Errores: modelo frente a referencia</translation>
     </message>
     <message>
-        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. To the last printed digit: at least %1 % of the values within half a step, none beyond %2 halves. Within n × the file&apos;s rounding: none beyond n half steps, n ≤ %3.</source>
-        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Hasta la última cifra escrita: al menos el %1 % de los valores a menos de medio paso, ninguno más allá de %2 medios. Dentro de n × el redondeo del archivo: ninguno más allá de n medios pasos, n ≤ %3.</translation>
-    </message>
-    <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
@@ -4044,6 +4060,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Motion</source>
         <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (evenly spaced instants count as exact), none beyond %2 times that bound, nor by more than %4 % of half the motion&apos;s range. Close: none beyond %3 times, nor by more than %5 %.</source>
+        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4 % de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5 %.</translation>
     </message>
 </context>
 <context>
