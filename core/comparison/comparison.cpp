@@ -272,13 +272,13 @@ ChannelSet channelsOf(std::span<const Measure> measures)
 
 /// What the instants of a file may be off by.
 struct Doubt {
-    const Rounding &rounding; ///< of the instants
-    bool ofPrinting = false;  ///< rounded when they were printed, and not only by the arithmetic of a double
+    const Rounding *rounding = nullptr; ///< of the instants, where they show it
+    double step = 0.0;                  ///< s, else
 
     double stepAt(double time) const
     {
         const double ofADouble = kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(time);
-        return std::max(ofPrinting ? rounding.stepAt(time) : 0.0, ofADouble);
+        return std::max(rounding ? rounding->stepAt(time) : step, ofADouble);
     }
 
     /// Whether the crank has turned by anything in that time.
@@ -381,15 +381,16 @@ std::vector<ChannelComparison> compareSeries(const Mechanism &mechanism, const R
         measures.push_back(measureOf(series, sizeOf(mechanism, series.channel)));
     }
     const Clock clock = clockOf(reference);
+    const Doubt rounded{&reference.timeRounding};
     std::vector<Seen> seen =
-        compareBlocks(mechanism, reference.time, measures, {reference.timeRounding, clock.rounded}, withModel);
+        compareBlocks(mechanism, reference.time, measures, clock.rounded ? rounded : Doubt{}, withModel);
     std::vector<ChannelComparison> result;
     for (std::size_t i = 0; i < measures.size(); ++i) {
         result.push_back(comparisonOf(seen[i], measures[i]));
     }
 
     // Instants that may have been rounded: what that adds must be small beside the motion, as what lies beyond must.
-    const Doubt doubt{reference.timeRounding, true};
+    const Doubt doubt = clock.even ? Doubt{nullptr, clock.printedStep} : rounded;
     if (clock.rounded || !doubt.matters(mechanism, reference.time)) {
         return result;
     }

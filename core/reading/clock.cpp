@@ -55,6 +55,7 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
         most = std::max(most, difference);
         clock.even = most - least <= slack;
     }
+    clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
     clock.rounded = !clock.even && time.size() >= kInstantsOfAGrid && isRoundedGrid(time, clock.printedStep);
     return clock;
 }

@@ -17,9 +17,11 @@ namespace slidercrank
 struct ReferenceData;
 
 struct Clock {
-    double printedStep = 0.0; ///< s: of the instants as printed, where it is largest; 0: unknown
-    bool even = true;         ///< all differences are equal, as far as a double tells or to 1e-3 of the step
-    bool rounded = false;     ///< not even, but what rounding makes of instants that are: ten of them at least
+    /// s: what the instants were rounded to, where it is largest; of an even clock, whose digits tell nothing, the last
+    /// place printed. 0: unknown.
+    double printedStep = 0.0;
+    bool even = true;     ///< all differences are equal, as far as a double tells or to 1e-3 of the step
+    bool rounded = false; ///< not even, but what rounding makes of instants that are: ten of them at least
 
     /// What the instants are off by is to be taken as within half of this, s.
     double step() const { return even ? 0.0 : printedStep; }

@@ -138,6 +138,11 @@ double Rounding::stepAt(double value) const
     return 0.0;
 }
 
+double Rounding::finestStep() const
+{
+    return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(powersOfTen(), finestPlace);
+}
+
 double RoundingSteps::stepElsewhere(double value)
 {
     const double step = m_rounding.stepAt(value);

@@ -235,7 +235,7 @@ private slots:
         const Channel speed{R4x, Order::Velocity};
         ReferenceData data;
         data.time = printed;
-        data.timeRounding = {Rounding::Rule::Decimals, 4};
+        data.timeRounding = {Rounding::Rule::Decimals, 4, 1.0, -2, -4};
         data.series.push_back({speed,
                                sample(mechanism, meant, plottedChannels(), settings)[speed],
                                {Rounding::Rule::SignificantDigits, 6}});

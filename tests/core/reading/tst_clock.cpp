@@ -49,7 +49,7 @@ private slots:
         QTest::addColumn<bool>("even");
         QTest::addColumn<bool>("rounded");
         QTest::newRow("5 ms with 6 decimals")
-            << printed(201, 0.005, 'f', 6) << QByteArray("s") << 1e-3 << true << false;
+            << printed(201, 0.005, 'f', 6) << QByteArray("s") << 1e-6 << true << false;
         QTest::newRow("30 a second with 4 decimals")
             << printed(61, 1.0 / 30.0, 'f', 4) << QByteArray("s") << 1e-4 << false << true;
         QTest::newRow("30 a second with 9 digits, uneven in the last")
@@ -57,7 +57,7 @@ private slots:
         QTest::newRow("30 a second in ms with 1 decimal")
             << printed(61, 1000.0 / 30.0, 'f', 1) << QByteArray("ms") << 1e-4 << false << true;
         QTest::newRow("30 a second with all digits")
-            << printed(61, 1.0 / 30.0, 'g', 17) << QByteArray("s") << 1e-16 << true << false;
+            << printed(61, 1.0 / 30.0, 'g', 17) << QByteArray("s") << 1e-18 << true << false;
         QTest::newRow("5 ms, a billion seconds after the start")
             << printed(201, 0.005, 'f', 3, 1e9) << QByteArray("s") << 1e-3 << true << false;
         QTest::newRow("a sample left out")
