@@ -37,6 +37,9 @@ constexpr std::array<double, 12> kLengthFactors{10.0,       1e3,        25.4,   
 /// A column that is farther off than that, as part of its spread, is not explained.
 constexpr double kExplained = 0.1;
 
+/// A start is no better known than that: what is met so well is met, and needs no other reading.
+constexpr double kMet = 0.01;
+
 bool isTurningChannel(Channel channel)
 {
     return isAngle(channel.coordinate) && channel.order == Order::Position;
@@ -72,7 +75,6 @@ public:
                 m_yy += y * y;
                 m_mm += m * m;
                 m_my += m * y;
-                m_variance += column.variance[i];
             }
         }
         const double modelSpread = std::sqrt(std::max(m_mm / m_n - m_m * m_m / (m_n * m_n), 0.0));
@@ -97,7 +99,7 @@ public:
             mean = (squares - (isZeroFree ? sum * sum / m_n : 0.0)) / m_n;
         }
         const double size = std::abs(factor) * m_size;
-        const double part = std::max({mean, factor * factor * m_variance / m_n, 1e-26 * size * size}) / (size * size);
+        const double part = std::max(mean / (size * size), kMet * kMet);
         return part < kExplained * kExplained ? m_n * std::log(part) : 0.0;
     }
 
@@ -142,7 +144,7 @@ private:
     const ObservedColumn &m_column;
     Channel m_channel;
     std::span<const double> m_model;
-    double m_n = 0.0, m_y = 0.0, m_m = 0.0, m_yy = 0.0, m_mm = 0.0, m_my = 0.0, m_variance = 0.0;
+    double m_n = 0.0, m_y = 0.0, m_m = 0.0, m_yy = 0.0, m_mm = 0.0, m_my = 0.0;
     double m_modelSpread = 0.0;
     double m_size = 0.0;
 };
@@ -186,9 +188,7 @@ Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const doubl
         ways.shifted = consider(shifted);
     }
     ways.best = ways.shifted.total() < ways.plain.total() ? ways.shifted : ways.plain;
-    // What is met so well needs no other reading.
-    constexpr double kMet = 0.003;
-    if (ways.plain.score < 2.0 * match.count() * std::log(kMet)) {
+    if (ways.plain.score <= 1.99 * match.count() * std::log(kMet)) {
         return ways;
     }
     const auto improve = [&](const ColumnHypothesis &one) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace slidercrank
@@ -104,15 +105,34 @@ std::array<bool, kParameterCount> openParametersOf(const Fit &fit, const Uncerta
     return open;
 }
 
-/// Speeds that meet the same instants: positions alone, at even instants, few a turn.
-bool hasAliases(const Observations &observations, const Fit &fit)
+/// The interval that all instants are multiples of, as far as their rounding tells; 0: none.
+double gridOf(const Observations &observations)
+{
+    double interval = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < observations.time.size(); ++i) {
+        interval = std::min(interval, observations.time[i] - observations.time[i - 1]);
+    }
+    // The shortest is too short by what it was rounded: the whole time tells better.
+    const double whole = observations.time.back() - observations.time.front();
+    interval = whole / std::round(whole / interval);
+    constexpr double kOffGrid = 0.02;
+    for (const double t : observations.time) {
+        const double steps = (t - observations.time.front()) / interval;
+        if (std::abs(steps - std::round(steps)) > kOffGrid + observations.printedClockStep / interval) {
+            return 0.0;
+        }
+    }
+    return interval;
+}
+
+/// By how much the speed may be another at the same instants: positions alone, at even instants, few a turn; 0: not.
+double aliasDistanceOf(const Observations &observations, const Fit &fit)
 {
     // 1.3 rows a turn look like 4.3.
     constexpr double kFewestRowsATurn = 4.5;
-    const double turns = std::abs(fit.parameters.omega2) / (2.0 * std::numbers::pi); // a unit of time is all of it
-    const double span = observations.time.back() - observations.time.front();
-    const double rowsATurn = static_cast<double>(observations.time.size() - 1) / (turns * span);
-    return observations.hasPositionOnly() && observations.clockStep == 0.0 && rowsATurn < kFewestRowsATurn;
+    const double interval = observations.hasPositionOnly() ? gridOf(observations) : 0.0;
+    const double turnsARow = std::abs(fit.parameters.omega2) * interval / (2.0 * std::numbers::pi);
+    return turnsARow * kFewestRowsATurn > 1.0 ? 2.0 * std::numbers::pi / interval : 0.0;
 }
 
 double rmsInSteps(const FitProblem &problem, const FitResiduals &left)
@@ -254,12 +274,10 @@ Identification decisionOn(const SearchRows &rows, std::span<const Candidate> can
             result.alternatives.push_back({Why::AnotherMechanism, units.fromFit(rival.fit.parameters)});
         }
     }
-    if (hasAliases(rows.all, best.fit)) {
+    if (const double more = aliasDistanceOf(rows.all, best.fit); more > 0.0) {
         result.outcome = Outcome::Ambiguous;
-        // The next one: another whole turn between two instants.
-        const double interval = (rows.all.time.back() - rows.all.time.front()) / (static_cast<double>(rows.all.time.size()) - 1.0);
+        // The next one: another whole turn between two instants, the other way round.
         Parameters alias = chosen.parameters;
-        const double more = 2.0 * std::numbers::pi / interval;
         alias.omega2 += alias.omega2 > 0.0 ? -more : more;
         alias.theta20 += (chosen.parameters.omega2 - alias.omega2) * rows.all.time.front();
         result.alternatives.push_back({Why::Alias, units.fromFit(alias)});

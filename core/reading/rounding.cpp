@@ -138,6 +138,11 @@ double Rounding::stepAt(double value) const
     return 0.0;
 }
 
+double Rounding::finestStep() const
+{
+    return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(powersOfTen(), finestPlace);
+}
+
 double RoundingSteps::stepElsewhere(double value)
 {
     const double step = m_rounding.stepAt(value);
@@ -230,6 +235,7 @@ void RoundingObserver::add(const RoundingObserver &later)
             m_counts[decade][length] += later.m_counts[decade][length];
         }
     }
+    m_long += later.m_long;
     m_values += later.m_values;
     m_zerosBehind += later.m_zerosBehind;
     m_coarsestPlace = std::max(m_coarsestPlace, later.m_coarsestPlace);
