@@ -596,40 +596,6 @@ Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canal
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. A column agrees when at least
-95 % of its values are within half a rounding step of the file and none beyond ten halves, is close when none
-is beyond a hundred halves, and differs otherwise. Where one differs, the text says what explains it. A file that
-cannot be read is told on standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Una columna coincide cuando al menos
-el 95 % de sus valores está a menos de medio paso de redondeo del archivo y ninguno pasa de diez medios; se aproxima
-cuando ninguno pasa de cien medios, y en otro caso difiere. Donde una difiere, el texto dice qué lo explica. De un
-archivo que no se puede leer se informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from any of the columns theta3, R4_x and their
-derivatives, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, the textbook&apos;s angle, another sign, …), that is said, and the file is read so. The options
-of the mechanism give what the file cannot fix.
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de cualquiera de las columnas theta3, R4_x
-y sus derivadas, y la certeza de cada parámetro. Si el archivo entiende por una columna algo distinto de lo que dice su
-encabezado (radianes, el ángulo de los libros de texto, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar.
-</translation>
-    </message>
-    <message>
         <source>Usage: slidercrank study [options]
 
 Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
@@ -664,32 +630,6 @@ JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;om
 </translation>
     </message>
     <message>
-        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;channels&quot;:[…],
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
-CSV: the file&apos;s name, then the same columns.
-</source>
-        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;channels&quot;:[…],
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
-CSV: el nombre del archivo y las mismas columnas.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…},
-       &quot;identifiable&quot;:{&quot;a&quot;:true,…}, &quot;iterations&quot;, &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;}; in mm and rad as the options;
-      before, after: largest error, % of peak; null where there is none.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…},
-       &quot;identifiable&quot;:{&quot;a&quot;:true,…}, &quot;iterations&quot;, &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;}; en mm y rad como las opciones;
-      before, after: error máximo, % del pico; null donde no lo hay.
-</translation>
-    </message>
-    <message>
         <source>JSON: {&quot;machine&quot;, &quot;cases&quot;:[{&quot;name&quot;, &quot;methods&quot;:[…]}]}; a method is
       {&quot;method&quot;,&quot;tolerance&quot;,&quot;channels&quot;,&quot;nsPerState&quot;,&quot;spread&quot;,&quot;iterationsPerState&quot;,&quot;maxError&quot;,
        &quot;errorBound&quot;,&quot;status&quot;,&quot;counts&quot;,&quot;silentFailures&quot;}; spread: between the quartiles, in ns; status: the worst;
@@ -701,18 +641,6 @@ CSV: the case&apos;s name, then the same columns, a column a status.
        &quot;errorBound&quot;,&quot;status&quot;,&quot;counts&quot;,&quot;silentFailures&quot;}; spread: entre los cuartiles, en ns; status: el peor;
        counts: instantes por estado; silentFailures: instantes dados por resueltos y erróneos; null donde no lo hay.
 CSV: el nombre del caso y las mismas columnas, una por estado.
-</translation>
-    </message>
-    <message>
-        <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
-standard output cannot be read or written, or a file is not what it should be; 4 the mechanism cannot be
-assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
-acceleration do not exist, somewhere, or no mechanism was found for a file. Of several, 3, 4, 5, 1 in this order.
-</source>
-        <translation>Estado de salida: 0 hecho; 1 --fail-on-difference y un canal difiere; 2 la línea de órdenes es incorrecta; 3 un archivo
-o la salida estándar no se puede leer o escribir, o un archivo no es lo que debería; 4 el mecanismo no se puede
-ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
-aceleración no existen, en algún instante, o no se halló mecanismo para un archivo. De varios: 3, 4, 5, 1, en ese orden.
 </translation>
     </message>
     <message>
@@ -1069,6 +997,110 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
     <message>
         <source>To go on with the first: %1</source>
         <translation>Para seguir con el primero: %1</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise, or where an error is more than rounding by 1 % of half the
+motion&apos;s range. Where one differs, the text says what explains it. A file that
+cannot be read is told on standard error, and the others are still compared.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo, más lo que el movimiento recorre en medio paso de su instante (los instantes equidistantes cuentan como
+exactos). Una columna coincide cuando al menos el 95 % de sus errores queda dentro de eso y ninguno pasa de diez veces
+tanto; se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere, como también donde un error supera el
+redondeo en un 1 % de la mitad del recorrido del movimiento. Donde una difiere, el texto dice qué lo explica. De un
+archivo que no se puede leer se informa en la salida de errores, y los demás se comparan igualmente.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from the columns theta3, R4_x and their derivatives, and how
+certain each of its parameters is; every other column has to agree. Where the file means something else by a column
+than its heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is
+read so. The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s
+pivot O2, angles counter-clockwise from x.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       nothing found explains the file: what comes nearest, as just that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de las columnas theta3, R4_x y sus derivadas, y
+con qué certeza se conoce cada parámetro; todas las demás columnas han de concordar. Donde el archivo entiende por una
+columna otra cosa que su encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo
+se lee así. Las opciones del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de
+la manivela, los ángulos en sentido antihorario desde x.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
+CSV: the file&apos;s name, then the same columns.
+</source>
+        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
+CSV: el nombre del archivo y las mismas columnas.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      Of the outcome nearest the mechanism is no more than what comes nearest.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que lo más cercano.
+</translation>
+    </message>
+    <message>
+        <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
+standard output cannot be read or written, or a file is not what it should be; 4 the mechanism cannot be
+assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
+acceleration do not exist, somewhere, or a file&apos;s mechanism was neither identified nor ambiguous. Of several, 3,
+4, 5, 1 in this order.
+</source>
+        <translation>Estado de salida: 0 hecho; 1 --fail-on-difference y un canal difiere; 2 la línea de órdenes es incorrecta; 3 un archivo
+o la salida estándar no se puede leer o escribir, o un archivo no es lo que debería; 4 el mecanismo no se puede
+ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
+aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
+4, 5, 1, en ese orden.
+</translation>
     </message>
 </context>
 <context>
@@ -1590,14 +1622,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>veredicto</translation>
     </message>
     <message>
-        <source>agrees: at least 95 % of the values within half a step of the file, none beyond ten halves
-close: none beyond a hundred halves
-differs: anything else</source>
-        <translation>coincide: al menos el 95 % de los valores a menos de medio paso del archivo, ninguno más allá de diez medios
-próximo: ninguno más allá de cien medios
-difiere: todo lo demás</translation>
-    </message>
-    <message>
         <source>max error</source>
         <translation>error máx.</translation>
     </message>
@@ -1714,6 +1738,14 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
 %2</source>
         <translation>%1
 %2</translation>
+    </message>
+    <message>
+        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
+close: none beyond a hundred times
+differs: anything else, and what lies beyond the rounding by 1 % of half the motion&apos;s range</source>
+        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces eso
+se aproxima: ninguno más allá de cien veces
+difiere: lo demás, y lo que supera el redondeo en un 1 % de la mitad del recorrido</translation>
     </message>
 </context>
 <context>
@@ -1892,14 +1924,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>agrees to the last printed digit</source>
-        <translation>coincide hasta la última cifra escrita</translation>
-    </message>
-    <message>
-        <source>agrees within %1 × the file&apos;s rounding</source>
-        <translation>coincide dentro de %1 × el redondeo del archivo</translation>
-    </message>
-    <message>
         <source>differs: nothing to compare with</source>
         <translation>difiere: nada con qué comparar</translation>
     </message>
@@ -1908,28 +1932,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>difiere</translation>
     </message>
     <message>
-        <source>|model − reference| ≤ ½ step for at least %1 % of the values, ≤ %2 · ½ step for all; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| ≤ ½ paso para al menos el %1 % de los valores, ≤ %2 · ½ paso para todos; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
-        <source>|model − reference| ≤ %1 · ½ step for all values; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| ≤ %1 · ½ paso para todos los valores; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
-        <source>|model − reference| &gt; %1 · ½ step somewhere; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| &gt; %1 · ½ paso en alguna parte; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
         <source>At no instant of the file do both the model and the file have a value.</source>
         <translation>En ningún instante del archivo tienen valor a la vez el modelo y el archivo.</translation>
     </message>
     <message>
         <source> At %1 instants the model has no value to compare with.</source>
         <translation> En %1 instantes el modelo no tiene valor con el que comparar.</translation>
-    </message>
-    <message>
-        <source>Here: %1 of %2 within ½ step, the worst %3 · ½ step.</source>
-        <translation>Aquí: %1 de %2 a menos de ½ paso, el peor a %3 · ½ paso.</translation>
     </message>
     <message>
         <source>The file has no column that this program knows.</source>
@@ -1978,6 +1986,46 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>%1 assembly</source>
         <translation>configuración %1</translation>
+    </message>
+    <message>
+        <source>agrees within the file&apos;s rounding</source>
+        <translation>coincide dentro del redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>close, if the file&apos;s instants are rounded</source>
+        <translation>se aproxima, si los instantes del archivo están redondeados</translation>
+    </message>
+    <message>
+        <source>close: within %1 × the file&apos;s rounding</source>
+        <translation>se aproxima: dentro de %1 × el redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none beyond it by more than %3 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| ≤ límite para al menos el %1 % de los valores, ≤ %2 · límite para todos; ninguno lo supera en más del %3 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| ≤ %1 · límite para todos los valores; ninguno lo supera en más del %2 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>|model − reference| &gt; %1 · bound somewhere, or beyond it by more than %2 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| &gt; %1 · límite en alguna parte, o por encima de él en más del %2 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s, though the instants are evenly spaced.</source>
+        <translation>El límite: medio paso de la última cifra del valor, y lo que el movimiento recorre en medio paso de la del instante, aunque los instantes son equidistantes.</translation>
+    </message>
+    <message>
+        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s; evenly spaced instants count as exact.</source>
+        <translation>El límite: medio paso de la última cifra del valor, y lo que el movimiento recorre en medio paso de la del instante; los instantes equidistantes cuentan como exactos.</translation>
+    </message>
+    <message>
+        <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
+        <translation>Aquí: %1 de %2 dentro del límite, el peor a %3 · límite, por encima de él en %4 %.</translation>
+    </message>
+    <message>
+        <source>Comes close to this mechanism in every channel, if the file&apos;s instants, evenly spaced as they are, were rounded.</source>
+        <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, equidistantes como son, se redondearon.</translation>
     </message>
 </context>
 <context>
@@ -2256,6 +2304,30 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Point at it, or Page Down and Page Up</source>
         <translation>Señálela, o Av Pág y Re Pág</translation>
+    </message>
+    <message>
+        <source>Rₓ⁴ and R_y⁴ are counted from O₂, x along the slider&apos;s line, and angles counter-clockwise from x. At the start it is the mechanism of Table 1 of the report that the program began with, a piece of course work: a = 20, b = 65, c = 25 mm, one turn a second.</source>
+        <translation>Rₓ⁴ y R_y⁴ se miden desde O₂, x a lo largo de la línea de la corredera, y los ángulos en sentido antihorario desde x. Al empezar es el mecanismo de la tabla 1 del informe con el que nació el programa, un trabajo de curso: a = 20, b = 65, c = 25 mm, una vuelta por segundo.</translation>
+    </message>
+    <message>
+        <source>Whose motion a file is</source>
+        <translation>De quién es el movimiento de un archivo</translation>
+    </message>
+    <message>
+        <source>A mechanism is found for a file where what it leaves of every column is rounding, or noise that looks like noise; ± is one standard deviation. Several may explain it equally: then all are listed. Too few values, too few instants a turn or too small a part of a turn do not tell; then it is said what is missing. Where nothing explains the file, what comes nearest is no more than that, and no proof that there is nothing.</source>
+        <translation>Un mecanismo queda hallado para un archivo cuando lo que deja de cada columna es redondeo, o ruido que parece ruido; ± es una desviación estándar. Varios pueden explicarlo por igual: entonces se dan todos. Muy pocos valores, muy pocos instantes por vuelta o una parte demasiado pequeña de una vuelta no deciden; entonces se dice qué falta. Donde nada explica el archivo, lo más cercano no es más que eso, y no prueba que no haya nada.</translation>
+    </message>
+    <message>
+        <source>Rₓ⁴ alone does not tell a mechanism from its mirror image, θ³ alone fixes only b/a and c/a. A column may be counted from elsewhere than O₂, as a slider joint&apos;s own coordinate is, or mean another unit, sign or angle than its name says: that is shown with the error before and after, and never applied by itself.</source>
+        <translation>Rₓ⁴ por sí solo no distingue un mecanismo de su imagen especular, θ³ por sí solo determina únicamente b/a y c/a. Una columna puede estar medida desde otro punto que O₂, como la coordenada propia de una corredera, o entender otra unidad, otro signo u otro ángulo que su nombre: eso se muestra con el error antes y después, y nunca se aplica por sí mismo.</translation>
+    </message>
+    <message>
+        <source>How exact numbers can be</source>
+        <translation>Cuán exactos pueden ser los números</translation>
+    </message>
+    <message>
+        <source>The study holds every method against 50 digits and more, and against the bound κ·u: how far a channel f moves because the numbers given are rounded to doubles, whatever the method.</source>
+        <translation>El estudio compara cada método con 50 cifras y más, y con el límite κ·u: cuánto se mueve un canal f porque los números dados se redondean a doble precisión, sea cual sea el método.</translation>
     </message>
 </context>
 <context>
@@ -4168,10 +4240,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Errores: modelo frente a referencia</translation>
     </message>
     <message>
-        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. To the last printed digit: at least %1 % of the values within half a step, none beyond %2 halves. Within n × the file&apos;s rounding: none beyond n half steps, n ≤ %3.</source>
-        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Hasta la última cifra escrita: al menos el %1 % de los valores a menos de medio paso, ninguno más allá de %2 medios. Dentro de n × el redondeo del archivo: ninguno más allá de n medios pasos, n ≤ %3.</translation>
-    </message>
-    <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
@@ -4198,6 +4266,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Against the first of several mechanisms the file agrees in %1 of %2 channels.</source>
         <translation>Frente al primero de varios mecanismos, el archivo coincide en %1 de %2 canales.</translation>
+    </message>
+    <message>
+        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (none where the instants are evenly spaced), none beyond %2 times that. Close: none beyond %3 times. And none beyond that bound by more than %4 % of half the motion&apos;s range, or %5 %.</source>
+        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso propio más lo que el movimiento recorre en medio paso de su instante (nada donde los instantes son equidistantes), ninguno más allá de %2 veces eso. Se aproxima: ninguno más allá de %3 veces. Y ninguno por encima de ese límite en más del %4 % de la mitad del recorrido, o del %5 %.</translation>
     </message>
 </context>
 <context>
