@@ -147,21 +147,22 @@ QString introductionOf(Subcommand subcommand)
                                "their\n"
                                "second (theta3_diff2), 17 significant digits, nan where a value does not exist.\n");
     case Subcommand::Compare:
-        return CommandLine::tr("Usage: slidercrank compare FILE… [options]\n"
-                               "\n"
-                               "Reads simulations' CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and "
-                               "tells how far each of their\n"
-                               "columns is from the exact motion of the mechanism at the file's own instants. What "
-                               "rounding makes of a value is half\n"
-                               "a step of its own, and what the motion does in half a step of its instant (evenly "
-                               "spaced instants count as exact).\n"
-                               "A column agrees when at least 95 % of its errors are within that and none beyond ten "
-                               "times as much, is close when\n"
-                               "none is beyond a hundred times, and differs otherwise, or where an error is more than "
-                               "rounding by 1 % of half the\n"
-                               "motion's range. Where one differs, the text says "
-                               "what explains it. A file that\n"
-                               "cannot be read is told on standard error, and the others are still compared.\n");
+        return CommandLine::tr(
+            "Usage: slidercrank compare FILE… [options]\n"
+            "\n"
+            "Reads simulations' CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and "
+            "tells how far each of their\n"
+            "columns is from the exact motion of the mechanism at the file's own instants. What "
+            "rounding makes of a value is half\n"
+            "a step of its own, and what the motion does in half a step of its instant (evenly "
+            "spaced instants count as exact).\n"
+            "A column agrees when at least 95 % of its errors are within that and none beyond ten "
+            "times as much, is close when\n"
+            "none is beyond a hundred times, and differs otherwise; also where an error goes beyond "
+            "its rounding by 1 % of half\n"
+            "the motion's range. Where one differs, the text says what explains it. A file that cannot "
+            "be read is told on\n"
+            "standard error, and the others are still compared.\n");
     case Subcommand::Identify:
         return CommandLine::tr("Usage: slidercrank identify FILE [options]\n"
                                "\n"

@@ -43,6 +43,9 @@ struct Measure {
     double smallestStep = 0.0; ///< of its rounding
     double unit = 1.0;         ///< a power of two of about the size of the numbers: in it no square over- or underflows
 
+    /// What the doubt about an instant may add to a bound.
+    double mostDrift = std::numeric_limits<double>::infinity();
+
     /// The bound of an error where the instant is exact. `step`: of the file, at that value.
     double boundOf(double value, double step) const
     {
@@ -61,7 +64,9 @@ Measure measureOf(const ReferenceSeries &reference, const ChannelSize &channelSi
     const double size = std::max(peak, channelSize.natural);
     constexpr int kMostPowers = 1000; // of two, that still have an inverse
     const double unit = size > 0.0 ? std::ldexp(1.0, std::clamp(std::ilogb(size), -kMostPowers, kMostPowers)) : 1.0;
-    return {reference, channelSize, peak, kArithmeticStep * size, unit};
+    const double smallestStep =
+        std::max(kArithmeticStep * size, kSmallestPartOfLargestStep * reference.rounding.stepAt(peak));
+    return {reference, channelSize, peak, smallestStep, unit};
 }
 
 /// What was seen at some instants in a row.
@@ -101,9 +106,9 @@ void judge(double error, double bound, Seen &seen)
     }
 }
 
-/// All but the judgement of what is not within the bound of an exact instant, or has no model: those rows go to
-/// `beyond`.
-Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::size_t> &beyond)
+/// `beyond`: where the rows go that are not within the bound of an exact instant, or have no model, to be judged with
+/// their doubt; null where they have none.
+Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::size_t> *beyond)
 {
     Seen seen;
     RoundingSteps steps(measure.reference.rounding);
@@ -117,7 +122,11 @@ Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::siz
         seen.largestStep = std::max(seen.largestStep, stepOfFile);
         const double model = stretch.model[i];
         if (!std::isfinite(model)) {
-            beyond.push_back(i);
+            if (beyond) {
+                beyond->push_back(i);
+            } else {
+                ++seen.missingModel;
+            }
             continue;
         }
         ++seen.count;
@@ -141,10 +150,10 @@ Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::siz
             }
         }
         const double bound = measure.boundOf(value, stepOfFile);
-        if (error <= bound) {
-            judge(error, bound, seen);
+        if (beyond && !(error <= bound)) {
+            beyond->push_back(i);
         } else {
-            beyond.push_back(i);
+            judge(error, bound, seen);
         }
     }
     return seen;
@@ -156,27 +165,27 @@ struct Sides {
     Trajectory late;
 };
 
-/// How far the motion goes from `model` to the sides; what does not exist there is as good as here.
+/// How far the motion goes from `model` to the sides: without bound where it ends in between.
 double driftFrom(double model, double early, double late)
 {
-    const double toEarly = std::isfinite(early) ? std::abs(early - model) : 0.0;
-    const double toLate = std::isfinite(late) ? std::abs(late - model) : 0.0;
-    return std::max(toEarly, toLate);
+    return std::isfinite(early) && std::isfinite(late) ? std::max(std::abs(early - model), std::abs(late - model))
+                                                       : std::numeric_limits<double>::infinity();
 }
 
-/// Judges the rows that were left. `sides`: null where the instants are exact, else the rows of `placeOf`, in turn.
+/// Judges the rows that were left. `placeOf`: where each of them is in `sides`.
 void judgeBeyond(const Stretch &stretch, const Measure &measure, std::span<const std::size_t> beyond,
-                 const Sides *sides, std::span<const std::size_t> placeOf, Seen &seen)
+                 const Sides &sides, std::span<const std::size_t> placeOf, Seen &seen)
 {
     RoundingSteps steps(measure.reference.rounding);
+    const Channel channel = measure.reference.channel;
     for (const std::size_t row : beyond) {
         const double value = stretch.values[row];
         const double model = stretch.model[row];
-        const double early = sides ? sides->early[measure.reference.channel][placeOf[row]] : kNone;
-        const double late = sides ? sides->late[measure.reference.channel][placeOf[row]] : kNone;
+        const double early = sides.early[channel][placeOf[row]];
+        const double late = sides.late[channel][placeOf[row]];
         if (std::isfinite(model)) {
-            judge(std::abs(model - value), measure.boundOf(value, steps.at(value)) + driftFrom(model, early, late),
-                  seen);
+            const double drift = std::min(driftFrom(model, early, late), measure.mostDrift);
+            judge(std::abs(model - value), measure.boundOf(value, steps.at(value)) + drift, seen);
         } else if (!std::isfinite(early) && !std::isfinite(late)) {
             ++seen.missingModel; // else the instant itself may have been one where the model is
         }
@@ -323,20 +332,18 @@ std::vector<Seen> compareBlocks(const Mechanism &mechanism, std::span<const doub
                 return Stretch{time.subspan(from, count), std::span(model[series.channel]).subspan(place, count),
                                std::span(series.values).subspan(from, count)};
             };
+            Seen *const seenHere = &seen[block * measures.size()];
             std::vector<std::vector<std::size_t>> beyond(measures.size());
-            bool anyBeyond = false;
             for (std::size_t i = 0; i < measures.size(); ++i) {
-                seen[block * measures.size() + i] = seenIn(stretchOf(measures[i].reference), measures[i], beyond[i]);
-                anyBeyond = anyBeyond || !beyond[i].empty();
+                seenHere[i] = seenIn(stretchOf(measures[i].reference), measures[i], inDoubt ? &beyond[i] : nullptr);
+            }
+            if (std::ranges::all_of(beyond, &std::vector<std::size_t>::empty)) {
+                return;
             }
             std::vector<std::size_t> placeOf;
-            std::optional<Sides> sides;
-            if (anyBeyond && inDoubt) {
-                sides = sidesOf(mechanism, channels, time.subspan(from, count), doubt, beyond, placeOf);
-            }
+            const Sides sides = sidesOf(mechanism, channels, time.subspan(from, count), doubt, beyond, placeOf);
             for (std::size_t i = 0; i < measures.size(); ++i) {
-                judgeBeyond(stretchOf(measures[i].reference), measures[i], beyond[i], sides ? &*sides : nullptr,
-                            placeOf, seen[block * measures.size() + i]);
+                judgeBeyond(stretchOf(measures[i].reference), measures[i], beyond[i], sides, placeOf, seenHere[i]);
             }
         });
     };
@@ -360,7 +367,8 @@ bool mayComeClose(const Mechanism &mechanism, const Measure &measure, const Seen
     const Trajectory motion =
         sample(mechanism, {seen.timeOfMaxAbs - half, seen.timeOfMaxAbs, seen.timeOfMaxAbs + half}, channels, exactly());
     const std::vector<double> &f = motion[channel];
-    const double bound = measure.boundOf(measure.peak, seen.largestStep) + driftFrom(f[1], f[0], f[2]);
+    const double drift = std::min(driftFrom(f[1], f[0], f[2]), measure.mostDrift);
+    const double bound = measure.boundOf(measure.peak, seen.largestStep) + drift;
     return seen.count > 0 && !(seen.maxAbs - bound > kExcessOfCloseness * halfRangeOf(seen, measure));
 }
 
@@ -373,24 +381,41 @@ std::vector<ChannelComparison> compareSeries(const Mechanism &mechanism, const R
         measures.push_back(measureOf(series, sizeOf(mechanism, series.channel)));
     }
     const Clock clock = clockOf(reference);
-    const std::vector<Seen> seen =
-        compareBlocks(mechanism, reference.time, measures, {reference.timeRounding, !clock.even}, withModel);
-    const Doubt doubt{reference.timeRounding, true};
-    const bool mayBeRounded = clock.even && doubt.matters(mechanism, reference.time);
+    std::vector<Seen> seen =
+        compareBlocks(mechanism, reference.time, measures, {reference.timeRounding, clock.rounded}, withModel);
     std::vector<ChannelComparison> result;
     for (std::size_t i = 0; i < measures.size(); ++i) {
         result.push_back(comparisonOf(seen[i], measures[i]));
-        if (mayBeRounded && result[i].verdict == Verdict::Differs &&
-            mayComeClose(mechanism, measures[i], seen[i], doubt)) {
-            const std::vector<Seen> again =
-                compareBlocks(mechanism, reference.time, {&measures[i], 1}, doubt, withModel);
-            ChannelComparison rounded = comparisonOf(again.front(), measures[i]);
-            if (rounded.verdict != Verdict::Differs) {
-                rounded.verdict = Verdict::Close;
-                rounded.clockIsRounded = true;
-                result[i] = rounded;
-            }
+    }
+
+    // Instants that may have been rounded: what that adds must be small beside the motion, as what lies beyond must.
+    const Doubt doubt{reference.timeRounding, true};
+    if (clock.rounded || !doubt.matters(mechanism, reference.time)) {
+        return result;
+    }
+    std::vector<std::size_t> doubted;
+    std::vector<Measure> again;
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+        measures[i].mostDrift = kExcessOfCloseness * halfRangeOf(seen[i], measures[i]);
+        const bool mayRise =
+            result[i].verdict == Verdict::Differs || (result[i].verdict == Verdict::Close && !clock.even);
+        if (mayRise && mayComeClose(mechanism, measures[i], seen[i], doubt)) {
+            doubted.push_back(i);
+            again.push_back(measures[i]);
         }
+    }
+    if (again.empty()) {
+        return result;
+    }
+    seen = compareBlocks(mechanism, reference.time, again, doubt, withModel);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+        ChannelComparison found = comparisonOf(seen[k], again[k]);
+        if (found.verdict == Verdict::Differs) {
+            continue;
+        }
+        found.clockIsRounded = clock.even;
+        found.verdict = clock.even ? Verdict::Close : found.verdict;
+        result[doubted[k]] = found;
     }
     return result;
 }
@@ -421,14 +446,10 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
     assert(model.size() == time.size() && values.size() == time.size());
     const Measure measure = measureOf(reference, size);
     Seen seen;
-    std::vector<std::size_t> beyond;
     for (std::size_t from = 0; from < time.size(); from += kBlock) {
         const std::size_t count = std::min(kBlock, time.size() - from);
-        const Stretch stretch{time.subspan(from, count), model.subspan(from, count), values.subspan(from, count)};
-        beyond.clear();
-        Seen piece = seenIn(stretch, measure, beyond);
-        judgeBeyond(stretch, measure, beyond, nullptr, {}, piece);
-        add(seen, piece);
+        add(seen, seenIn({time.subspan(from, count), model.subspan(from, count), values.subspan(from, count)}, measure,
+                         nullptr));
     }
     return comparisonOf(seen, measure);
 }

@@ -13,7 +13,8 @@
 // (both sides: at a turning point the rate is 0, and the error is not). What lies beyond must be small beside the
 // motion as well, for a step may have been learnt too large, and a motion may be small beside its step. The instants of
 // an even clock are taken as they stand (τ = 0); where a file then differs, they may have been rounded all the same
-// (0.0133 that was 0.013303), and it may still come close.
+// (0.0133 that was 0.013303), and it may still come close. Where a clock does not show that it was rounded, what τ adds
+// must be small beside the motion, too.
 
 #include "core/mechanism/channel.h"
 #include "core/reading/reference_data.h"
@@ -77,6 +78,10 @@ struct ChannelComparison {
 /// A file may carry more digits than any double-precision computation can promise. No step is taken to be smaller than
 /// this part of the channel's size (the larger of its peak and its naturalScale()).
 inline constexpr double kArithmeticStep = 1e-12;
+
+/// Nor than this part of its largest: a cell of -7.4e-15 beside others of a hundred is a zero, and its digits say
+/// nothing.
+inline constexpr double kSmallestPartOfLargestStep = 0.01;
 
 /// What a channel's errors are held against, in the author's unit.
 struct ChannelSize {

@@ -20,6 +20,21 @@ constexpr double kEvenPartOfStep = 1e-3;
 /// a change of unit.
 constexpr double kUlpsOfADifference = 4.0;
 
+/// Fewer may lie so by chance.
+constexpr std::size_t kInstantsOfAGrid = 10;
+
+/// Each instant is off by half a step at most, and so are the first and the last, between which the others are held.
+bool isRoundedGrid(std::span<const double> time, double step)
+{
+    const double spacing = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (!(std::abs(time.front() + spacing * static_cast<double>(i) - time[i]) <= step)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 Clock clockOf(std::span<const double> time, const Rounding &rounding)
@@ -40,6 +55,7 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
         most = std::max(most, difference);
         clock.even = most - least <= slack;
     }
+    clock.rounded = !clock.even && time.size() >= kInstantsOfAGrid && isRoundedGrid(time, clock.printedStep);
     return clock;
 }
 

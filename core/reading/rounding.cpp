@@ -230,6 +230,7 @@ void RoundingObserver::add(const RoundingObserver &later)
             m_counts[decade][length] += later.m_counts[decade][length];
         }
     }
+    m_long += later.m_long;
     m_values += later.m_values;
     m_zerosBehind += later.m_zerosBehind;
     m_coarsestPlace = std::max(m_coarsestPlace, later.m_coarsestPlace);

@@ -127,6 +127,7 @@ private:
 
     /// By decade and number of digits - 1, from the first to the last that is not zero: how many values.
     std::array<std::array<std::uint32_t, kMostDigits>, kDecades> m_counts{};
+    std::uint32_t m_long = 0;        ///< texts of a double's own digits
     std::uint64_t m_values = 0;      ///< other than zero
     std::uint64_t m_zerosBehind = 0; ///< decimals printed in vain: zeros behind the last digit, of all these
     int m_coarsestPlace = std::numeric_limits<int>::min(); ///< printed in any of them
@@ -139,11 +140,17 @@ private:
 // Here, because it is called for each value of a large file.
 inline void RoundingObserver::observe(const PrintedPlaces &places, std::string_view digits)
 {
-    if (!places.zero && places.first - places.last + 1 >= kDigitsOfADouble) {
-        count(shortestPlaces(places, digits), digits);
-    } else {
+    if (places.zero || places.first - places.last + 1 < kDigitsOfADouble) {
         count(places, digits);
+        return;
     }
+    // To find the shortest text takes as long as to read the number: of very many, some tell enough.
+    constexpr std::uint32_t kEnough = 256;
+    constexpr std::uint32_t kSoManyth = 16;
+    if (m_long < kEnough || m_long % kSoManyth == 0) {
+        count(shortestPlaces(places, digits), digits);
+    }
+    ++m_long;
 }
 
 inline void RoundingObserver::count(const PrintedPlaces &places, std::string_view digits)

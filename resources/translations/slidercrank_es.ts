@@ -999,28 +999,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>Para seguir con el primero: %1</translation>
     </message>
     <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise, or where an error is more than rounding by 1 % of half the
-motion&apos;s range. Where one differs, the text says what explains it. A file that
-cannot be read is told on standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo, más lo que el movimiento recorre en medio paso de su instante (los instantes equidistantes cuentan como
-exactos). Una columna coincide cuando al menos el 95 % de sus errores queda dentro de eso y ninguno pasa de diez veces
-tanto; se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere, como también donde un error supera el
-redondeo en un 1 % de la mitad del recorrido del movimiento. Donde una difiere, el texto dice qué lo explica. De un
-archivo que no se puede leer se informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
         <source>Usage: slidercrank identify FILE [options]
 
 Finds the mechanism that a simulation&apos;s file belongs to, from the columns theta3, R4_x and their derivatives, and how
@@ -1100,6 +1078,28 @@ o la salida estándar no se puede leer o escribir, o un archivo no es lo que deb
 ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
 aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
 4, 5, 1, en ese orden.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+standard error, and the others are still compared.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
+como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente.
 </translation>
     </message>
 </context>
@@ -1743,9 +1743,9 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
 close: none beyond a hundred times
 differs: anything else, and what lies beyond the rounding by 1 % of half the motion&apos;s range</source>
-        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces eso
-se aproxima: ninguno más allá de cien veces
-difiere: lo demás, y lo que supera el redondeo en un 1 % de la mitad del recorrido</translation>
+        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
+próximo: ninguno más allá de cien veces
+difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
     </message>
 </context>
 <context>
@@ -1993,39 +1993,39 @@ difiere: lo demás, y lo que supera el redondeo en un 1 % de la mitad del recorr
     </message>
     <message>
         <source>close, if the file&apos;s instants are rounded</source>
-        <translation>se aproxima, si los instantes del archivo están redondeados</translation>
+        <translation>próximo, si los instantes del archivo están redondeados</translation>
     </message>
     <message>
         <source>close: within %1 × the file&apos;s rounding</source>
-        <translation>se aproxima: dentro de %1 × el redondeo del archivo</translation>
+        <translation>próximo: dentro de %1 × el redondeo del archivo</translation>
     </message>
     <message>
         <source>|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none beyond it by more than %3 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ límite para al menos el %1 % de los valores, ≤ %2 · límite para todos; ninguno lo supera en más del %3 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| ≤ cota para al menos el %1 % de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3 % de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ %1 · límite para todos los valores; ninguno lo supera en más del %2 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2 % de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>|model − reference| &gt; %1 · bound somewhere, or beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| &gt; %1 · límite en alguna parte, o por encima de él en más del %2 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2 % de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s, though the instants are evenly spaced.</source>
-        <translation>El límite: medio paso de la última cifra del valor, y lo que el movimiento recorre en medio paso de la del instante, aunque los instantes son equidistantes.</translation>
+        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante, aunque los instantes estén a intervalos iguales.</translation>
     </message>
     <message>
         <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s; evenly spaced instants count as exact.</source>
-        <translation>El límite: medio paso de la última cifra del valor, y lo que el movimiento recorre en medio paso de la del instante; los instantes equidistantes cuentan como exactos.</translation>
+        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante; los instantes a intervalos iguales cuentan como exactos.</translation>
     </message>
     <message>
         <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
-        <translation>Aquí: %1 de %2 dentro del límite, el peor a %3 · límite, por encima de él en %4 %.</translation>
+        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4 %.</translation>
     </message>
     <message>
         <source>Comes close to this mechanism in every channel, if the file&apos;s instants, evenly spaced as they are, were rounded.</source>
-        <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, equidistantes como son, se redondearon.</translation>
+        <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, aun a intervalos iguales, se redondearon.</translation>
     </message>
 </context>
 <context>
@@ -4268,8 +4268,8 @@ difiere: lo demás, y lo que supera el redondeo en un 1 % de la mitad del recorr
         <translation>Frente al primero de varios mecanismos, el archivo coincide en %1 de %2 canales.</translation>
     </message>
     <message>
-        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (none where the instants are evenly spaced), none beyond %2 times that. Close: none beyond %3 times. And none beyond that bound by more than %4 % of half the motion&apos;s range, or %5 %.</source>
-        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso propio más lo que el movimiento recorre en medio paso de su instante (nada donde los instantes son equidistantes), ninguno más allá de %2 veces eso. Se aproxima: ninguno más allá de %3 veces. Y ninguno por encima de ese límite en más del %4 % de la mitad del recorrido, o del %5 %.</translation>
+        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (evenly spaced instants count as exact), none beyond %2 times that bound, nor by more than %4 % of half the motion&apos;s range. Close: none beyond %3 times, nor by more than %5 %.</source>
+        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4 % de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5 %.</translation>
     </message>
 </context>
 <context>

@@ -128,6 +128,26 @@ QByteArray awayFrom(double actual, double expected, double tolerance, const char
         .toUtf8();
 }
 
+/// The exact motion of Table 1 with its lengths times `scale`, as a program prints it: `timeText` and `text` make
+/// cells.
+template <typename TimeText, typename Text>
+QByteArray printedFile(double scale, int perSecond, TimeText timeText, Text text)
+{
+    QByteArray file = "time,theta3,R4_x,theta3_diff,R4_x_diff,theta3_diff2,R4_x_diff2\n";
+    for (int i = 0; i <= 2 * perSecond; ++i) {
+        const double t = static_cast<double>(i) / perSecond;
+        const double omega2 = 2.0 * std::numbers::pi;
+        const Textbook at = textbook(20.0 * scale, 65.0 * scale, 25.0 * scale, omega2, omega2 * t, false);
+        file += timeText(t);
+        for (const double value :
+             {at.theta3 / kDegree, at.R4x, at.theta3Dot / kDegree, at.R4xDot, at.theta3DDot / kDegree, at.R4xDDot}) {
+            file += ',' + text(value);
+        }
+        file += '\n';
+    }
+    return file;
+}
+
 QString sample()
 {
     return QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
@@ -215,6 +235,8 @@ private slots:
     void comparesTheSampleInCsv();
     void comparesSeveralFiles();
     void comparesTheFilesThatItCanRead();
+    void tellsRoundingFromDifference_data();
+    void tellsRoundingFromDifference();
     void saysWhoseMotionADifferentFileIs();
     void saysInJsonWhyAFileDiffers();
     void itsSentencesAgreeWithEachOther_data();
@@ -914,6 +936,55 @@ void TestCommandLine::comparesTheFilesThatItCanRead()
     const QString output = folder.filePath(QStringLiteral("table.csv"));
     QCOMPARE(run({"compare", missing, missing, "--output", output}).status, 3);
     QVERIFY(!QFile::exists(output));
+}
+
+void TestCommandLine::tellsRoundingFromDifference_data()
+{
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<QString>("mechanism");
+    QTest::addColumn<int>("agreeing");
+    QTest::addColumn<int>("differing");
+    const auto sixDigits = [](double value) { return QByteArray::number(value, 'g', 6); };
+    const auto inFull = [](double value) {
+        return QByteArray::number(QByteArray::number(value, 'g', 6).toDouble(), 'e', 18);
+    };
+    const auto whole = [](double value) { return QByteArray::number(value, 'f', 0); };
+    const auto fourDecimals = [](double value) { return QByteArray::number(value, 'f', 4); };
+    QTest::newRow("30 frames a second, instants of four decimals")
+        << printedFile(1.0, 30, fourDecimals, sixDigits) << QString() << 6 << 0;
+    QTest::newRow("six digits, printed with 19") << printedFile(1.0, 100, inFull, inFull) << QString() << 6 << 0;
+    QTest::newRow("of a mechanism a fifth longer, six digits, instants of four decimals")
+        << printedFile(1.2, 30, fourDecimals, sixDigits) << QString() << 3 << 3;
+    QTest::newRow("of a mechanism half as long again, whole millimetres")
+        << printedFile(1.5, 100, sixDigits, whole) << QString() << 3 << 3;
+    QByteArray constants = "time,theta2_diff,R4_y\n";
+    for (int i = 0; i < 50; ++i) {
+        constants += QByteArray::number(0.01 * i) + ",360,25\n";
+    }
+    QTest::newRow("constants") << constants << "--omega2 6.2831855 --c 25.000012" << 2 << 0;
+    QTest::newRow("two whole numbers of another mechanism")
+        << QByteArray("time,R4_x\n0,70\n0.5,40\n") << "--a 60 --b 350" << 0 << 1;
+}
+
+void TestCommandLine::tellsRoundingFromDifference()
+{
+    QFETCH(QByteArray, file);
+    QFETCH(QString, mechanism);
+    QFETCH(int, agreeing);
+    QFETCH(int, differing);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    writeFile(path, file);
+    const Outcome outcome = run(QStringList{"compare", path, "--fail-on-difference", "--format", "csv"} +
+                                QProcess::splitCommand(mechanism));
+    int agrees = 0;
+    int differs = 0;
+    for (const QByteArrayList &row : tableOf(outcome.out).cells) {
+        agrees += row.last() == "agrees" ? 1 : 0;
+        differs += row.last() == "differs" ? 1 : 0;
+    }
+    QVERIFY2(agrees == agreeing && differs == differing, outcome.out.constData());
+    QCOMPARE(outcome.status, differing > 0 ? 1 : 0);
 }
 
 void TestCommandLine::saysWhoseMotionADifferentFileIs()

@@ -211,14 +211,14 @@ void addErrors(std::vector<ReportBlock> &blocks, const Result &result)
             "Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where "
             "the reference is not zero. File's step: distance of the numbers that the file can print, where it "
             "is largest. Within the file's rounding: at least %1 % of the values within half a step of their own and "
-            "what the motion does in half a step of their instant (none where the instants are evenly spaced), none "
-            "beyond %2 times that. Close: none beyond %3 times. And none beyond that bound by more than %4 % of half "
-            "the motion's range, or %5 %.")
+            "what the motion does in half a step of their instant (evenly spaced instants count as exact), none "
+            "beyond %2 times that bound, nor by more than %4 % of half the motion's range. Close: none beyond %3 "
+            "times, nor by more than %5 %.")
             .arg(kPercentWithinBound)
             .arg(kBoundsOfAgreement)
             .arg(kBoundsOfCloseness)
-            .arg(100.0 * kExcessOfAgreement)
-            .arg(100.0 * kExcessOfCloseness),
+            .arg(numberText(100.0 * kExcessOfAgreement))
+            .arg(numberText(100.0 * kExcessOfCloseness)),
         Kind::Note));
     if (const QString leftOut = leftOutText(result.reference->data); !leftOut.isEmpty()) {
         blocks.push_back(paragraph(leftOut, Kind::Note));

@@ -158,6 +158,98 @@ private slots:
         QTEST(verdictWith(off, halfSteps), "verdict");
     }
 
+    void whatLiesBeyondIsSmallBesideTheMotion_data()
+    {
+        QTest::addColumn<double>("beyond");
+        QTest::addColumn<Verdict>("verdict");
+        QTest::newRow("within") << -0.1 << Verdict::Agrees;
+        QTest::newRow("0.4 %") << 0.4 << Verdict::Agrees;
+        QTest::newRow("0.6 %") << 0.6 << Verdict::Close;
+        QTest::newRow("0.9 %") << 0.9 << Verdict::Close;
+        QTest::newRow("1.1 %") << 1.1 << Verdict::Differs;
+        QTest::newRow("65 %") << 65.0 << Verdict::Differs;
+    }
+
+    void whatLiesBeyondIsSmallBesideTheMotion()
+    {
+        // Whole numbers, of a motion with a range of 200: half of it is 100.
+        QFETCH(const double, beyond);
+        const Rounding whole{Rounding::Rule::Decimals, 0};
+        std::vector<double> values;
+        for (std::size_t i = 0; i < kRows; ++i) {
+            values.push_back(i % 2 == 0 ? 100.0 : -100.0);
+        }
+        std::vector<double> model = values;
+        model[50] -= 0.5 + beyond;
+        const ChannelComparison result = compareChannel(instants(kRows), model, seriesOf(values, whole), {});
+        QTEST(result.verdict, "verdict");
+        QVERIFY2(std::abs(result.excess - 0.01 * std::max(beyond, 0.0)) < 1e-9,
+                 qPrintable(QString::number(result.excess)));
+    }
+
+    void knowsHowLargeAMotionIs()
+    {
+        const Mechanism mechanism;
+        const double omega = mechanism.omega2();
+        QCOMPARE(sizeOf(mechanism, {R4y, Order::Position}).still, 20.0);
+        QCOMPARE(sizeOf(mechanism, {R4y, Order::Acceleration}).still, 20.0 * omega * omega);
+        QCOMPARE(sizeOf(mechanism, {Theta2, Order::Velocity}).still, omega * kDegreesPerRadian);
+        QCOMPARE(sizeOf(mechanism, {Theta2, Order::Position}).most, 180.0);
+        QCOMPARE(sizeOf(mechanism, {R4x, Order::Position}).still, 0.0); // the range of the model
+    }
+
+    void takesAResidueForZero()
+    {
+        // Six digits of what is nothing but arithmetic: the other program's zero.
+        const Rounding six{Rounding::Rule::SignificantDigits, 6, 1.0, -15, -20};
+        const std::vector<double> values{132.005, -7.4e-15, -131.257};
+        const ChannelComparison result =
+            compareChannel(instants(3), std::vector{132.005, 1.3e-6, -131.257}, seriesOf(values, six), kSize);
+        QCOMPARE(result.verdict, Verdict::Agrees);
+    }
+
+    void anEvenClockMayBeARoundedOne_data()
+    {
+        QTest::addColumn<double>("spacing");
+        QTest::addColumn<bool>("isRounded");
+        QTest::addColumn<Verdict>("verdict");
+        QTest::newRow("it is not") << 0.0133 << false << Verdict::Agrees;
+        QTest::newRow("it is") << 0.0133005 << true << Verdict::Close;
+        QTest::newRow("it is no such clock") << 0.0135 << false << Verdict::Differs;
+    }
+
+    void anEvenClockMayBeARoundedOne()
+    {
+        QFETCH(const double, spacing);
+        QFETCH(const bool, isRounded);
+        QFETCH(const Verdict, verdict);
+        const Mechanism mechanism;
+        SolverSettings settings;
+        settings.method = Method::ClosedForm;
+        std::vector<double> meant;
+        std::vector<double> printed;
+        for (int i = 0; i < 61; ++i) {
+            meant.push_back(spacing * i);
+            printed.push_back(std::round(133.0 * i) / 1e4);
+        }
+        const Channel speed{R4x, Order::Velocity};
+        ReferenceData data;
+        data.time = printed;
+        data.timeRounding = {Rounding::Rule::Decimals, 4};
+        data.series.push_back({speed,
+                               sample(mechanism, meant, plottedChannels(), settings)[speed],
+                               {Rounding::Rule::SignificantDigits, 6}});
+        const ChannelComparison exactly = compareExactly(mechanism, data).channels.front();
+        QCOMPARE(exactly.verdict, verdict);
+        QCOMPARE(exactly.clockIsRounded, isRounded);
+        // And of a model that somebody else solved.
+        settings.method = Method::Newton;
+        const Trajectory solved = sample(mechanism, printed, plottedChannels(), settings);
+        const ChannelComparison byNewton = compare(mechanism, solved, data).front();
+        QCOMPARE(byNewton.verdict, verdict);
+        QCOMPARE(byNewton.clockIsRounded, isRounded);
+    }
+
     void takesTheStepOfEachValue()
     {
         // Six significant digits: an error of 0.004 is within half a step at 1139.91 and 80 halves out at 12.3456.
