@@ -213,11 +213,20 @@ void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, co
 void tryReadings(const SearchRows &rows, std::span<const Parameters> starts, std::vector<Tried> &tried,
                  const std::stop_token &stop)
 {
-    for (const Hypothesis &hypothesis : hypothesesFrom(rows.few, starts, stop)) {
-        if (stop.stop_requested()) {
-            return;
+    constexpr std::size_t kMostTried = 4;
+    constexpr int kScreeningRounds = 5;
+    std::vector<std::pair<double, Hypothesis>> screened;
+    for (Hypothesis &hypothesis : hypothesesFrom(rows.few, starts, stop)) {
+        const FitProblem few = problemOf(rows.few, hypothesis.reading());
+        const Fit found = fit(few, hypothesis.start, rows.isFree, kScreeningRounds, stop);
+        if (found.exists()) {
+            hypothesis.start = found.parameters;
+            screened.emplace_back(found.score + hypothesis.price(rows.few), std::move(hypothesis));
         }
-        Tried one = triedOn(rows, hypothesis, stop);
+    }
+    std::ranges::stable_sort(screened, {}, [](const auto &one) { return one.first; });
+    for (std::size_t i = 0; i < std::min(screened.size(), kMostTried) && !stop.stop_requested(); ++i) {
+        Tried one = triedOn(rows, screened[i].second, stop);
         if (!one.candidate.fit.exists()) {
             continue;
         }
@@ -246,8 +255,8 @@ void dump(const SearchRows&rows,const Tried&t,const char*what){
 /// Every way to read the file, as far as it takes until one stands; the best first.
 std::vector<Tried> allWays(const SearchRows &rows, const Mechanism &atHand, const std::stop_token &stop)
 {
-    std::vector<Parameters> starts =
-        startsOf(problemOf(rows.all, asWritten(rows.all)), rows.given.a, stop);
+    const FitProblem problem = problemOf(rows.all, asWritten(rows.all));
+    std::vector<Parameters> starts = startsOf(problem, speedsOf(problem, stop), rows.given.a, stop);
     starts.push_back(rows.given);
     std::vector<Tried> tried = plainly(rows, starts, stop);
     if (!anyStands(tried)) {

@@ -293,6 +293,12 @@ bool explainBy(const Observations &few, const Parameters &start, double timeUnit
         shifted.push_back(ways.shifted);
     }
     const auto keep = [&](const std::vector<Scored> &columns) {
+        // What is to stand must be near to most columns from the start.
+        const auto misled = std::ranges::count_if(
+            columns, [](const Scored &one) { return one.column.isUsed && one.score == 0.0; });
+        if (3 * static_cast<std::size_t>(misled) > columns.size()) {
+            return;
+        }
         Hypothesis hypothesis;
         hypothesis.start = start;
         bool usesTime = false;
@@ -388,6 +394,52 @@ std::vector<Parameters> sizesOf(const Observations &few, const Parameters &start
     return sizes;
 }
 
+/// The starts whose motion is most like the columns, whatever their units, signs and origins: correlations do not
+/// change with these, nor from one image to the next.
+std::vector<Parameters> likeliest(const Observations &few, std::span<const Parameters> starts)
+{
+    constexpr std::size_t kMost = 8;
+    struct Ranked {
+        double distance;
+        Parameters start;
+    };
+    std::vector<Ranked> ranked;
+    const FitProblem problem = problemOf(few, asWritten(few));
+    for (Parameters start : distinct(starts)) {
+        lengthenCoupler(problem, start);
+        std::vector<std::vector<double>> models(few.columns.size(), std::vector<double>(few.time.size()));
+        InstantMotion motion;
+        bool moves = true;
+        for (std::size_t row = 0; row < few.time.size() && moves; ++row) {
+            moves = motion.computeValues(start, few.time[row]);
+            for (std::size_t k = 0; moves && k < models.size(); ++k) {
+                models[k][row] = motion.valueOf(few.columns[k].channel);
+            }
+        }
+        if (!moves) {
+            continue;
+        }
+        double distance = 0.0;
+        for (std::size_t k = 0; k < models.size(); ++k) {
+            if (few.columns[k].varies) {
+                const Match match(few.columns[k], few.columns[k].channel, models[k]);
+                const double correlation = match.correlation();
+                distance += match.count() * std::log(std::max(1.0 - correlation * correlation, 1e-9));
+            }
+        }
+        ranked.push_back({distance, start});
+    }
+    std::ranges::stable_sort(ranked, {}, &Ranked::distance);
+    std::vector<Parameters> best;
+    for (const Ranked &one : ranked) {
+        if (best.size() == kMost) {
+            break;
+        }
+        best.push_back(one.start);
+    }
+    return best;
+}
+
 /// The same ways of reading, whatever the mechanism.
 bool readsAlike(const Hypothesis &x, const Hypothesis &y)
 {
@@ -480,7 +532,7 @@ std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const 
     constexpr std::size_t kMostAlike = 2;
     const FitProblem problem = problemOf(few, asWritten(few));
     std::vector<Screened> screened;
-    for (const Parameters &start : distinct(starts)) {
+    for (const Parameters &start : likeliest(few, starts)) {
         for (Parameters image : imagesOf(start)) {
             if (stop.stop_requested()) {
                 return {};
@@ -519,9 +571,32 @@ std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const 
 std::vector<Parameters> startsFromParts(const Observations &observations, double size, const std::stop_token &stop)
 {
     std::vector<Parameters> starts;
+    // The speed is the same in whatever unit and under whatever name: looked for once.
+    std::map<std::vector<bool>, std::vector<double>> speeds;
     const auto addFrom = [&](const FileReading &reading) {
-        const std::vector<Parameters> some = startsOf(problemOf(observations, reading), size, stop);
-        starts.insert(starts.end(), some.begin(), some.end());
+        std::vector<bool> used;
+        for (const ColumnReading &column : reading) {
+            used.push_back(column.isUsed);
+        }
+        const auto [known, isNew] = speeds.try_emplace(used);
+        if (isNew) {
+            known->second = speedsOf(problemOf(observations, reading), stop);
+        }
+        // What does not even explain its own part explains nothing.
+        const FitProblem part = problemOf(observations, withFreeZeros(observations, reading));
+        const double most = static_cast<double>(part.valueCount) * 2.0 * std::log(kExplained);
+        constexpr std::size_t kMostOfAPart = 3;
+        std::vector<std::pair<double, Parameters>> ranked;
+        for (const Parameters &start : distinct(startsOf(problemOf(observations, reading), known->second, size, stop))) {
+            const double misfit = misfitOf(part, start);
+            if (misfit < most) {
+                ranked.emplace_back(misfit, start);
+            }
+        }
+        std::ranges::stable_sort(ranked, {}, [](const auto &one) { return one.first; });
+        for (std::size_t i = 0; i < std::min(ranked.size(), kMostOfAPart); ++i) {
+            starts.push_back(ranked[i].second);
+        }
     };
     const auto only = [&](auto &&isMeant) {
         FileReading reading = asWritten(observations);

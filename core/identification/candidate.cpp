@@ -196,7 +196,10 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
     if (zeros > 0.0 && !isDone) {
         std::vector<Candidate> others = bestCandidates(rows, shifted, spent, starts, stop);
         for (Candidate &other : others) {
-            candidates.push_back(withoutIdleZeros(rows, std::move(other), stop));
+            const bool isFirst = &other == &others.front();
+            if (isFirst || other.standing.stands) {
+                candidates.push_back(withoutIdleZeros(rows, std::move(other), stop));
+            }
         }
     }
     std::ranges::stable_sort(candidates, [](const Candidate &x, const Candidate &y) {

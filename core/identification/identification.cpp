@@ -27,8 +27,8 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
         return nothing;
     }
     const FileReading plain = asWritten(search->window.all);
-    std::vector<Parameters> starts =
-        startsOf(problemOf(search->window.all, plain), search->window.given.a, stop);
+    const FitProblem problem = problemOf(search->window.all, plain);
+    std::vector<Parameters> starts = startsOf(problem, speedsOf(problem, stop), search->window.given.a, stop);
     starts.push_back(search->window.given);
     std::vector<Candidate> candidates = bestCandidates(search->window, plain, 0.0, starts, stop);
     const SearchRows whole = wholeOf(data, *search, given);

@@ -716,7 +716,16 @@ double misfitOf(const FitProblem &problem, const Parameters &parameters)
     return misfit;
 }
 
-std::vector<Parameters> startsOf(const FitProblem &problem, double size, const std::stop_token &stop)
+std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &stop)
+{
+    CrankCourse crank;
+    return crankCourseOf(problem, crank) && crank.speed != 0.0
+               ? std::vector<double>{std::abs(crank.speed)}
+               : speedsByHarmonics(problem, familiesOf(problem), stop);
+}
+
+std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<double> &speeds, double size,
+                                 const std::stop_token &stop)
 {
     constexpr std::size_t kRowMinima = 2;
     constexpr int kRowRefinements = 10;
@@ -732,9 +741,6 @@ std::vector<Parameters> startsOf(const FitProblem &problem, double size, const s
     };
     CrankCourse crank;
     const bool isCrankKnown = crankCourseOf(problem, crank) && crank.speed != 0.0;
-    const std::vector<Family> families = familiesOf(problem);
-    const std::vector<double> speeds = isCrankKnown ? std::vector<double>{std::abs(crank.speed)}
-                                                    : speedsByHarmonics(problem, families, stop);
     for (const double speed : speeds) {
         constexpr double kWholeTurn = 0.7;
         if (speed < 2.0 * kPi * kWholeTurn) {

@@ -27,9 +27,13 @@
 namespace slidercrank
 {
 
+/// Magnitudes of the speed that the columns may have, in whatever units and senses; some, the best first.
+std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &stop);
+
 /// Mechanisms worth trying, in FitUnits; none is wrong by more than one of imagesOf() where the data can be fitted at
-/// all. `size`: the crank's length where the data hold none.
-std::vector<Parameters> startsOf(const FitProblem &problem, double size, const std::stop_token &stop);
+/// all. `speeds`: as speedsOf(). `size`: the crank's length where the data hold none.
+std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<double> &speeds, double size,
+                                 const std::stop_token &stop);
 
 /// A coupler just long enough for the motion to exist at all rows.
 void lengthenCoupler(const FitProblem &problem, Parameters &parameters);

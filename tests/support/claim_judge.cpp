@@ -477,7 +477,7 @@ std::string falseClaim(const ClaimFile &file, const ReferenceData &data, const P
     } else if (!claim.findings.empty()) {
         Likeness plain{true, {}};
         const auto isTrue = [&](const TrueReading &reading) {
-            return areSameFindings(file, claim.findings, reading.findings, plain);
+            return areSameFindings(file, claim.findings, reading.findings, plain, false);
         };
         if (std::ranges::none_of(file.readings, isTrue)) {
             return "finds " + described(claim.findings) + " without a mechanism";
