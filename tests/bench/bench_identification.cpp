@@ -3,7 +3,7 @@
 // What it costs to find the mechanism that made 201 rows, the parameter that explains a difference, and how a file is
 // to be read. The start is Table 1 of the report, which the data are far from.
 
-#include "core/diagnosis/convention.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/identification/identification.h"
 #include "core/identification/parameter_change.h"
 #include "tests/support/printed_motion.h"
@@ -54,7 +54,7 @@ void changeOne(benchmark::State &state, const Parameters &truth)
 {
     const ReferenceData data = printedData(truth);
     for (auto _ : state) {
-        const std::vector<ParameterChange> changes = parameterChanges(data, Mechanism());
+        const std::vector<ParameterChange> changes = parameterChanges(data, Mechanism(), truth);
         benchmark::DoNotOptimize(changes.data());
     }
 }
@@ -72,8 +72,8 @@ void findRadians(benchmark::State &state, const Parameters &truth, int rows, dou
     const Convention toRadians{Convention::Kind::AngleUnit, angles, 1.0 / kDegreesPerRadian};
     const ReferenceData data = applied(toRadians, printedData(truth, printing));
     for (auto _ : state) {
-        const std::vector<ConventionFinding> found = findConventions(data, Mechanism());
-        benchmark::DoNotOptimize(found.data());
+        const Diagnosis found = diagnose(data, Mechanism());
+        benchmark::DoNotOptimize(&found);
     }
 }
 BENCHMARK_CAPTURE(findRadians, at_hand, Parameters(), 201, 1.0)->Unit(benchmark::kMillisecond);

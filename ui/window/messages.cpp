@@ -18,11 +18,11 @@ Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
     , m_session(session)
     , m_bar(bar)
 {
-    connect(session, &Session::problemFound, this, &Messages::tellProblem);
+    connect(session, &Session::problemFound, this, &Messages::tellRefusal);
     connect(session, &Session::referenceRefused, this, &Messages::tellRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::announceReading);
     connect(session, &Session::diagnosisChanged, this, &Messages::announceDiagnosis);
-    connect(session, &Session::resultChanged, this, &Messages::tellDifferenceAnew);
+    connect(session, &Session::resultChanged, this, &Messages::followResult);
     connect(scene, &SceneFile::problemFound, this, &Messages::tellProblem);
     connect(scene, &SceneFile::saved, this,
             [this](const QString &path) { tell(tr("Saved: %1").arg(QDir::toNativeSeparators(path))); });
@@ -72,6 +72,13 @@ void Messages::tellProblem(const QString &sentence)
     m_bar->showMessage(MessageBar::Kind::Problem, sentence);
 }
 
+/// Of what the mechanism cannot be, until it is something else.
+void Messages::tellRefusal(const QString &sentence)
+{
+    m_refusal = sentence;
+    tellProblem(sentence);
+}
+
 void Messages::tellRefused(const QString &path, const QString &sentence)
 {
     if (layoutOf(beginningOf(path)).columns.empty()) {
@@ -109,6 +116,14 @@ void Messages::announceDiagnosis()
     if (m_bar->isHidden()) { // else what it says is newer than the file
         tellDifference();
     }
+}
+
+void Messages::followResult()
+{
+    if (m_bar->text() == m_refusal) {
+        m_bar->hide();
+    }
+    tellDifferenceAnew();
 }
 
 /// What was said of a file is said of the mechanism now on show, until somebody puts it away.

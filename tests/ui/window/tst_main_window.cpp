@@ -424,6 +424,15 @@ private slots:
         QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("greater than 0")));
     }
 
+    void aRefusedNumberIsForgottenWithTheNextOne()
+    {
+        const auto *bar = m_window->findChild<MessageBar *>();
+        m_window->session().setParameters(withCoupler(-1.0));
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("greater than 0")));
+        m_window->session().setParameters(withCoupler(64.0));
+        QVERIFY(!bar->isVisible());
+    }
+
     void saysNothingOfAFileThatAgrees()
     {
         m_window->session().setParameters(withCoupler(60.0));

@@ -14,6 +14,7 @@ namespace
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Channel kTheta3{Theta3, Order::Position};
+constexpr Channel kSlider{R4x, Order::Position};
 constexpr Channel kSliderSpeed{R4x, Order::Velocity};
 
 ChannelComparison compared(Verdict verdict, double worstOver)
