@@ -40,11 +40,6 @@ constexpr double kExplained = 0.1;
 /// A start is no better known than that: what is met so well is met, and needs no other reading.
 constexpr double kMet = 0.01;
 
-bool isTurningChannel(Channel channel)
-{
-    return isAngle(channel.coordinate) && channel.order == Order::Position;
-}
-
 bool hasOrigin(Channel channel)
 {
     return channel.order == Order::Position && (channel.coordinate == R4x || channel.coordinate == R4y ||
@@ -86,7 +81,7 @@ public:
     double score(double factor, bool isTurned, bool isZeroFree) const
     {
         double mean = 0.0;
-        if (isTurningChannel(m_channel)) {
+        if (isTurning(m_channel)) {
             // Without turns anything is an angle: only what varies as the model does.
             const double ratio = std::abs(factor) * m_column.spread / m_modelSpread;
             if (m_channel.coordinate != Theta2 && !(ratio > 0.5 && ratio < 2.0)) {
@@ -211,7 +206,7 @@ Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const doubl
         one.sign = -1.0;
         improve(one);
     }
-    if (isTurningChannel(channel)) {
+    if (isTurning(channel)) {
         for (const double unit : {1.0, kAngleFactors[0], kAngleFactors[1]}) {
             for (const double sign : {1.0, -1.0}) {
                 for (const bool isTurned : {false, true}) {
@@ -688,7 +683,7 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
     const FitProblem problem = problemOf(observations, candidate.reading);
     InstantMotion motion;
     for (const FitColumn &column : problem.columns) {
-        if (!isTurningChannel(column.channel)) {
+        if (!isTurning(column.channel)) {
             continue;
         }
         // The column as it is, against the model: off by half turns, or with jumps.

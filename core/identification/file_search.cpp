@@ -52,31 +52,30 @@ std::optional<FileSearch> searchIn(const ReferenceData &data, const Parameters &
 {
     FileSearch search;
     search.rows = rowsOf(data);
-    if (search.rows.size() < 2) {
+    if (search.rows.count < 2) {
         return std::nullopt;
     }
     search.clock = clockOf(data);
-    std::size_t end = search.rows.size();
-    if (end > kShortFile) {
+    RowRange first = search.rows;
+    if (first.count > kShortFile) {
         std::size_t swings = 0;
         for (const ReferenceSeries &series : data.series) {
             swings = std::max(swings, swingsOf(series.values));
         }
         const double part = std::min(1.0, kWindowSwings / std::max(static_cast<double>(swings), 1.0));
-        end = std::max(static_cast<std::size_t>(std::ceil(part * static_cast<double>(end))), std::min(end, kWindowRows));
+        const auto rows = static_cast<std::size_t>(std::ceil(part * static_cast<double>(first.end - first.first)));
+        first = counted(data, first.first, std::min(first.end, first.first + std::max(rows, kWindowRows)));
         search.isWhole = false;
     }
-    const std::span<const std::size_t> first = std::span(search.rows).first(end);
-    search.window = searchRowsOf(data, search.clock, end > kShortFile ? thinned(first, kWindowRows)
-                                                                      : std::vector(first.begin(), first.end()),
-                                 given);
+    const std::size_t most = search.isWhole ? kShortFile : kWindowRows;
+    search.window = searchRowsOf(data, search.clock, spreadOver(data, first, most), given);
     return search;
 }
 
 SearchRows wholeOf(const ReferenceData &data, const FileSearch &search, const Parameters &given)
 {
     return search.isWhole ? search.window
-                          : searchRowsOf(data, search.clock, thinned(search.rows, kMostFitRows), given);
+                          : searchRowsOf(data, search.clock, spreadOver(data, search.rows, kMostFitRows), given);
 }
 
 Candidate grown(const ReferenceData &data, const FileSearch &search, const SearchRows &whole,
@@ -87,16 +86,15 @@ Candidate grown(const ReferenceData &data, const FileSearch &search, const Searc
     }
     constexpr double kGrowth = 4.0;
     const FitUnits &units = search.window.all.units;
-    const double first = data.time[search.rows.front()];
+    const double first = data.time[search.rows.first];
     double reach = 2.0 * (units.origin - first) + 0.0; // from the first row to the window's last
     Candidate current = candidate;
     FitUnits from = units;
-    const double span = data.time[search.rows.back()] - first;
+    const double span = data.time[search.rows.end - 1] - first;
     for (reach *= kGrowth; reach < span && !stop.stop_requested(); reach *= kGrowth) {
-        const auto last = std::ranges::upper_bound(search.rows, first + reach, {},
-                                                   [&](std::size_t row) { return data.time[row]; });
-        const std::span<const std::size_t> some(search.rows.begin(), last);
-        const SearchRows part = searchRowsOf(data, search.clock, thinned(some, kWindowRows),
+        const auto last = static_cast<std::size_t>(std::ranges::upper_bound(data.time, first + reach) - data.time.begin());
+        const RowRange some = counted(data, search.rows.first, std::min(last, search.rows.end));
+        const SearchRows part = searchRowsOf(data, search.clock, spreadOver(data, some, kWindowRows),
                                              from.fromFit(current.fit.parameters));
         if (part.all.columns.size() != current.reading.size()) {
             break;

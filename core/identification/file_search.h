@@ -15,7 +15,7 @@ namespace slidercrank
 {
 
 struct FileSearch {
-    std::vector<std::size_t> rows; ///< those that have values
+    RowRange rows;
     Clock clock;
     SearchRows window;
     bool isWhole = true; ///< the window is all there is

@@ -15,11 +15,6 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool isTurning(Channel channel)
-{
-    return isAngle(channel.coordinate) && channel.order == Order::Position;
-}
-
 /// Weights 1/V of the values, by column.
 using Weights = std::vector<std::vector<double>>;
 
@@ -202,6 +197,11 @@ double noiseOf(std::span<const double> residuals, std::span<const double> varian
 }
 
 } // namespace
+
+bool isTurning(Channel channel)
+{
+    return isAngle(channel.coordinate) && channel.order == Order::Position;
+}
 
 double withoutTurns(double radians)
 {

@@ -114,7 +114,10 @@ double chiSquaredAt(const FitProblem &problem, const Fit &fit, const FreeParamet
 
 std::size_t freeCount(const FitProblem &problem, const FreeParameters &isFree);
 
-/// A difference of angles without whole turns.
+/// A position in angle: known up to whole turns.
+bool isTurning(Channel channel);
+
+/// A difference of angles without them.
 double withoutTurns(double radians);
 
 } // namespace slidercrank

@@ -21,25 +21,50 @@ bool isNothing(Channel channel)
            channel.coordinate == Theta4;
 }
 
-/// Takes out jumps of whole turns: between two rows the coupler turns by less than half of one.
+/// Not the derivative of what does not move, where it is zero; nor a column of the crank's or the coupler's centre that
+/// nobody filled in.
+bool saysSomething(const ObservedColumn &column)
+{
+    const Coordinate coordinate = column.channel.coordinate;
+    const bool isByNatureConstant =
+        coordinate == Theta2 || (coordinate == R4y && column.channel.order == Order::Position);
+    return column.varies || isByNatureConstant || isPlotted(column.channel);
+}
+
+/// Takes out jumps of whole turns: between two rows the coupler turns by less than half of one. Where something that is
+/// no whole turn looks like a jump, the column is in another unit, and is left as it is.
 bool takeOutJumps(std::vector<double> &degrees)
 {
+    constexpr double kNearTurn = 90.0;
+    std::vector<double> continuous = degrees;
     bool any = false;
     double last = kNone;
     double turns = 0.0;
-    for (double &value : degrees) {
+    for (double &value : continuous) {
         if (!std::isfinite(value)) {
             continue;
         }
         if (std::isfinite(last)) {
-            const double jumps = std::round((value + turns - last) / 360.0);
+            const double change = value + turns - last;
+            const double jumps = std::round(change / 360.0);
+            if (jumps != 0.0 && std::abs(change - 360.0 * jumps) > kNearTurn) {
+                return false;
+            }
             any = any || jumps != 0.0;
             turns -= 360.0 * jumps;
         }
         value += turns;
         last = value;
     }
+    degrees = std::move(continuous);
     return any;
+}
+
+bool hasValue(const ReferenceData &data, std::size_t row)
+{
+    return std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+        return std::isfinite(series.values[row]) && !isNothing(series.channel);
+    });
 }
 
 /// How many rows count for one: see observations.h.
@@ -139,14 +164,38 @@ std::size_t Observations::valueCount() const
     return count;
 }
 
-std::vector<std::size_t> rowsOf(const ReferenceData &data)
+RowRange rowsOf(const ReferenceData &data)
 {
+    RowRange range{0, data.time.size(), 0};
+    while (range.first < range.end && !hasValue(data, range.first)) {
+        ++range.first;
+    }
+    while (range.end > range.first && !hasValue(data, range.end - 1)) {
+        --range.end;
+    }
+    return counted(data, range.first, range.end);
+}
+
+RowRange counted(const ReferenceData &data, std::size_t first, std::size_t end)
+{
+    RowRange range{first, end, 0};
+    for (std::size_t row = first; row < end; ++row) {
+        range.count += hasValue(data, row) ? 1 : 0;
+    }
+    return range;
+}
+
+std::vector<std::size_t> spreadOver(const ReferenceData &data, const RowRange &range, std::size_t most)
+{
+    const std::size_t count = std::min(range.count, most);
     std::vector<std::size_t> rows;
-    for (std::size_t row = 0; row < data.time.size(); ++row) {
-        if (std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
-                return !isNothing(series.channel) && std::isfinite(series.values[row]);
-            })) {
-            rows.push_back(row);
+    std::size_t seen = 0;
+    for (std::size_t row = range.first; row < range.end && rows.size() < count; ++row) {
+        if (hasValue(data, row)) {
+            const std::size_t wanted = count == 1 ? 0 : rows.size() * (range.count - 1) / (count - 1);
+            if (seen++ >= wanted) {
+                rows.push_back(row);
+            }
         }
     }
     return rows;
@@ -249,9 +298,7 @@ Observations observe(const ReferenceData &data, const Clock &clock, const FitUni
             column.hasJumps = takeOutJumps(column.values);
         }
         learn(column, series.rounding);
-        // A derivative of what does not move says something only where it is not zero.
-        const bool says = series.channel.coordinate != R4y || series.channel.order == Order::Position || column.varies;
-        if (column.count >= 2 && says) {
+        if (column.count >= 2 && saysSomething(column)) {
             observations.columns.push_back(std::move(column));
         }
     }

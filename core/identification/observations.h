@@ -60,8 +60,19 @@ struct Observations {
 
 bool isPlotted(Channel channel);
 
-/// Rows with any value that counts, ascending.
-std::vector<std::size_t> rowsOf(const ReferenceData &data);
+/// Some rows of a file, of which `count` have a value that says something.
+struct RowRange {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    std::size_t count = 0;
+};
+
+/// From the first with a value to the last.
+RowRange rowsOf(const ReferenceData &data);
+RowRange counted(const ReferenceData &data, std::size_t first, std::size_t end);
+
+/// At most so many of those with a value, evenly spread.
+std::vector<std::size_t> spreadOver(const ReferenceData &data, const RowRange &range, std::size_t most);
 
 /// At most so many of the rows, evenly spread.
 std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t most);

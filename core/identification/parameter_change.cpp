@@ -15,20 +15,23 @@ namespace slidercrank
 namespace
 {
 
-/// Σ r²/z², every column counting alike; infinite where the mechanism does not move as long as the data do.
+/// Σ r²/z², every column counting alike; where the mechanism does not move, each value is off by all its spread.
 double squaresOf(const FitProblem &problem, const Parameters &parameters)
 {
-    Fit at;
-    at.parameters = parameters;
-    FitResiduals left;
-    if (!residualsOf(problem, at, left)) {
-        return std::numeric_limits<double>::infinity();
-    }
+    InstantMotion motion;
     double sum = 0.0;
-    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
-        for (const double residual : left.residuals[k]) {
-            const double part = residual / problem.columns[k].spread;
-            sum += std::isnan(part) ? 0.0 : part * part;
+    for (std::size_t row = 0; row < problem.time.size(); ++row) {
+        const bool moves = motion.computeValues(parameters, problem.time[row]);
+        for (const FitColumn &column : problem.columns) {
+            if (std::isnan(column.values[row])) {
+                continue;
+            }
+            double residual = column.spread;
+            if (moves) {
+                residual = column.values[row] - motion.valueOf(column.channel);
+                residual = isTurning(column.channel) ? withoutTurns(residual) : residual;
+            }
+            sum += (residual / column.spread) * (residual / column.spread);
         }
     }
     return sum;
@@ -64,7 +67,7 @@ std::vector<ParameterChange> parameterChanges(const ReferenceData &data, const M
             continue;
         }
         const double least = squaresOf(problem, units.toFit(trial));
-        const double explained = before > 0.0 && std::isfinite(before) && least < before ? 1.0 - least / before : 0.0;
+        const double explained = before > 0.0 && least < before ? 1.0 - least / before : 0.0;
         changes.push_back({parameter, valueOf(trial, parameter), explained});
     }
     std::ranges::stable_sort(changes, std::ranges::greater(), &ParameterChange::explained);

@@ -75,6 +75,9 @@ constexpr int kDigitsOfAChosenNumber = 4;
 /// its own: so many digits as a person chooses are taken for known.
 int placeOfOneValue(const PrintedPlaces &places)
 {
+    if (places.printed > 0) {
+        return places.printed; // an exponent says that the digits before the point end there
+    }
     const int place = std::min(places.last, 0);
     const int known = std::max(places.first - kDigitsOfAChosenNumber + 1, places.printed);
     return places.printed < 0 ? std::min(place, known) : place;

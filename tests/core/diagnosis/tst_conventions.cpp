@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/diagnosis/convention.h"
+#include "core/diagnosis/diagnosis.h"
 
 #include "core/comparison/comparison.h"
 
@@ -58,6 +58,12 @@ void operator delete(void *memory, std::size_t) noexcept
 
 namespace
 {
+
+std::vector<ConventionFinding> findConventions(const ReferenceData &data, const Mechanism &mechanism,
+                                               std::stop_token stop = {})
+{
+    return diagnose(data, mechanism, std::move(stop)).conventions;
+}
 
 constexpr double kPi = std::numbers::pi;
 
