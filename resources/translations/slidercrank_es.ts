@@ -999,36 +999,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>Para seguir con el primero: %1</translation>
     </message>
     <message>
-        <source>Usage: slidercrank identify FILE [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from the columns theta3, R4_x and their derivatives, and how
-certain each of its parameters is; every other column has to agree. Where the file means something else by a column
-than its heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is
-read so. The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s
-pivot O2, angles counter-clockwise from x.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de las columnas theta3, R4_x y sus derivadas, y
-con qué certeza se conoce cada parámetro; todas las demás columnas han de concordar. Donde el archivo entiende por una
-columna otra cosa que su encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo
-se lee así. Las opciones del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de
-la manivela, los ángulos en sentido antihorario desde x.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
-none          ni siquiera eso
-</translation>
-    </message>
-    <message>
         <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
        &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
        &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
@@ -1100,6 +1070,36 @@ como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pa
 se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
 1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
 informa en la salida de errores, y los demás se comparan igualmente.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
+above all, and how certain each of its parameters is. Where the file means something else by a column than its
+heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
+angles counter-clockwise from x.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       nothing found explains the file: what comes nearest, as just that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
+y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
+encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
+en sentido antihorario desde x.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+none          ni siquiera eso
 </translation>
     </message>
 </context>
@@ -1437,10 +1437,6 @@ informa en la salida de errores, y los demás se comparan igualmente.
         <translation>Muchos mecanismos se mueven casi como estos datos: exporte un movimiento más largo, más cifras, o más columnas.</translation>
     </message>
     <message>
-        <source>There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
-        <translation>Hay muy pocos valores de θ³, Rₓ⁴ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
-    </message>
-    <message>
         <source>The crank speed is not constant: θ₂ turns at %1 rad/s at the start and %2 rad/s at the end.</source>
         <translation>La velocidad de la manivela no es constante: θ₂ gira a %1 rad/s al principio y a %2 rad/s al final.</translation>
     </message>
@@ -1495,6 +1491,10 @@ informa en la salida de errores, y los demás se comparan igualmente.
     <message>
         <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
         <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
+    </message>
+    <message>
+        <source>There are too few values of θ³, Rₓ⁴, R³ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
+        <translation>Hay muy pocos valores de θ³, Rₓ⁴, R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
     </message>
 </context>
 <context>

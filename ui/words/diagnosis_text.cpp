@@ -157,7 +157,7 @@ QString lackSentence(const Identification &found)
             "Many mechanisms move nearly as these data do: export a longer motion, more digits, or "
             "more columns.");
     }
-    return DiagnosisText::tr("There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: "
+    return DiagnosisText::tr("There are too few values of θ³, Rₓ⁴, R³ and their derivatives to find the mechanism by: "
                              "export more instants, or more columns.");
 }
 
