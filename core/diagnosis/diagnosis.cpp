@@ -11,10 +11,8 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
 #include <cmath>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -245,13 +243,6 @@ bool leavesOut(const Tried &tried)
     return std::ranges::any_of(tried.hypothesis.columns, [](const ColumnHypothesis &column) { return !column.isUsed; });
 }
 
-void dump(const SearchRows&rows,const Tried&t,const char*what){
-  auto p=rows.all.units.fromFit(t.candidate.fit.parameters);
-  std::fprintf(stderr,"%s stands %d score %.1f (fit %.1f chi2 %.1f) a %.6g b %.6g c %.6g w %.6g ph %.6g %d :",what,t.candidate.standing.stands,t.candidate.score(),t.candidate.fit.score,t.candidate.fit.chiSquared,p.a,p.b,p.c,p.omega2,p.theta20,(int)p.branch);
-  auto pr=problemOf(rows.all,t.candidate.reading);
-  for(auto&c:pr.columns){ size_t k=&c-pr.columns.data(); auto&h=t.hypothesis.columns[c.source]; std::fprintf(stderr," [%s%s u%.3g s%g%s%s sig %.2g %s]",std::string(nameOf(c.channel)).c_str(),c.zero>=0?" zero":"",h.unit,h.sign,h.isPerSecond?" perS":"",h.isTurned?" turned":"",k<t.candidate.fit.noise.size()?std::sqrt(t.candidate.fit.noise[k])/c.spread:-1, k<t.candidate.standing.columnStands.size()&&t.candidate.standing.columnStands[k]?"ok":"BAD");}
-  std::fprintf(stderr,"\n");
-}
 /// Whether it is about the mechanism at hand: then the file is rather read to be about it, too.
 bool isAbout(const Parameters &found, const Parameters &given)
 {
@@ -273,17 +264,15 @@ std::vector<Tried> allWays(const SearchRows &rows, const std::stop_token &stop)
     if (!anyStands(tried)) {
         tryWithoutDifferences(rows, tried, stop);
     }
-    if (std::getenv("DBG")) for (auto&t:tried) dump(rows,t,"plain");
     if (!anyStandsAsWritten(tried)) {
         tryReadings(rows, starts, tried, stop);
-    if (std::getenv("DBG")) for (auto&t:tried) dump(rows,t,"readings");
         std::ranges::stable_sort(tried, isBetter);
         if (tried.empty() || !tried.front().candidate.standing.stands || leavesOut(tried.front())) {
             tryReadings(rows, startsFromParts(rows.all, rows.given.a, stop), tried, stop);
         }
     }
     for (Tried &one : tried) {
-        constexpr double kBonus = 16.0; // between two names of the same fault
+        constexpr double kBonus = 24.0; // between two names of the same fault
         one.candidate.penalty -= isAbout(one.candidate.fit.parameters, rows.given) ? kBonus : 0.0;
     }
     std::ranges::stable_sort(tried, isBetter);

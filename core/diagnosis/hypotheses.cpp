@@ -7,9 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -543,7 +540,6 @@ std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const 
         }
     }
     std::ranges::stable_sort(screened, {}, &Screened::total);
-    if(std::getenv("DBG2")) for(size_t i=0;i<std::min<size_t>(screened.size(),12);++i){auto&s=screened[i];auto p=few.units.fromFit(s.hypothesis.start);std::fprintf(stderr,"screen %.1f a %.4g b %.4g c %.4g w %.4g T %g:",s.total,p.a,p.b,p.c,p.omega2,s.hypothesis.timeUnit);for(auto&h:s.hypothesis.columns)std::fprintf(stderr," [%s%s u%.3g s%g%s%s%s]",std::string(nameOf(h.channel)).c_str(),h.isZeroFree?" zero":"",h.unit,h.sign,h.isPerSecond?" perS":"",h.isTurned?" turned":"",h.isUsed?"":" OUT");std::fprintf(stderr,"\n");}
     std::vector<Hypothesis> best;
     for (const Screened &one : screened) {
         const auto alike = static_cast<std::size_t>(std::ranges::count_if(

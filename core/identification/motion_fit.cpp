@@ -112,7 +112,8 @@ void descend(const FitProblem &problem, Fit &at, const FreeParameters &isFree, c
              const std::stop_token &stop)
 {
     constexpr double kRelativeGain = 1e-5;
-    constexpr double kGain = 1e-4; // a hundredth of a standard error
+    constexpr double kGain = 1e-4;         // a hundredth of a standard error
+    constexpr double kNearlyGauss = 1e-3; // of damping: the step is nearly the whole one
     Linearized here;
     linearize(problem, at, isFree, weights, here);
     at.chiSquared = here.chiSquared;
@@ -139,7 +140,7 @@ void descend(const FitProblem &problem, Fit &at, const FreeParameters &isFree, c
             at = trial;
             here = there;
             damping = std::max(0.1 * damping, 1e-12);
-            if (gain <= kRelativeGain * at.chiSquared + kGain && damping < 1e-4) {
+            if (gain <= kRelativeGain * at.chiSquared + kGain && damping <= kNearlyGauss) {
                 break;
             }
         } else {

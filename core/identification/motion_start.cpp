@@ -758,7 +758,7 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
     }
     std::vector<double> few;
     constexpr double kMostRadians = 2.0 * kPi * 6.0;
-    for (double speed = 0.3; speed < 4.0; speed *= 1.35) {
+    for (double speed = 0.1; speed < 4.0; speed *= 1.35) {
         few.push_back(speed);
     }
     for (double speed = 4.0; speed < kMostRadians; speed += 0.8) {

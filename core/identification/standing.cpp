@@ -27,6 +27,18 @@ double sizeOf(const FitColumn &column, const Parameters &p)
     return std::max(column.spread, constant);
 }
 
+/// Whether a number of steps has three digits or more, zeros at its end left out.
+bool hasManyDigits(double steps)
+{
+    constexpr double kThreeDigits = 100.0;
+    constexpr double kMost = 1e15;
+    double whole = std::round(steps);
+    while (whole >= kThreeDigits && whole < kMost && std::fmod(whole, 10.0) == 0.0) {
+        whole /= 10.0;
+    }
+    return std::isfinite(steps) && whole >= kThreeDigits;
+}
+
 /// Lag-1 autocorrelation.
 double correlationOf(const std::vector<double> &values)
 {
@@ -150,13 +162,13 @@ Uncertainty uncertaintyOf(const Observations &observations, const FitProblem &pr
             ++next;
         }
     }
-    // An even clock may still be a rounded one: a slope of at most a step over the whole time.
+    // An even clock may still be a rounded one: a slope of at most a step over the whole time. Not where its interval
+    // is a number that somebody chose: 0.005, 0.02.
     double clock = 0.0;
     if (observations.clockStep == 0.0 && isFree[indexOf(Parameter::Omega2)]) {
         const double span = observations.time.back() - observations.time.front();
         const double interval = span / std::max<double>(static_cast<double>(observations.time.size()) - 1.0, 1.0);
-        const double digits = interval / observations.printedClockStep; // of the clock's interval
-        clock = digits >= 100.0 && std::isfinite(digits)
+        clock = hasManyDigits(interval / observations.printedClockStep)
                     ? std::abs(fit.parameters.omega2) * observations.printedClockStep / (std::sqrt(12.0) * span)
                     : 0.0;
         double &ofSpeed = result.standardError[indexOf(Parameter::Omega2)];

@@ -49,6 +49,7 @@ long double differenceOf(Channel channel, long double one, long double other)
 struct Likeness {
     bool same = false;
     std::vector<std::pair<Channel, double>> offsets; ///< image less truth, of columns with a free zero
+    double lengthError = 0.0; ///< the largest standard error of a length that is claimed
 };
 
 bool names(const std::vector<ExpectedFinding> &findings, std::string_view name, Channel channel)
@@ -64,7 +65,7 @@ Likeness likenessOf(const ClaimFile &file, const Parameters &truth, const Parame
                     const std::vector<ExpectedFinding> &claimed)
 {
     constexpr long double kSame = 1e-9L; // of the channel's size
-    Likeness likeness{true, {}};
+    Likeness likeness{true, {}, 0.0};
     std::vector<std::pair<AllChannels, AllChannels>> rows; // truth and image
     for (const double t : file.instants) {
         rows.emplace_back(motionAt(truth, t), motionAt(image, t));
@@ -179,7 +180,8 @@ bool isSameFinding(const ClaimFile &file, const ExpectedFinding &claimed, const 
             low = std::min(low, std::isnan(value) ? low : value);
             high = std::max(high, std::isnan(value) ? high : value);
         }
-        tolerance = 0.02 * std::max({high - low, std::abs(amount), file.truth ? file.truth->a : 0.0});
+        tolerance = std::max(0.02 * std::max({high - low, std::abs(amount), file.truth ? file.truth->a : 0.0}),
+                             isAngle(channel.coordinate) ? 0.0 : kLikelyErrors * likeness.lengthError);
         const double difference = claimed.amount - amount;
         return std::abs(isAngle(channel.coordinate) ? std::remainder(difference, 360.0) : difference) <= tolerance;
     }
@@ -217,7 +219,10 @@ std::optional<Offness> trueReading(const ClaimFile &file, const ProgramClaim &cl
           (file.readings.empty() ? "no slider-crank" : described(file.readings.front().findings));
     for (const TrueReading &reading : file.readings) {
         for (const Parameters &image : imagesOf(reading.truth)) {
-            const Likeness likeness = likenessOf(file, reading.truth, image, claim.findings);
+            Likeness likeness = likenessOf(file, reading.truth, image, claim.findings);
+            for (const double error : {claim.standardError[0], claim.standardError[1], claim.standardError[2]}) {
+                likeness.lengthError = std::isfinite(error) ? std::max(likeness.lengthError, error) : likeness.lengthError;
+            }
             if (!likeness.same || !areSameFindings(file, claim.findings, reading.findings, likeness, isImage)) {
                 continue;
             }
@@ -475,7 +480,7 @@ std::string falseClaim(const ClaimFile &file, const ReferenceData &data, const P
             return "rounded " + why;
         }
     } else if (!claim.findings.empty()) {
-        Likeness plain{true, {}};
+        const Likeness plain{true, {}, 0.0};
         const auto isTrue = [&](const TrueReading &reading) {
             return areSameFindings(file, claim.findings, reading.findings, plain, false);
         };
