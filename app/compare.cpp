@@ -2,12 +2,14 @@
 #include "app/subcommands.h"
 
 #include "app/comparison_text.h"
+#include "app/diagnosis_json.h"
 #include "app/json_text.h"
 #include "app/output.h"
 #include "app/shortfall.h"
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/diagnosis.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/column_text.h"
+#include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 
@@ -40,14 +42,29 @@ struct Compared {
     }
 };
 
+/// Why the file differs; null where it does not.
+QByteArray jsonExplanation(const Compared &compared, const Mechanism &mechanism)
+{
+    if (!compared.differs()) {
+        return "null";
+    }
+    const ReferenceData &data = compared.reference->data;
+    const Diagnosis diagnosis = diagnose(data, mechanism);
+    const Identification &found = diagnosis.identification;
+    return "{\"sentence\":" + jsonString(explanationLines(diagnosis, data, mechanism).join(u' ')) +
+           ",\"mechanism\":" + (found.stands() ? jsonMechanism(Mechanism(found.parameters)) : QByteArray("null")) +
+           ",\"conventions\":" + jsonOf(diagnosis.conventions, data) + '}';
+}
+
 QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
 {
+    const InEnglish inEnglish;
     const ReferenceData &data = compared.reference->data;
     QByteArrayList skipped;
     for (const SkippedRow &row : data.skipped) {
         skipped += "{\"line\":" + QByteArray::number(row.line) + ",\"column\":" + QByteArray::number(row.column) +
                    ",\"text\":" + jsonString(QString::fromStdString(row.text)) +
-                   ",\"reason\":" + jsonString(englishReasonOf(row)) + '}';
+                   ",\"reason\":" + jsonString(reasonOf(row)) + '}';
     }
     QByteArrayList ignored;
     for (const FileColumn &column : data.layout.columns) {
@@ -56,26 +73,10 @@ QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
             ignored += jsonString(QString::fromUtf8(column.heading.empty() ? "column " + number : column.heading));
         }
     }
-    return "{\"file\":" + jsonString(compared.file) + ",\"mechanism\":" + jsonMechanism(mechanism) +
-           ",\"channels\":" + jsonOf(compared.channels) + ",\"skipped\":[" + skipped.join(',') +
-           "],\"ignoredColumns\":[" + ignored.join(',') + "]}";
-}
-
-/// Whose motion it is instead, a line each.
-QString explanationOf(const ReferenceData &data, const Mechanism &mechanism)
-{
-    const Interpretation interpretation = interpret(data, mechanism);
-    QString text;
-    for (const ConventionFinding &finding : interpretation.conventions) {
-        text += explanationOf(finding.convention) + u' ' + effectOf(finding) + u'\n';
-    }
-    if (interpretation.attribution.empty()) {
-        return text + CommandLine::tr("Read so, it agrees with this mechanism.") + u'\n';
-    }
-    if (const QString sentence = attributionText(interpretation.attribution, mechanism); !sentence.isEmpty()) {
-        text += sentence + u'\n';
-    }
-    return text + CommandLine::tr("The file's own mechanism: %1").arg(summaryOf(interpretation.identification)) + u'\n';
+    return "{\"file\":" + jsonString(compared.file) + ",\"mechanism\":" + jsonMechanism(mechanism) + ",\"verdict\":\"" +
+           wordOf(compared.worstVerdict()) + "\",\"channels\":" + jsonOf(compared.channels) +
+           ",\"columns\":" + jsonColumns(data.layout) + ",\"explanation\":" + jsonExplanation(compared, mechanism) +
+           ",\"skipped\":[" + skipped.join(',') + "],\"ignoredColumns\":[" + ignored.join(',') + "]}";
 }
 
 QString textOf(const Compared &compared, const Mechanism &mechanism)
@@ -87,7 +88,11 @@ QString textOf(const Compared &compared, const Mechanism &mechanism)
                      number(mechanism.theta20()), assemblyText(mechanism.branch())) +
             QStringLiteral("\n\n");
     text += tableOf(compared.channels) + u'\n' + summaryOf(compared.channels) + u'\n';
-    return compared.differs() ? text + explanationOf(compared.reference->data, mechanism) : text;
+    if (compared.differs()) {
+        const ReferenceData &data = compared.reference->data;
+        text += explanationLines(diagnose(data, mechanism), data, mechanism).join(u'\n') + u'\n';
+    }
+    return text;
 }
 
 /// What goes before the first file, between two, and after the last.

@@ -19,17 +19,6 @@ namespace slidercrank
 namespace
 {
 
-/// As the contract names it in CSV and JSON.
-const char *wordOf(Verdict verdict)
-{
-    switch (verdict) {
-    case Verdict::Agrees: return "agrees";
-    case Verdict::Close: return "close";
-    case Verdict::Differs: return "differs";
-    }
-    return "";
-}
-
 /// Without a value there is no instant of it either.
 std::optional<double> timeOf(std::optional<double> value, double time)
 {
@@ -101,6 +90,16 @@ QStringList guessesIn(const FileLayout &layout)
 
 } // namespace
 
+const char *wordOf(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::Agrees: return "agrees";
+    case Verdict::Close: return "close";
+    case Verdict::Differs: return "differs";
+    }
+    return "";
+}
+
 QString headlineOf(const QString &file, const ReferenceData &data)
 {
     const auto number = [](double value) { return QString::number(value, 'g', 9); };
@@ -170,8 +169,9 @@ void warnOf(const QString &file, const ReferenceData &data)
         const SkippedRow &first = data.skipped.front();
         say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
                             "(\"%5\"): %6.")
-                .arg(QDir::toNativeSeparators(file), QString::number(data.skippedRowCount()), QString::number(first.line),
-                     QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
+                .arg(QDir::toNativeSeparators(file), QString::number(data.skippedRowCount()),
+                     QString::number(first.line), QString::number(first.column), QString::fromStdString(first.text),
+                     reasonOf(first)));
     }
     if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
         say(CommandLine::tr("%1: these columns are no channels and were ignored: %2.")

@@ -13,6 +13,9 @@
 namespace slidercrank
 {
 
+/// As the contract names it in CSV and JSON.
+const char *wordOf(Verdict verdict);
+
 /// "file.csv: t = 0 s to 1 s, 201 instants"
 QString headlineOf(const QString &file, const ReferenceData &data);
 

@@ -147,27 +147,40 @@ QString introductionOf(Subcommand subcommand)
                                "their\n"
                                "second (theta3_diff2), 17 significant digits, nan where a value does not exist.\n");
     case Subcommand::Compare:
-        return CommandLine::tr("Usage: slidercrank compare FILE… [options]\n"
-                               "\n"
-                               "Reads simulations' CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and "
-                               "tells how far each of their\n"
-                               "columns is from the exact motion of the mechanism at the file's own instants. A column "
-                               "agrees when at least\n"
-                               "95 % of its values are within half a rounding step of the file and none beyond ten "
-                               "halves, is close when none\n"
-                               "is beyond a hundred halves, and differs otherwise. Where one differs, the text says "
-                               "what explains it. A file that\n"
-                               "cannot be read is told on standard error, and the others are still compared.\n");
+        return CommandLine::tr(
+            "Usage: slidercrank compare FILE… [options]\n"
+            "\n"
+            "Reads simulations' CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and "
+            "tells how far each of their\n"
+            "columns is from the exact motion of the mechanism at the file's own instants. What "
+            "rounding makes of a value is half\n"
+            "a step of its own, and what the motion does in half a step of its instant (evenly "
+            "spaced instants count as exact).\n"
+            "A column agrees when at least 95 % of its errors are within that and none beyond ten "
+            "times as much, is close when\n"
+            "none is beyond a hundred times, and differs otherwise; also where an error goes beyond "
+            "its rounding by 1 % of half\n"
+            "the motion's range. Where one differs, the text says what explains it. A file that cannot "
+            "be read is told on\n"
+            "standard error, and the others are still compared.\n");
     case Subcommand::Identify:
         return CommandLine::tr("Usage: slidercrank identify FILE [options]\n"
                                "\n"
-                               "Finds the mechanism that a simulation's file belongs to, from any of the columns "
-                               "theta3, R4_x and their\n"
-                               "derivatives, and how certain each of its parameters is. Where the file means something "
-                               "else by a column than its\n"
-                               "heading says (radians, the textbook's angle, another sign, …), that is said, and the "
-                               "file is read so. The options\n"
-                               "of the mechanism give what the file cannot fix.\n");
+                               "Finds the mechanism that a simulation's file belongs to, from the columns theta3, R4_x "
+                               "and their derivatives, and how\n"
+                               "certain each of its parameters is; every other column has to agree. Where the file "
+                               "means something else by a column\n"
+                               "than its heading says (radians, another origin, the textbook's angle, another sign, "
+                               "…), that is said, and the file is\n"
+                               "read so. The options of the mechanism give what the file cannot fix. R4_x and R4_y are "
+                               "counted from the crank's\n"
+                               "pivot O2, angles counter-clockwise from x.\n"
+                               "\n"
+                               "identified    what is left is rounding, or noise that looks like noise\n"
+                               "ambiguous     several mechanisms explain the file equally: all are listed\n"
+                               "insufficient  too few values, instants a turn or columns to tell\n"
+                               "nearest       nothing found explains the file: what comes nearest, as just that\n"
+                               "none          not even that\n");
     case Subcommand::Study:
         return CommandLine::tr("Usage: slidercrank study [options]\n"
                                "\n"
@@ -210,7 +223,10 @@ QString shapeOf(Subcommand subcommand)
     case Subcommand::Compare:
         return CommandLine::tr("JSON: {\"files\":[{\"file\", "
                                "\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
-                               "\"channels\":[…],\n"
+                               "\"verdict\", \"channels\":[…],\n"
+                               "       \"columns\":[{\"heading\",\"unit\",\"channel\",\"guessed\",\"why\"}],\n"
+                               "       \"explanation\":{\"sentence\",\"mechanism\",\"conventions\":[as of identify]}, "
+                               "where it differs,\n"
                                "       \"skipped\":[{\"line\",\"column\",\"text\",\"reason\"}], "
                                "\"ignoredColumns\":[…]}]}; a channel is\n"
                                "      {\"name\",\"unit\",\"count\",\"maxAbs\",\"timeOfMaxAbs\",\"rms\",\"maxPercent\","
@@ -219,14 +235,21 @@ QString shapeOf(Subcommand subcommand)
                                "s; null where there is none.\n"
                                "CSV: the file's name, then the same columns.\n");
     case Subcommand::Identify:
-        return CommandLine::tr("JSON: {\"file\", "
-                               "\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
-                               "\"standardError\":{\"a\",…},\n"
-                               "       \"identifiable\":{\"a\":true,…}, \"iterations\", \"conditionNumber\", "
-                               "\"channels\":[as of compare, against it],\n"
-                               "       \"conventions\":[{\"name\",\"explanation\",\"before\",\"after\"}], "
-                               "\"summary\"}; in mm and rad as the options;\n"
-                               "      before, after: largest error, % of peak; null where there is none.\n");
+        return CommandLine::tr(
+            "JSON: {\"file\", "
+            "\"outcome\":\"identified\"|\"ambiguous\"|\"insufficient\"|\"nearest\"|\"none\",\n"
+            "       \"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
+            "\"standardError\":{\"a\",…}, \"identifiable\":{\"a\":true,…},\n"
+            "       \"alternatives\":[{\"mechanism\",\"why\"}], \"rounded\":{\"a\",…}, "
+            "\"noise\":{\"theta3\":rms,…}, \"iterations\",\n"
+            "       \"conditionNumber\", \"channels\":[as of compare, against it], \"columns\":[as of compare],\n"
+            "       \"conventions\":[{\"name\",\"channel\",\"amount\",\"unit\",\"explanation\",\"before\",\"after\"}], "
+            "\"summary\"};\n"
+            "      in mm and rad as the options; why: \"mirror-image\", \"reversed\", \"other-assembly\", "
+            "\"alias\" or \"another-mechanism\";\n"
+            "      channel: one, or several with commas; before, after: largest error, % of peak; null where there is "
+            "none.\n"
+            "      Of the outcome nearest the mechanism is no more than what comes nearest.\n");
     case Subcommand::Study:
         return CommandLine::tr("JSON: {\"machine\", \"cases\":[{\"name\", \"methods\":[…]}]}; a method is\n"
                                "      {\"method\",\"tolerance\",\"channels\",\"nsPerState\",\"spread\","
@@ -250,7 +273,8 @@ QString exitStatusText()
                            "mechanism cannot be\n"
                            "assembled at some instant (the others are still written); 5 Newton-Raphson did not "
                            "converge, or velocity and\n"
-                           "acceleration do not exist, somewhere, or no mechanism was found for a file. Of several, 3, "
+                           "acceleration do not exist, somewhere, or a file's mechanism was neither identified nor "
+                           "ambiguous. Of several, 3,\n"
                            "4, 5, 1 in this order.\n");
 }
 

@@ -2,10 +2,13 @@
 #include "app/subcommands.h"
 
 #include "app/comparison_text.h"
+#include "app/diagnosis_json.h"
 #include "app/json_text.h"
 #include "app/output.h"
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/diagnosis.h"
 #include "ui/document/reference_file.h"
+#include "ui/words/convention_text.h"
+#include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
 
 #include <QDir>
@@ -21,57 +24,33 @@ namespace slidercrank
 namespace
 {
 
-/// As JSON names it, in every language.
-const char *wordOf(Convention::Kind kind)
-{
-    switch (kind) {
-    case Convention::Kind::AngleUnit: return "angle-unit";
-    case Convention::Kind::LengthUnit: return "length-unit";
-    case Convention::Kind::TimeUnit: return "time-unit";
-    case Convention::Kind::Sign: return "sign";
-    case Convention::Kind::HalfTurn: return "half-turn";
-    case Convention::Kind::WholeTurns: return "whole-turns";
-    case Convention::Kind::SwappedColumns: return "swapped-columns";
-    case Convention::Kind::Branch: return "branch";
-    case Convention::Kind::TimeShift: return "time-shift";
-    case Convention::Kind::NotDerivative: return "not-derivative";
-    }
-    return "";
-}
+using Outcome = Identification::Outcome;
 
-bool isFound(const Interpretation &interpretation)
+/// What was not found is null; what comes nearest is the mechanism only under that name.
+QByteArray jsonOf(const QString &file, const ReferenceData &data, const Diagnosis &diagnosis)
 {
-    return interpretation.identification.status == Identification::Status::Found;
-}
-
-/// What was not found is null.
-QByteArray jsonOf(const QString &file, const Interpretation &interpretation)
-{
-    const Identification &identification = interpretation.identification;
-    const bool found = isFound(interpretation);
+    const InEnglish inEnglish;
+    const Identification &found = diagnosis.identification;
+    const bool isMechanism = found.stands() || found.outcome == Outcome::Nearest;
+    const QByteArray none("null");
     QByteArrayList errors;
     QByteArrayList identifiable;
     for (const Parameter parameter : kParameters) {
         const std::size_t i = indexOf(parameter);
         const QByteArray name = '"' + QByteArray(wordOf(parameter)) + "\":";
-        const bool isFixed = found && identification.identifiable[i];
-        errors += name + jsonNumber(isFixed ? std::optional(identification.standardError[i]) : std::nullopt);
-        identifiable += name + (isFixed ? "true" : "false");
+        errors += name + (found.identifiable[i] ? jsonNumber(found.standardError[i]) : none);
+        identifiable += name + (found.identifiable[i] ? "true" : "false");
     }
-    QByteArrayList conventions;
-    for (const ConventionFinding &finding : interpretation.conventions) {
-        conventions += "{\"name\":\"" + QByteArray(wordOf(finding.convention.kind)) +
-                       "\",\"explanation\":" + jsonString(explanationOf(finding.convention)) +
-                       ",\"before\":" + jsonNumber(finding.before) + ",\"after\":" + jsonNumber(finding.after) + '}';
-    }
-    return "{\"file\":" + jsonString(file) +
-           ",\"mechanism\":" + (found ? jsonMechanism(Mechanism(identification.parameters)) : QByteArray("null")) +
-           ",\"rounded\":" + (found ? jsonMechanism(Mechanism(interpretation.rounded)) : QByteArray("null")) +
+    return "{\"file\":" + jsonString(file) + ",\"outcome\":\"" + wordOf(found.outcome) +
+           "\",\"mechanism\":" + (isMechanism ? jsonMechanism(Mechanism(found.parameters)) : none) +
            ",\"standardError\":{" + errors.join(',') + "},\"identifiable\":{" + identifiable.join(',') +
-           "},\"iterations\":" + QByteArray::number(identification.iterations) +
-           ",\"conditionNumber\":" + jsonNumber(found ? std::optional(identification.conditionNumber) : std::nullopt) +
-           ",\"channels\":" + jsonOf(interpretation.identified) + ",\"conventions\":[" + conventions.join(',') +
-           "],\"summary\":" + jsonString(summaryOf(identification)) + "}\n";
+           "},\"alternatives\":" + jsonOf(found.alternatives) + ",\"rounded\":" +
+           (found.outcome == Outcome::Identified ? jsonMechanism(Mechanism(diagnosis.rounded)) : none) +
+           ",\"noise\":" + jsonOf(found.noise) + ",\"iterations\":" + QByteArray::number(found.iterations) +
+           ",\"conditionNumber\":" + (found.stands() ? jsonNumber(found.conditionNumber) : none) +
+           ",\"channels\":" + jsonOf(diagnosis.identified) + ",\"columns\":" + jsonColumns(data.layout) +
+           ",\"conventions\":" + jsonOf(diagnosis.conventions, data) +
+           ",\"summary\":" + jsonString(summaryOf(diagnosis)) + "}\n";
 }
 
 /// "--a 20 --b …": to go on with.
@@ -87,23 +66,29 @@ QString optionsFor(const Parameters &parameters)
            (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
 }
 
-QString textOf(const QString &file, const ReferenceData &data, const Interpretation &interpretation)
+/// Of a mechanism that stands.
+QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &diagnosis)
 {
-    const Identification &identification = interpretation.identification;
+    const Identification &found = diagnosis.identification;
     QString text = headlineOf(file, data);
-    for (const ConventionFinding &finding : interpretation.conventions) {
-        text += explanationOf(finding.convention) + u' ' + effectOf(finding) + u'\n';
+    for (const ConventionFinding &finding : diagnosis.conventions) {
+        text += explanationOf(finding.convention, data) + u' ' + effectOf(finding) + u'\n';
     }
-    text += summaryOf(identification) + u'\n';
+    text += summaryOf(diagnosis) + u'\n';
     text += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
-                .arg(identification.iterations)
-                .arg(QString::number(identification.conditionNumber, 'g', 3)) +
+                .arg(found.iterations)
+                .arg(QString::number(found.conditionNumber, 'g', 3)) +
             u'\n';
-    text += u'\n' + tableOf(interpretation.identified) + u'\n' + summaryOf(interpretation.identified) + u'\n';
-    if (const QString rounded = roundNumbersText(interpretation); !rounded.isEmpty()) {
+    text += u'\n' + tableOf(diagnosis.identified) + u'\n';
+    if (found.noise.empty()) { // else it was said what is left
+        text += summaryOf(diagnosis.identified) + u'\n';
+    }
+    if (const QString rounded = roundNumbersText(diagnosis); !rounded.isEmpty()) {
         text += rounded + u'\n';
     }
-    return text + CommandLine::tr("To go on with it: %1").arg(optionsFor(interpretation.rounded)) + u'\n';
+    const QString goOn = found.outcome == Outcome::Identified ? CommandLine::tr("To go on with it: %1")
+                                                              : CommandLine::tr("To go on with the first: %1");
+    return text + goOn.arg(optionsFor(diagnosis.rounded)) + u'\n';
 }
 
 } // namespace
@@ -116,20 +101,20 @@ ExitStatus identifyFile(const IdentifyOptions &options)
         return ExitStatus::FileFailed;
     }
     const ReferenceData &data = std::get<std::shared_ptr<const Reference>>(outcome)->data;
-    const Interpretation interpretation = interpret(data, options.mechanism);
+    const Diagnosis diagnosis = diagnose(data, options.mechanism);
+    const bool stands = diagnosis.identification.stands();
 
     // Without a mechanism there is nothing for a person to read but the sentence that says so.
-    if (isFound(interpretation) || options.format == Format::Json) {
-        const QByteArray bytes = options.format == Format::Json ? jsonOf(options.file, interpretation)
-                                                                : textOf(options.file, data, interpretation).toUtf8();
+    if (stands || options.format == Format::Json) {
+        const QByteArray bytes = options.format == Format::Json ? jsonOf(options.file, data, diagnosis)
+                                                                : textOf(options.file, data, diagnosis).toUtf8();
         if (writeAll(options.output, bytes) != ExitStatus::Done) {
             return ExitStatus::FileFailed;
         }
     }
     warnOf(options.file, data);
-    if (!isFound(interpretation)) {
-        say(QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(options.file),
-                                         summaryOf(interpretation.identification)));
+    if (!stands) {
+        say(QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(options.file), summaryOf(diagnosis)));
         return ExitStatus::NotSolved;
     }
     return ExitStatus::Done;

@@ -2,12 +2,26 @@
 #include "app/json_text.h"
 
 #include "ui/export/motion_csv.h"
+#include "ui/words/language.h"
+
+#include <QLocale>
 
 #include <charconv>
 #include <cmath>
 
 namespace slidercrank
 {
+
+InEnglish::InEnglish()
+{
+    setLanguage(Language::English);
+    QLocale::setDefault(QLocale::c());
+}
+
+InEnglish::~InEnglish()
+{
+    setLanguage(Language::System);
+}
 
 void appendJsonNumber(QByteArray &text, double value)
 {

@@ -14,6 +14,15 @@
 namespace slidercrank
 {
 
+/// While there is one, sentences are English and their numbers have points: JSON is the same in every language.
+class InEnglish
+{
+public:
+    InEnglish();
+    ~InEnglish();
+    Q_DISABLE_COPY_MOVE(InEnglish)
+};
+
 /// 17 significant digits as in CSV, but null where there is none: JSON knows no nan.
 void appendJsonNumber(QByteArray &text, double value);
 

@@ -67,13 +67,12 @@ std::optional<QString> settle(Session &session, const RenderOptions &options,
 
 /// The lengths of the linkage as the file has it, where that is another than the model's; none where the file reads
 /// otherwise.
-std::optional<Mechanism> ghostOf(const Interpretation &interpretation, const RenderOptions &options)
+std::optional<Mechanism> ghostOf(const Diagnosis &diagnosis, const RenderOptions &options)
 {
-    if (!interpretation.conventions.empty() || interpretation.attribution.empty()) {
+    if (!diagnosis.conventions.empty() || diagnosis.isOfMechanismAtHand) {
         return std::nullopt;
     }
-    const bool isFound = interpretation.identification.status == Identification::Status::Found;
-    return isFound ? Mechanism(interpretation.identification.parameters) : options.mechanism;
+    return diagnosis.identification.stands() ? Mechanism(diagnosis.identification.parameters) : options.mechanism;
 }
 
 Animation filmOf(const RenderOptions &options)
@@ -192,8 +191,8 @@ ExitStatus render(const RenderOptions &options)
     };
     if (reference && options.subject != RenderOptions::Subject::Figure &&
         options.subject != RenderOptions::Subject::Plot) {
-        content.interpretation = interpret(reference->data, options.mechanism);
-        ghost = ghostOf(content.interpretation, options);
+        content.diagnosis = diagnose(reference->data, options.mechanism);
+        ghost = ghostOf(content.diagnosis, options);
         if (ghost) {
             mechanism.setGhostReach(reachOf(reference->data, *ghost));
         }

@@ -4,11 +4,23 @@
 // How far reference data lie from the model: largest and mean errors, the report's percentage, and whether the
 // difference is within the file's own rounding. Everything in the author's units (mm, °, s); errors are model -
 // reference.
+//
+// A value is uncertain by half its own step, and by what the motion f does while the instant t is uncertain by half of
+// its step τ:
+//
+//     bound = step / 2 + max(|f(t + τ/2) - f(t)|, |f(t - τ/2) - f(t)|)
+//
+// (both sides: at a turning point the rate is 0, and the error is not). What lies beyond must be small beside the
+// motion as well, for a step may have been learnt too large, and a motion may be small beside its step. The instants of
+// an even clock are taken as they stand (τ = 0); where a file then differs, they may have been rounded all the same
+// (0.0133 that was 0.013303), and it may still come close. Where a clock does not show that it was rounded, what τ adds
+// must be small beside the motion, too.
 
 #include "core/mechanism/channel.h"
 #include "core/reading/reference_data.h"
 #include "core/run/trajectory.h"
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -18,13 +30,15 @@ namespace slidercrank
 {
 
 enum class Verdict {
-    Agrees, ///< at least 95 % of the values within half a rounding step, none beyond ten halves
-    Close,  ///< none beyond a hundred halves
+    Agrees, ///< at least 95 % of the errors within the bound, none beyond ten bounds, excess at most 0.5 %
+    Close,  ///< none beyond a hundred bounds, excess at most 1 %
     Differs
 };
-inline constexpr std::size_t kPercentWithinHalfStep = 95;
-inline constexpr double kHalfStepsOfAgreement = 10.0;
-inline constexpr double kHalfStepsOfCloseness = 100.0;
+inline constexpr std::size_t kPercentWithinBound = 95;
+inline constexpr double kBoundsOfAgreement = 10.0;
+inline constexpr double kBoundsOfCloseness = 100.0;
+inline constexpr double kExcessOfAgreement = 0.005;
+inline constexpr double kExcessOfCloseness = 0.01;
 
 struct ChannelComparison {
     Channel channel;
@@ -48,10 +62,15 @@ struct ChannelComparison {
     /// The file's rounding step where it is largest; absent when the column gives no hint.
     std::optional<double> roundingStep;
 
-    /// How far the values are off in the measure of the verdict, half a rounding step each at its own value: how many
-    /// lie within one, and how many of them the worst is away (infinite where that is no finite number).
-    std::size_t withinHalfStep = 0;
-    double worstHalfSteps = 0.0;
+    /// How far the values are off in the measure of the verdict: how many lie within their bound, how many bounds the
+    /// worst is away, and how far beyond its bound any is at most, as a part of half the motion's range (infinite where
+    /// those are no finite numbers).
+    std::size_t withinBound = 0;
+    double worstOver = 0.0;
+    double excess = 0.0;
+
+    /// The clock is even, and only if it was rounded nevertheless does the file come close; counted so above.
+    bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;
 };
@@ -60,10 +79,28 @@ struct ChannelComparison {
 /// this part of the channel's size (the larger of its peak and its naturalScale()).
 inline constexpr double kArithmeticStep = 1e-12;
 
-/// One channel. `time`, `model` and `reference.values` have one value an instant; NaN means none.
-/// `scale`: naturalScale() of the channel.
+/// Nor than this part of its largest: a cell of -7.4e-15 beside others of a hundred is a zero, and its digits say
+/// nothing.
+inline constexpr double kSmallestPartOfLargestStep = 0.01;
+
+/// What a channel's errors are held against, in the author's unit.
+struct ChannelSize {
+    double natural = 1.0; ///< naturalScale()
+
+    /// What counts as half the motion's range: for a channel that stands still, this; for the others the model's, at
+    /// most `most`.
+    double still = 0.0;
+    double most = std::numeric_limits<double>::infinity();
+};
+
+/// A channel that stands still has the range of those that move with it: a or 1 rad, times |ω2|^k for the k-th
+/// derivative. Of θ2 no more than π counts.
+ChannelSize sizeOf(const Mechanism &mechanism, Channel channel);
+
+/// One channel, its instants taken as they stand. `time`, `model` and `reference.values` have one value an instant; NaN
+/// means none.
 ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
-                                 const ReferenceSeries &reference, double scale);
+                                 const ReferenceSeries &reference, const ChannelSize &size);
 
 /// Every series of the file against the exact motion, which is never in memory as a whole. Incomplete when stopped.
 struct ExactComparison {
@@ -72,7 +109,8 @@ struct ExactComparison {
 };
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {});
 
-/// Every series of the file against a trajectory sampled at the file's own instants.
+/// Every series of the file against a trajectory sampled at the file's own instants, by whatever method. What the
+/// rounding of the instants makes of it is the exact motion's.
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference);
 

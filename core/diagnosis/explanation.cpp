@@ -174,9 +174,10 @@ int rankOf(Kind kind)
     case Kind::Sign: return 6;
     case Kind::HalfTurn: return 7;
     case Kind::WholeTurns: return 8;
-    case Kind::NotDerivative: return 9;
+    case Kind::ZeroPoint: return 9;
+    case Kind::NotDerivative: return 10;
     }
-    return 10;
+    return 11;
 }
 
 /// The largest error among these channels (none given: the six), as part of the motion's peak.
@@ -203,11 +204,6 @@ double largestError(const ReadMotion &motion, std::span<const Channel> channels)
 }
 
 } // namespace
-
-bool isPlotted(Channel channel)
-{
-    return std::find(kPlottedChannels.begin(), kPlottedChannels.end(), channel) != kPlottedChannels.end();
-}
 
 bool concerns(const Convention &convention, Channel channel)
 {
@@ -333,7 +329,7 @@ std::optional<Explanation> proven(const ReferenceData &data, Explanation explana
     for (const ReferenceSeries &series : motion.read.series) {
         const ChannelComparison column =
             compareChannel(motion.read.time, motion.model[series.channel], series,
-                           naturalScale(Mechanism(explanation.parameters), series.channel));
+                           slidercrank::sizeOf(Mechanism(explanation.parameters), series.channel));
         const double error = column.maxAbs.value_or(kInfinity);
         const bool small =
             error <= kNearlyNothing * sizeOf(motion.model[series.channel]) && column.missingModel <= column.count / 20;

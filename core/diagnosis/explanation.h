@@ -2,10 +2,11 @@
 #pragma once
 
 // A mechanism together with the conventions that make a file its motion: how one is found column by column, what there
-// is to believe in it, and whether it stands. What conventions.h offers is the cheapest that does.
+// is to believe in it, and whether it stands. What convention.h offers is the cheapest that does.
 
 #include "core/comparison/comparison.h"
-#include "core/diagnosis/conventions.h"
+#include "core/diagnosis/convention.h"
+#include "core/identification/observations.h"
 #include "core/run/trajectory.h"
 
 #include <optional>
@@ -42,11 +43,9 @@ std::optional<Explanation> proven(const ReferenceData &data, Explanation explana
 /// Each convention with the errors without and with it.
 std::vector<ConventionFinding> findingsOf(const ReferenceData &data, const Explanation &explanation);
 
-/// The file as the motion of this very mechanism, and, in explanation_by_fit.cpp, of whatever mechanism fits best.
+/// The file as the motion of this very mechanism.
 std::optional<Explanation> explainedAtHand(const ReferenceData &data, const Parameters &atHand,
                                            const std::stop_token &stop);
-std::optional<Explanation> explainedByFit(const ReferenceData &data, const Mechanism &atHand,
-                                          const std::stop_token &stop);
 
 // ---- what these share ----------------------------------------------------------------------------------------------
 
@@ -60,8 +59,6 @@ struct ReadMotion {
 
 ReferenceData allApplied(std::span<const Convention> conventions, ReferenceData data);
 bool concerns(const Convention &convention, Channel channel);
-
-bool isPlotted(Channel channel);
 
 /// Whether the file has the coordinate of that channel, or a lower derivative of it.
 bool hasLowerOrder(const ReferenceData &data, Channel channel);

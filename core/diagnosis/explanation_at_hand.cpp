@@ -21,6 +21,11 @@ namespace
 
 using Kind = Convention::Kind;
 
+/// So many instants decide; of a longer file no more are looked at.
+constexpr std::size_t kMostRows = 400;
+/// Instants that one swing of a column must keep, or what lies between them is lost.
+constexpr std::size_t kRowsPerSwing = 20;
+
 /// Instants on which phases are compared before all of them are.
 constexpr std::size_t kScanRows = 64;
 /// Phases of a turn that are tried for a late start: no motion has more than a few extremes a turn.
@@ -116,6 +121,58 @@ Explanation withBestShift(const ReferenceData &data, Explanation explanation)
     return explanation;
 }
 
+/// How often a column goes all the way up, from the lowest to the highest quarter of its range.
+std::size_t swingsOf(std::span<const double> values)
+{
+    const ValueRange range = rangeOf(values);
+    const double low = range.low + 0.25 * range.width();
+    const double high = range.high - 0.25 * range.width();
+    std::size_t swings = 0;
+    bool down = false;
+    for (const double value : values) {
+        if (down && value > high) {
+            down = false;
+            ++swings;
+        } else if (value < low) {
+            down = true;
+        }
+    }
+    return swings;
+}
+
+/// The file, or so many instants from its start on that the motion is still to be seen between them.
+ReferenceData decisiveRows(const ReferenceData &data, const std::stop_token &stop)
+{
+    const std::size_t rows = data.time.size();
+    std::size_t stride = 1;
+    if (rows > kMostRows) {
+        std::size_t swings = 1;
+        for (const ReferenceSeries &series : data.series) {
+            if (stop.stop_requested()) {
+                return {};
+            }
+            swings = std::max(swings, swingsOf(series.values));
+        }
+        stride = std::clamp<std::size_t>(rows / (swings * kRowsPerSwing), 1, rows / kMostRows);
+    }
+
+    ReferenceData some;
+    for (const ReferenceSeries &series : data.series) {
+        some.series.push_back({series.channel, {}, series.rounding});
+    }
+    for (std::size_t i = 0; i < kMostRows && i * stride < rows; ++i) {
+        // Not exactly every so manieth: a column may have a value in every tenth row only.
+        const std::size_t row = std::min(i * stride + i % std::min<std::size_t>(stride, 13), rows - 1);
+        some.time.push_back(data.time[row]);
+        for (std::size_t k = 0; k < data.series.size(); ++k) {
+            some.series[k].values.push_back(data.series[k].values[row]);
+        }
+    }
+    std::erase_if(some.series,
+                  [](const ReferenceSeries &series) { return rangeOf(series.values).count < kFewestValues; });
+    return some;
+}
+
 /// Keeps the cheapest explanation.
 void prefer(std::optional<Explanation> &best, std::optional<Explanation> candidate)
 {
@@ -126,9 +183,13 @@ void prefer(std::optional<Explanation> &best, std::optional<Explanation> candida
 
 } // namespace
 
-std::optional<Explanation> explainedAtHand(const ReferenceData &data, const Parameters &parameters,
+std::optional<Explanation> explainedAtHand(const ReferenceData &all, const Parameters &parameters,
                                            const std::stop_token &stop)
 {
+    const ReferenceData data = decisiveRows(all, stop);
+    if (stop.stop_requested() || std::ranges::none_of(data.series, isPlotted, &ReferenceSeries::channel)) {
+        return std::nullopt;
+    }
     std::vector<Explanation> assumptions;
     for (const Branch branch : {parameters.branch, otherThan(parameters.branch)}) {
         for (const double timeUnit : {1.0, kTimeUnits[0], kTimeUnits[1]}) {

@@ -9,6 +9,7 @@
 // Source: K. Levenberg 1944, D. W. Marquardt 1963 as in J. J. Moré, "The Levenberg-Marquardt algorithm", 1978.
 // Lengths in mm, angles in rad, time in s; the data in the author's units (mm, °, s).
 
+#include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 #include "core/reading/reference_data.h"
 
@@ -21,39 +22,68 @@ namespace slidercrank
 {
 
 struct Identification {
-    enum class Status {
-        Found,        ///< the data agree with it, or come as close as a least-squares minimum does
-        TooFewData,   ///< fewer values than parameters, or none of the six channels
-        NothingMoves, ///< the values are the same throughout
-        NotFound,     ///< no start led to a mechanism that resembles the data; what came nearest, if anything
-        Stopped
+    enum class Outcome {
+        Identified,   ///< what is left is rounding, or noise that looks like noise
+        Ambiguous,    ///< several mechanisms explain the file equally
+        Insufficient, ///< too few values, rows a turn or columns to tell
+        Nearest,      ///< nothing found stands; this comes nearest
+        None          ///< not even that
     };
-    Status status = Status::NotFound;
+    Outcome outcome = Outcome::None;
+    bool stopped = false; ///< nothing else counts
 
-    Parameters parameters; ///< θ20 in (-π, π]; what is not identifiable is as in the start
+    /// Whether there is a mechanism that explains the file.
+    bool stands() const { return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Ambiguous); }
 
-    /// One standard deviation, by indexOf(Parameter), in the parameter's unit; NaN where not identifiable (but see
-    /// onlyRatios).
+    /// Identified, Ambiguous: the (first) mechanism; Nearest: what comes nearest; else the mechanism at hand. θ20 in
+    /// (-π, π]; what is not identifiable is as in the mechanism at hand.
+    Parameters parameters;
+
+    /// One standard deviation, by indexOf(Parameter), in the parameter's unit. NaN where not identifiable (but see
+    /// onlyRatios), and unless Identified or Ambiguous.
     std::array<double, kParameterCount> standardError{};
 
-    /// Not so: what would be known no better than to its own size, and may as well be as in the start.
+    /// Not so: what would be known no better than to its own size, and may as well be as it was. All false unless
+    /// Identified or Ambiguous.
     std::array<bool, kParameterCount> identifiable{};
 
-    // What no data of such columns can tell apart, however exact. Of two mechanisms that move alike, the one that turns
-    // like the start is given.
-
-    /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as in the start, b and c
-    /// follow from it and have the standard errors they have for that a; none of the three counts as identifiable.
+    /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as it was, b and c follow
+    /// from it and have the standard errors they have for that a; none of the three counts as identifiable.
     bool onlyRatios = false;
 
-    /// θ3 alone: the crank may as well turn the other way, from π - θ20.
-    bool reversePossible = false;
+    /// Another mechanism that the file may as well be of.
+    struct Alternative {
+        enum class Why {
+            // Images that no column excludes, however exact; given where the mechanism is Identified, too.
+            MirrorImage,     ///< R4x alone: c, ω2 and θ20 negated
+            Reversed,        ///< θ3 alone: the crank turns the other way, from π - θ20
+            OtherAssembly,   ///< derivatives of θ3 alone: c negated, θ20 half a turn on
+            Alias,           ///< another speed meets the same instants
+            AnotherMechanism ///< explains the file as well
+        };
+        Why why = Why::AnotherMechanism;
+        Parameters parameters;
+    };
+    std::vector<Alternative> alternatives;
 
-    /// Derivatives of θ3 alone: it may as well be the other assembly, with c negated and θ20 half a turn on.
-    bool otherBranchPossible = false;
+    /// Why Insufficient, the first that holds.
+    enum class Lack {
+        Nothing,        ///< it is not
+        FewValues,      ///< of the six channels
+        FewInstants,    ///< with values
+        NothingMoves,   ///< the values are the same throughout
+        NoEvidence,     ///< what fits could fit by chance: too few values for so many free parameters
+        OpenParameters, ///< some parameters are not fixed: openParameters names them
+        Crooked         ///< fits, but a family of others nearly as well
+    };
+    Lack lack = Lack::Nothing;
+    std::array<bool, kParameterCount> openParameters{};
 
-    /// R4x alone: it may as well be the mirror image, with c, ω2 and θ20 negated.
-    bool mirrorImagePossible = false;
+    struct Noise {
+        Channel channel;
+        double rms = 0.0; ///< in the author's unit
+    };
+    std::vector<Noise> noise; ///< the columns whose residuals are noise beyond rounding
 
     int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
@@ -62,17 +92,5 @@ struct Identification {
 
 /// `start` gives what the data cannot fix, and is itself one of the starts tried.
 Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop = {});
-
-/// One parameter of the mechanism fitted alone, all others held: how much of the squared error that explains. Here
-/// every channel weighs alike, by how much it varies: what is to be explained is far larger than rounding.
-struct Attribution {
-    Parameter parameter = Parameter::A;
-    double value = 0.0;     ///< fitted
-    double explained = 0.0; ///< 0 … 1: the part of the weighted sum of squares that is gone
-};
-
-/// Each of the five parameters, the one that explains most first. Empty when stopped, or where there is nothing to
-/// compare.
-std::vector<Attribution> attribute(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop = {});
 
 } // namespace slidercrank

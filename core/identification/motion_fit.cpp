@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/motion_fit.h"
 
-#include <unsupported/Eigen/NonLinearOptimization>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 namespace slidercrank
 {
@@ -15,283 +13,425 @@ namespace slidercrank
 namespace
 {
 
-/// Farther than any residual can be, so that a step to a mechanism that cannot move as the data do is taken back.
-constexpr double kOutOfReach = 1e100;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A residual of θ3 without whole turns, which θ3 is known up to.
-double angleDifference(double radians)
+bool isTurning(Channel channel)
+{
+    return isAngle(channel.coordinate) && channel.order == Order::Position;
+}
+
+/// Weights 1/V of the values, by column.
+using Weights = std::vector<std::vector<double>>;
+
+/// The free numbers of a fit, added to.
+void addStep(Fit &fit, const FreeParameters &isFree, Eigen::Index zeroCount, const FitVector &step)
+{
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        if (isFree[i]) {
+            valueOf(fit.parameters, static_cast<Parameter>(i)) += step[next++];
+        }
+    }
+    for (Eigen::Index i = 0; i < zeroCount; ++i) {
+        fit.zeros[static_cast<std::size_t>(i)] += step[next++];
+    }
+}
+
+/// Σ w r², and, where asked for, the normal equations.
+struct Linearized {
+    double chiSquared = kInfinity;
+    FitMatrix matrix;
+    FitVector gradient;
+};
+
+constexpr std::size_t kMostUnknowns = kParameterCount + static_cast<std::size_t>(kMostZeros);
+
+void linearize(const FitProblem &problem, const Fit &at, const FreeParameters &isFree, const Weights &weights,
+               Linearized &result)
+{
+    // Of all five parameters; those that are held are left out at the end.
+    std::array<double, kMostUnknowns *(kMostUnknowns + 1) / 2> sums{};
+    std::array<double, kMostUnknowns> slopes{};
+    double chiSquared = 0.0;
+    InstantMotion motion;
+    result.chiSquared = kInfinity;
+    for (std::size_t row = 0; row < problem.time.size(); ++row) {
+        if (!motion.compute(at.parameters, problem.time[row])) {
+            return;
+        }
+        for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+            const FitColumn &column = problem.columns[k];
+            const double value = column.values[row];
+            if (std::isnan(value)) {
+                continue;
+            }
+            const double zero = column.zero >= 0 ? at.zeros[static_cast<std::size_t>(column.zero)] : 0.0;
+            const double difference = motion.valueOf(column.channel) + zero - value;
+            const double residual = isTurning(column.channel) ? withoutTurns(difference) : difference;
+            const double weight = weights[k][row];
+            chiSquared += weight * residual * residual;
+            const Gradient gradient = motion.gradientOf(column.channel);
+            std::size_t next = 0;
+            for (std::size_t i = 0; i < kParameterCount; ++i) {
+                const double weighted = weight * gradient[static_cast<Eigen::Index>(i)];
+                slopes[i] += weighted * residual;
+                for (std::size_t j = 0; j <= i; ++j) {
+                    sums[next++] += weighted * gradient[static_cast<Eigen::Index>(j)];
+                }
+            }
+            if (column.zero >= 0) {
+                const std::size_t i = kParameterCount + static_cast<std::size_t>(column.zero);
+                slopes[i] += weight * residual;
+                const std::size_t first = i * (i + 1) / 2;
+                for (std::size_t j = 0; j < kParameterCount; ++j) {
+                    sums[first + j] += weight * gradient[static_cast<Eigen::Index>(j)];
+                }
+                sums[first + i] += weight;
+            }
+        }
+    }
+    std::array<std::size_t, kMostUnknowns> kept{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kParameterCount + static_cast<std::size_t>(problem.zeroCount); ++i) {
+        if (i >= kParameterCount || isFree[i]) {
+            kept[count++] = i;
+        }
+    }
+    const auto n = static_cast<Eigen::Index>(count);
+    result.matrix.resize(n, n);
+    result.gradient.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const std::size_t row = kept[static_cast<std::size_t>(i)];
+        result.gradient[i] = slopes[row];
+        for (Eigen::Index j = 0; j <= i; ++j) {
+            const double sum = sums[row * (row + 1) / 2 + kept[static_cast<std::size_t>(j)]];
+            result.matrix(i, j) = sum;
+            result.matrix(j, i) = sum;
+        }
+    }
+    result.chiSquared = std::isfinite(chiSquared) ? chiSquared : kInfinity;
+}
+
+/// Levenberg-Marquardt with these weights.
+void descend(const FitProblem &problem, Fit &at, const FreeParameters &isFree, const Weights &weights, int mostSteps,
+             const std::stop_token &stop)
+{
+    constexpr double kRelativeGain = 1e-5;
+    constexpr double kGain = 1e-4; // a hundredth of a standard error
+    Linearized here;
+    linearize(problem, at, isFree, weights, here);
+    at.chiSquared = here.chiSquared;
+    double damping = 1e-3;
+    for (int i = 0; i < mostSteps && std::isfinite(at.chiSquared) && !stop.stop_requested(); ++i) {
+        ++at.iterations;
+        FitMatrix damped = here.matrix;
+        const double floor = 1e-14 * here.matrix.diagonal().maxCoeff();
+        for (Eigen::Index j = 0; j < damped.rows(); ++j) {
+            damped(j, j) += damping * std::max(here.matrix(j, j), floor) + floor * 1e-6;
+        }
+        const FitVector step = -damped.ldlt().solve(here.gradient);
+        Fit trial = at;
+        if (step.allFinite()) {
+            addStep(trial, isFree, problem.zeroCount, step);
+        }
+        Linearized there;
+        if (step.allFinite() && trial.parameters.a > 0.0 && trial.parameters.b > 0.0) {
+            linearize(problem, trial, isFree, weights, there);
+        }
+        if (there.chiSquared < at.chiSquared) {
+            const double gain = at.chiSquared - there.chiSquared;
+            trial.chiSquared = there.chiSquared;
+            at = trial;
+            here = there;
+            damping = std::max(0.1 * damping, 1e-12);
+            if (gain <= kRelativeGain * at.chiSquared + kGain && damping < 1e-4) {
+                break;
+            }
+        } else {
+            damping *= damping < 1e-4 ? 100.0 : 10.0;
+            if (damping > 1e8) {
+                break;
+            }
+        }
+    }
+}
+
+/// The σ² that makes the mean of r²/(V + σ²) one; 0 where that of r²/V is within chance.
+double noiseOf(std::span<const double> residuals, std::span<const double> variance, std::size_t count)
+{
+    const auto n = static_cast<double>(count);
+    const auto excess = [&](double noise, double *slope) {
+        double sum = 0.0;
+        double change = 0.0;
+        for (std::size_t i = 0; i < residuals.size(); ++i) {
+            if (!std::isnan(residuals[i])) {
+                const double inverse = 1.0 / (variance[i] + noise);
+                const double part = residuals[i] * residuals[i] * inverse;
+                sum += part;
+                change -= part * inverse;
+            }
+        }
+        if (slope) {
+            *slope = change / n;
+        }
+        return sum / n - 1.0;
+    };
+    if (excess(0.0, nullptr) <= 5.0 * std::sqrt(0.8 / n) + 5.0 / n) {
+        return 0.0;
+    }
+    // Convex and falling: Newton from the left never passes the root, which is not below this.
+    double squares = 0.0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        if (!std::isnan(residuals[i])) {
+            squares += residuals[i] * residuals[i];
+            most = std::max(most, variance[i]);
+        }
+    }
+    double noise = std::max(squares / n - most, 0.0);
+    for (int i = 0; i < 100; ++i) {
+        double slope = 0.0;
+        const double above = excess(noise, &slope);
+        const double step = -above / slope;
+        noise += step;
+        if (!(step > 1e-4 * noise)) {
+            break;
+        }
+    }
+    return noise;
+}
+
+} // namespace
+
+double withoutTurns(double radians)
 {
     return std::abs(radians) <= std::numbers::pi
                ? radians
                : radians - 2.0 * std::numbers::pi * std::round(radians / (2.0 * std::numbers::pi));
 }
 
-double residualOf(const ObservedChannel &channel, std::size_t row, const PlottedValues &model)
+FileReading asWritten(const Observations &observations)
 {
-    const double difference = model[channel.plotted] - channel.values[row];
-    return channel.plotted == 0 ? angleDifference(difference) : difference;
+    FileReading reading;
+    for (const ObservedColumn &column : observations.columns) {
+        reading.push_back({column.channel});
+    }
+    return reading;
 }
 
-/// What Eigen's Levenberg-Marquardt asks for.
-class Residuals
+FitProblem problemOf(const Observations &observations, const FileReading &reading)
 {
-public:
-    Residuals(const Observations &observations, const Parameters &start, const FreeParameters &isFree,
-              std::stop_token stop)
-        : m_observations(observations)
-        , m_start(start)
-        , m_stop(std::move(stop))
-    {
-        for (std::size_t i = 0; i < isFree.size(); ++i) {
-            if (isFree[i]) {
-                m_free.push_back(static_cast<Parameter>(i));
-            }
+    FitProblem problem;
+    problem.time = observations.time;
+    problem.clockStep = observations.clockStep;
+    for (std::size_t i = 0; i < reading.size(); ++i) {
+        const ObservedColumn &from = observations.columns[i];
+        if (!reading[i].isUsed) {
+            problem.leftOut += from.count;
+            continue;
         }
-        m_count = static_cast<Eigen::Index>(observations.time.size() * observations.channels.size());
+        const double unit = observations.units.factor(reading[i].channel);
+        const double factor = unit * reading[i].factor;
+        FitColumn column;
+        column.channel = reading[i].channel;
+        column.source = i;
+        column.count = from.count;
+        column.spread = std::abs(factor) * from.spread;
+        column.step = std::abs(factor) * from.step;
+        column.values = from.values;
+        for (double &value : column.values) {
+            value = factor * value + unit * reading[i].turn;
+        }
+        column.variance = from.variance;
+        for (double &variance : column.variance) {
+            variance *= factor * factor;
+        }
+        if (reading[i].isZeroFree && problem.zeroCount < kMostZeros) {
+            column.zero = problem.zeroCount++;
+        }
+        problem.valueCount += column.count;
+        problem.columns.push_back(std::move(column));
     }
-
-    Eigen::VectorXd startingPoint() const
-    {
-        Eigen::VectorXd x(static_cast<Eigen::Index>(m_free.size()));
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            x[i] = valueOf(m_start, m_free[static_cast<std::size_t>(i)]);
-        }
-        return x;
-    }
-
-    Parameters parametersAt(const Eigen::VectorXd &x) const
-    {
-        Parameters parameters = m_start;
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            valueOf(parameters, m_free[static_cast<std::size_t>(i)]) = x[i];
-        }
-        return parameters;
-    }
-
-    Eigen::Index values() const { return m_count; }
-
-    int operator()(const Eigen::VectorXd &x, Eigen::VectorXd &residuals)
-    {
-        if (m_stop.stop_requested()) {
-            return -1;
-        }
-        if (!linearize(m_observations, parametersAt(x), residuals, nullptr)) {
-            residuals.setConstant(m_count, kOutOfReach);
-        }
-        return 0;
-    }
-
-    int df(const Eigen::VectorXd &x, Eigen::MatrixXd &derivatives)
-    {
-        if (m_stop.stop_requested() || !linearize(m_observations, parametersAt(x), m_residuals, &m_derivatives)) {
-            return -1;
-        }
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            derivatives.col(i) = m_derivatives.col(static_cast<Eigen::Index>(m_free[static_cast<std::size_t>(i)]));
-        }
-        return 0;
-    }
-
-private:
-    const Observations &m_observations;
-    Parameters m_start;
-    std::stop_token m_stop;
-    std::vector<Parameter> m_free;
-    Eigen::Index m_count = 0;
-    Eigen::VectorXd m_residuals;
-    Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> m_derivatives;
-};
-
-} // namespace
-
-void weighByStep(Observations &observations, const Parameters &parameters)
-{
-    // A uniform distribution over one step has that variance.
-    constexpr double kVarianceOfRounding = 1.0 / 12.0;
-    // Residuals this much above what rounding leaves are no chance.
-    constexpr double kTolerance = 2.0;
-
-    std::vector<double> squares(observations.channels.size());
-    std::vector<double> expected(observations.channels.size());
-    std::vector<double> counts(observations.channels.size());
-    PlottedValues model;
-    for (std::size_t row = 0; row < observations.time.size(); ++row) {
-        const bool moves = plottedMotion(parameters, observations.time[row], model);
-        for (std::size_t k = 0; moves && k < observations.channels.size(); ++k) {
-            const ObservedChannel &channel = observations.channels[k];
-            if (channel.weights[row] > 0.0) {
-                const double residual = residualOf(channel, row, model);
-                squares[k] += residual * residual;
-                expected[k] += kVarianceOfRounding * channel.steps[row] * channel.steps[row];
-                counts[k] += 1.0;
-            }
-        }
-    }
-    for (std::size_t k = 0; k < observations.channels.size(); ++k) {
-        ObservedChannel &channel = observations.channels[k];
-        const double excess = squares[k] > kTolerance * kTolerance * expected[k]
-                                  ? (squares[k] - expected[k]) / (kVarianceOfRounding * std::max(counts[k], 1.0))
-                                  : 0.0;
-        for (std::size_t row = 0; row < channel.weights.size(); ++row) {
-            if (channel.weights[row] > 0.0) {
-                channel.weights[row] = 1.0 / std::sqrt(channel.steps[row] * channel.steps[row] + excess);
-            }
-        }
-    }
+    return problem;
 }
 
-double misfit(const Observations &observations, const Parameters &parameters)
+std::size_t freeCount(const FitProblem &problem, const FreeParameters &isFree)
 {
-    PlottedValues model;
-    double squares = 0.0;
-    double count = 0.0;
-    for (std::size_t row = 0; row < observations.time.size(); ++row) {
-        if (!plottedMotion(parameters, observations.time[row], model)) {
-            model.setZero();
-        }
-        for (const ObservedChannel &channel : observations.channels) {
-            const double residual = channel.weights[row] * residualOf(channel, row, model);
-            squares += residual * residual;
-            count += channel.weights[row] > 0.0 ? 1.0 : 0.0;
-        }
-    }
-    return std::sqrt(squares / count);
+    return static_cast<std::size_t>(std::ranges::count(isFree, true)) + static_cast<std::size_t>(problem.zeroCount);
 }
 
-void lengthenCoupler(const Observations &observations, Parameters &parameters)
+bool residualsOf(const FitProblem &problem, const Fit &fit, FitResiduals &result)
 {
-    // So that the motion not only exists but has derivatives of ordinary size.
-    constexpr double kSpare = 1e-3;
-    double longest = 0.0;
-    for (const double t : observations.time) {
-        longest = std::max(
-            longest, std::abs(parameters.c - parameters.a * std::sin(parameters.omega2 * t + parameters.theta20)));
-    }
-    if (!(std::abs(parameters.b) > longest)) {
-        parameters.b = (1.0 + kSpare) * longest;
-    }
-}
-
-double misfitAtBestSize(const Observations &observations, Parameters &parameters)
-{
-    // Of the channels that are lengths, weighted: model², model · value, value².
-    double modelled = 0.0;
-    double both = 0.0;
-    double observed = 0.0;
-    double squares = 0.0; // of the residuals of the others
-    double count = 0.0;
-    PlottedValues model;
-    for (std::size_t row = 0; row < observations.time.size(); ++row) {
-        if (!plottedMotion(parameters, observations.time[row], model)) {
-            model.setZero();
-        }
-        for (const ObservedChannel &channel : observations.channels) {
-            const double weight = channel.weights[row];
-            if (kPlottedChannels[static_cast<std::size_t>(channel.plotted)].coordinate == R4x) {
-                const double weightedModel = weight * model[channel.plotted];
-                const double weightedValue = weight * channel.values[row];
-                modelled += weightedModel * weightedModel;
-                both += weightedModel * weightedValue;
-                observed += weightedValue * weightedValue;
-            } else {
-                const double residual = weight * residualOf(channel, row, model);
-                squares += residual * residual;
-            }
-            count += weight > 0.0 ? 1.0 : 0.0;
-        }
-    }
-    const double scale = modelled > 0.0 && both > 0.0 ? both / modelled : 1.0;
-    parameters.a *= scale;
-    parameters.b *= scale;
-    parameters.c *= scale;
-    squares += observed + scale * (scale * modelled - 2.0 * both);
-    return std::sqrt(std::max(squares, 0.0) / count);
-}
-
-bool linearize(const Observations &observations, const Parameters &parameters, Eigen::VectorXd &residuals,
-               Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> *derivatives)
-{
-    const std::size_t rows = observations.time.size();
-    const auto count = static_cast<Eigen::Index>(rows * observations.channels.size());
-    residuals.resize(count);
-    if (derivatives) {
-        derivatives->resize(count, kParameterCount);
-    }
-    PlottedValues model;
-    PlottedDerivatives byParameter;
+    const std::size_t rows = problem.time.size();
+    result.residuals.assign(problem.columns.size(), std::vector<double>(rows, kNone));
+    result.variance.assign(problem.columns.size(), std::vector<double>(rows, kNone));
+    InstantMotion motion;
+    const bool hasRates = problem.clockStep > 0.0;
     for (std::size_t row = 0; row < rows; ++row) {
-        const double t = observations.time[row];
-        if (!(derivatives ? plottedMotion(parameters, t, model, byParameter) : plottedMotion(parameters, t, model))) {
+        const double t = problem.time[row];
+        if (!(hasRates ? motion.compute(fit.parameters, t) : motion.computeValues(fit.parameters, t))) {
             return false;
         }
-        auto index = static_cast<Eigen::Index>(row);
-        for (const ObservedChannel &channel : observations.channels) {
-            const double weight = channel.weights[row];
-            residuals[index] = weight * residualOf(channel, row, model);
-            if (derivatives) {
-                derivatives->row(index) = weight * byParameter.row(channel.plotted);
+        for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+            const FitColumn &column = problem.columns[k];
+            if (std::isnan(column.values[row])) {
+                continue;
             }
-            index += static_cast<Eigen::Index>(rows);
+            const double zero = column.zero >= 0 ? fit.zeros[static_cast<std::size_t>(column.zero)] : 0.0;
+            const double difference = column.values[row] - zero - motion.valueOf(column.channel);
+            result.residuals[k][row] = isTurning(column.channel) ? withoutTurns(difference) : difference;
+            double variance = column.variance[row];
+            if (hasRates) {
+                const double late = motion.rateOf(column.channel) * problem.clockStep;
+                variance += late * late / 12.0;
+            }
+            result.variance[k][row] = variance;
         }
     }
     return true;
 }
 
-Fit fit(const Observations &observations, const Parameters &start, const FreeParameters &isFree, int mostIterations,
-        std::stop_token stop)
+Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters &isFree, int mostRounds,
+        const std::stop_token &stop)
 {
-    using LevenbergMarquardt = Eigen::LevenbergMarquardt<Residuals>;
+    constexpr int kFirstSteps = 8;
+    constexpr int kSteps = 25;
+    constexpr double kSame = 0.01; // of a noise, between two rounds
     Fit result;
     result.parameters = start;
-    if (isFree[static_cast<std::size_t>(Parameter::B)]) {
-        lengthenCoupler(observations, result.parameters);
-    }
-    Residuals residuals(observations, result.parameters, isFree, stop);
-    Eigen::VectorXd x = residuals.startingPoint();
-    LevenbergMarquardt method(residuals);
-    // Beyond this the sum of squares changes by less than rounding does.
-    method.parameters.ftol = 1e-12;
-    method.parameters.xtol = 1e-12;
-    // Parameters are near 1: the first step need not be longer than they are.
-    method.parameters.factor = 1.0;
-    if (method.minimizeInit(x) == Eigen::LevenbergMarquardtSpace::ImproperInputParameters ||
-        method.fnorm >= kOutOfReach) {
-        result.rms = std::numeric_limits<double>::infinity();
+    // The constants are linear: at the start they are what the columns lie apart.
+    FitResiduals apart;
+    if (!residualsOf(problem, result, apart)) {
         return result;
     }
-    auto status = Eigen::LevenbergMarquardtSpace::Running;
-    while (status == Eigen::LevenbergMarquardtSpace::Running && result.iterations < mostIterations) {
-        status = method.minimizeOneStep(x);
-        ++result.iterations;
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        const FitColumn &column = problem.columns[k];
+        if (column.zero >= 0) {
+            double sum = 0.0;
+            for (const double residual : apart.residuals[k]) {
+                sum += std::isnan(residual) ? 0.0 : residual;
+            }
+            result.zeros[static_cast<std::size_t>(column.zero)] = sum / static_cast<double>(column.count);
+        }
     }
-    result.stopped = stop.stop_requested();
-    result.parameters = residuals.parametersAt(x);
-    result.rms = method.fnorm / std::sqrt(static_cast<double>(valueCount(observations)));
-    return result;
-}
-
-Fit fitGrowing(const ReferenceData &data, const FitUnits &units, const Supply &supply, std::size_t end,
-               const Parameters &start, const FreeParameters &isFree, std::stop_token stop)
-{
-    constexpr std::size_t kGrowth = 4;
-    constexpr std::size_t kRowsOnTheWay = 256;
-    constexpr int kMostIterations = 50;
-    Fit result;
-    result.parameters = start;
-    int iterations = 0;
-    const std::span<const std::size_t> rows = supply.rows;
-    for (std::size_t count = rowsBefore(rows, end).size(); count < rows.size() || iterations == 0;) {
-        count = std::min(kGrowth * count, rows.size());
-        const std::size_t most = count == rows.size() ? kMostFitRows : kRowsOnTheWay;
-        const Observations more = lowestOrders(observe(data, units, thinned(rows.first(count), most)));
-        result = fit(more, result.parameters, isFree, kMostIterations, stop);
-        iterations += result.iterations;
-        if (result.stopped || !std::isfinite(result.rms)) {
+    result.noise.assign(problem.columns.size(), 0.0);
+    Weights weights;
+    for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
+        if (!residualsOf(problem, result, apart)) {
+            result.chiSquared = kInfinity;
+            return result;
+        }
+        weights = apart.variance;
+        bool isSame = round > 0;
+        for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+            const double noise = noiseOf(apart.residuals[k], apart.variance[k], problem.columns[k].count);
+            isSame = isSame && std::abs(noise - result.noise[k]) <= kSame * noise;
+            result.noise[k] = noise;
+            for (double &weight : weights[k]) {
+                weight = 1.0 / (weight + noise);
+            }
+        }
+        const Parameters before = result.parameters;
+        if (freeCount(problem, isFree) > 0) {
+            descend(problem, result, isFree, weights, round == 0 ? kFirstSteps : kSteps, stop);
+        } else {
+            result.chiSquared = 0.0; // nothing to fit
+        }
+        if (!result.exists() || (isSame && before == result.parameters) || (isSame && round > 1)) {
             break;
         }
     }
-    result.iterations = iterations;
+    if (!result.exists() || !residualsOf(problem, result, apart)) {
+        result.chiSquared = kInfinity;
+        return result;
+    }
+    result.chiSquared = 0.0;
+    double logarithms = 0.0;
+    double constants = 0.0;
+    const double perUnknown = std::log(static_cast<double>(problem.valueCount + problem.leftOut));
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        result.noise[k] = noiseOf(apart.residuals[k], apart.variance[k], problem.columns[k].count);
+        const double square = problem.columns[k].spread * problem.columns[k].spread;
+        double information = 0.0; // of a free constant
+        for (std::size_t row = 0; row < problem.time.size(); ++row) {
+            const double residual = apart.residuals[k][row];
+            if (!std::isnan(residual)) {
+                const double variance = apart.variance[k][row] + result.noise[k];
+                result.chiSquared += residual * residual / variance;
+                logarithms += std::log(variance / square);
+                information += 1.0 / variance;
+            }
+        }
+        if (problem.columns[k].zero >= 0) {
+            // Anything up to about the crank's length, or a radian, might have been.
+            const double size = isAngle(problem.columns[k].channel.coordinate) ? 1.0 : result.parameters.a;
+            constants += std::max(std::log(size * size * information), perUnknown);
+        }
+    }
+    const double parameters = static_cast<double>(std::ranges::count(isFree, true));
+    result.score = result.chiSquared + logarithms + static_cast<double>(problem.leftOut) + parameters * perUnknown + constants;
     return result;
+}
+
+ExactFitMatrix informationOf(const FitProblem &problem, const Fit &fit, const FreeParameters &isFree)
+{
+    const auto unknowns = static_cast<Eigen::Index>(freeCount(problem, isFree));
+    ExactFitMatrix information = ExactFitMatrix::Zero(unknowns, unknowns);
+    Eigen::Matrix<long double, Eigen::Dynamic, 1> slope(unknowns);
+    InstantMotion motion;
+    for (std::size_t row = 0; row < problem.time.size(); ++row) {
+        if (!motion.compute(fit.parameters, problem.time[row])) {
+            continue;
+        }
+        for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+            const FitColumn &column = problem.columns[k];
+            if (std::isnan(column.values[row])) {
+                continue;
+            }
+            double variance = column.variance[row] + fit.noise[k];
+            if (problem.clockStep > 0.0) {
+                const double late = motion.rateOf(column.channel) * problem.clockStep;
+                variance += late * late / 12.0;
+            }
+            const Gradient gradient = motion.gradientOf(column.channel);
+            slope.setZero();
+            Eigen::Index next = 0;
+            for (std::size_t i = 0; i < kParameterCount; ++i) {
+                if (isFree[i]) {
+                    slope[next++] = gradient[static_cast<Eigen::Index>(i)];
+                }
+            }
+            if (column.zero >= 0) {
+                slope[next + column.zero] = 1.0;
+            }
+            information.noalias() += (slope / static_cast<long double>(variance)) * slope.transpose();
+        }
+    }
+    return information;
+}
+
+double chiSquaredAt(const FitProblem &problem, const Fit &fit, const FreeParameters &isFree, const FitVector &step)
+{
+    FitResiduals apart;
+    if (!residualsOf(problem, fit, apart)) {
+        return kInfinity;
+    }
+    const std::vector<std::vector<double>> variance = std::move(apart.variance);
+    Fit moved = fit;
+    addStep(moved, isFree, problem.zeroCount, step);
+    if (!(moved.parameters.a > 0.0) || !(moved.parameters.b > 0.0) || !residualsOf(problem, moved, apart)) {
+        return kInfinity;
+    }
+    double sum = 0.0;
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        for (std::size_t row = 0; row < problem.time.size(); ++row) {
+            const double residual = apart.residuals[k][row];
+            if (!std::isnan(residual)) {
+                sum += residual * residual / (variance[k][row] + fit.noise[k]);
+            }
+        }
+    }
+    return sum;
 }
 
 } // namespace slidercrank

@@ -1,58 +1,120 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Least squares of a slider-crank's motion on observations: residuals, their derivatives, and the Levenberg-Marquardt
-// method.
+// Least squares of a slider-crank's motion on observations, by one model of errors and one score.
 //
-// Source: J. J. Moré, "The Levenberg-Marquardt algorithm: implementation and theory", 1978 (MINPACK, as Eigen has it).
+// A value is uncertain by its own rounding, by its instant's rounding times the motion's rate, and by noise where the
+// residuals say so:
+//
+//     V = step²/12 + (rate τ)²/12 + σ²
+//
+// with one σ a column: 0, unless the mean of r²/V at σ = 0 lies beyond chance; then the one that makes that mean 1.
+// The score of a way to read the file, lower is better, compares ways with different columns, units and freedoms:
+//
+//     S = Σ r²/V + ln(V / z²) + k ln N        z the spread of the column, k free parameters, N values
+//
+// A free constant pays for what it might have been: ln(size² Σ 1/V) instead of ln N where that is more. A column that is left out counts as explained by its own spread.
+//
+// Sources: K. Levenberg 1944, D. W. Marquardt 1963; G. Schwarz, "Estimating the dimension of a model", 1978.
 
 #include "core/identification/observations.h"
 
+#include <Eigen/Core>
+
 #include <array>
+#include <limits>
+#include <span>
 #include <stop_token>
+#include <vector>
 
 namespace slidercrank
 {
 
-/// Weights that know how exact each value is: 1 / its rounding step, or less where residuals of the channel, at the
-/// mechanism given, say that something else than rounding is at work.
-void weighByStep(Observations &observations, const Parameters &parameters);
+/// How one column of a file is read: as which channel, in which unit and sense, from where it is counted.
+struct ColumnReading {
+    Channel channel;           ///< may be another than the file says
+    double factor = 1.0;       ///< multiplies the file's number, which is then in the author's unit of the channel
+    double turn = 0.0;         ///< degrees, then added to an angle
+    bool isUsed = true;        ///< false: left out
+    bool isZeroFree = false;   ///< an unknown constant is added
 
-/// Root mean square of the weighted residuals; a row where the mechanism has no motion counts as if it were 0 there.
-double misfit(const Observations &observations, const Parameters &parameters);
-
-/// A coupler just long enough for the motion to exist at all rows.
-void lengthenCoupler(const Observations &observations, Parameters &parameters);
-
-/// The same with all lengths scaled so that the channels that are lengths fit best; where there are none, the size
-/// stays.
-double misfitAtBestSize(const Observations &observations, Parameters &parameters);
-
-struct Fit {
-    Parameters parameters;
-    double rms = 0.0; ///< of the weighted residuals
-    int iterations = 0;
-    bool stopped = false;
+    friend bool operator==(const ColumnReading &, const ColumnReading &) = default;
 };
+
+/// One for each column of the Observations, in their order.
+using FileReading = std::vector<ColumnReading>;
+
+FileReading asWritten(const Observations &observations);
+
+/// The columns of one reading in FitUnits.
+struct FitColumn {
+    Channel channel;
+    std::vector<double> values; ///< NaN: none
+    std::vector<double> variance;
+    std::size_t count = 0;
+    std::size_t source = 0; ///< which of the observations
+    double spread = 0.0;
+    double step = 0.0;
+    Eigen::Index zero = -1; ///< which of the free constants, or none
+};
+
+struct FitProblem {
+    std::vector<double> time;
+    double clockStep = 0.0;
+    std::vector<FitColumn> columns; ///< those in use
+    Eigen::Index zeroCount = 0;
+    std::size_t valueCount = 0;
+    std::size_t leftOut = 0; ///< values of columns not in use
+};
+
+FitProblem problemOf(const Observations &observations, const FileReading &reading);
 
 /// By enum Parameter.
 using FreeParameters = std::array<bool, kParameterCount>;
+inline constexpr FreeParameters kAllFree{true, true, true, true, true};
 
-/// The branch is held, as is what is not free. Where b is free, the coupler is first made long enough; otherwise there
-/// is nothing to be fitted from a start that cannot move as long as the data do, and the rms is infinite.
-Fit fit(const Observations &observations, const Parameters &start, const FreeParameters &isFree, int mostIterations,
-        std::stop_token stop);
+inline constexpr Eigen::Index kMostZeros = 4;
 
-/// From a start that fits the rows up to `end`: again and again with more of them, the speed ever better known, until
-/// it fits all; by the lowest orders only. At most kMostFitRows at a time, spread evenly: more would make the
-/// parameters no more exact than the file's digits, only slower to find.
-inline constexpr std::size_t kMostFitRows = 4000;
-Fit fitGrowing(const ReferenceData &data, const FitUnits &units, const Supply &supply, std::size_t end,
-               const Parameters &start, const FreeParameters &isFree, std::stop_token stop);
+/// At most all parameters and constants.
+using FitMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kParameterCount + kMostZeros,
+                                kParameterCount + kMostZeros>;
+using FitVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kParameterCount + kMostZeros, 1>;
 
-/// The residuals weighted, and their derivatives, a column a parameter; values that are missing give rows of zeros.
-/// False where the mechanism has no motion at some row.
-bool linearize(const Observations &observations, const Parameters &parameters, Eigen::VectorXd &residuals,
-               Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> *derivatives);
+struct Fit {
+    Parameters parameters; ///< in FitUnits
+    std::array<double, kMostZeros> zeros{};
+    std::vector<double> noise; ///< σ² by column of the problem
+    double chiSquared = std::numeric_limits<double>::infinity();
+    double score = std::numeric_limits<double>::infinity();
+    int iterations = 0;
+
+    bool exists() const { return chiSquared < std::numeric_limits<double>::infinity(); }
+};
+
+/// From that start: noise estimated from what it leaves, fitted, and so on until nothing changes.
+Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters &isFree, int mostRounds,
+        const std::stop_token &stop);
+
+/// Residuals and variances at a fit, by column of the problem; NaN where there is no value.
+struct FitResiduals {
+    std::vector<std::vector<double>> residuals;
+    std::vector<std::vector<double>> variance;
+};
+
+/// None where the mechanism has no motion at some row.
+bool residualsOf(const FitProblem &problem, const Fit &fit, FitResiduals &result);
+
+/// The matrix of the normal equations at a fit, free parameters in the order of enum Parameter, then the constants.
+/// In long double: a condition number is squared in it.
+using ExactFitMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+ExactFitMatrix informationOf(const FitProblem &problem, const Fit &fit, const FreeParameters &isFree);
+
+/// Σ r²/V at other parameters and constants (by the vector of the free ones), the variances being those at the fit.
+double chiSquaredAt(const FitProblem &problem, const Fit &fit, const FreeParameters &isFree, const FitVector &step);
+
+std::size_t freeCount(const FitProblem &problem, const FreeParameters &isFree);
+
+/// A difference of angles without whole turns.
+double withoutTurns(double radians);
 
 } // namespace slidercrank

@@ -3,58 +3,54 @@
 
 // Where to start looking for the mechanism that made some data: from the data themselves.
 //
-// With θ2 = W t + φ, u = a cos φ and v = a sin φ, so that a cos θ2 = u cos W t - v sin W t and
-// a sin θ2 = v cos W t + u sin W t, everything else is linear once the speed W is given:
+// The speed W is found first: every column is periodic in W t, so that a constant and two harmonics, each derivative
+// differentiated exactly, leave least at the right speed. Two only: with four, half the speed fits as well.
 //
-//     θ3 and R4x known    b cos θ3 + a cos θ2 = R4x,  b sin θ3 + a sin θ2 - c = 0               in b, c, u, v
-//     θ3 known            sin θ3 = c/b - (a/b) sin θ2                                           in c/b, u/b, v/b
-//     R4x known           R4x² = 2 R4x a cos θ2 + 2 c a sin θ2 + D,  D = b² - a² - c²           in u, v, c u, c v, D
+// Then, with θ2 = W t + φ, u = a cos φ and v = a sin φ, so that a cos θ2 = u cos W t - v sin W t and
+// a sin θ2 = v cos W t + u sin W t, everything else is linear. Let the file's θ3 be q = θ3 + z, and its R4x be r + m
+// with mean m, the slider really being at r + R:
 //
-// Where only a velocity is known it is summed up; the constant that this leaves open is one more unknown: θ3 = θ + δ,
-// sin θ + tan δ cos θ = …, and R4x = r + R, r² + 2 r R = …. So there is one number left to search for, W, and the
-// turning points of the series tell it roughly: both θ3 and R4x have two a turn, where the crank turns round.
+//     both       B1 cos q + B2 sin q + a cos θ2 + (m - R) = r + m,   B1 sin q - B2 cos q + a sin θ2 - c = 0
+//     θ3 alone   sin q = tan z cos q + (c - a sin θ2) / (b cos z)
+//     R4x alone  r² = -2 R r + 2 r a cos θ2 + (2 R u + 2 c v) cos W t + (2 c u - 2 R v) sin W t + D - R²,
+//                D = b² - a² - c²
+//
+// with B1 = b cos z and B2 = b sin z. Where the origin of a column is trusted, z = 0 and R = m. Over more than a turn or
+// so these are written at the phases of a turn, from six harmonics; over less, on the rows themselves, derivatives
+// summed up.
 
 #include "core/identification/motion_fit.h"
 
-#include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace slidercrank
 {
 
-/// θ3 or R4x over the rows of the data, in FitUnits, of their lowest order there is. A velocity is summed up, so that
-/// the position is known up to a constant; an acceleration too, and then tells no more than the turning points of a
-/// velocity.
-struct Course {
-    std::vector<double> values; ///< NaN: none
-    Order order = Order::Position;
+/// Magnitudes of the speed that the columns may have, in whatever units and senses; some, the best first.
+std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &stop);
+
+/// Mechanisms worth trying, in FitUnits; none is wrong by more than one of imagesOf() where the data can be fitted at
+/// all. `speeds`: as speedsOf(). `size`: the crank's length where the data hold none.
+std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<double> &speeds, double size,
+                                 const std::stop_token &stop);
+
+/// A coupler just long enough for the motion to exist at all rows.
+void lengthenCoupler(const FitProblem &problem, Parameters &parameters);
+
+/// All lengths scaled so that the columns that are lengths fit best.
+void scaleToFit(const FitProblem &problem, Parameters &parameters);
+
+/// What a mechanism leaves, without any fit but of the free constants: Σ n ln(mean r² / z²) over the columns; infinite
+/// where it does not move as long as the data do.
+double misfitOf(const FitProblem &problem, const Parameters &parameters);
+
+/// The speed that θ2 or its derivative tells (FitUnits, signed), if it is there; and the crank's angle at time 0.
+struct CrankCourse {
+    double speed = 0.0;
+    double angle = 0.0;
+    bool hasAngle = false;
 };
-
-/// What is known of the motion before any mechanism is.
-struct Courses {
-    std::optional<Course> theta3;
-    std::optional<Course> R4x;
-    std::vector<double> time;
-    std::size_t firstRow = 0; ///< of the data; from there to endRow there are no more than a few turns
-    std::size_t endRow = 0;
-    std::size_t turningPoints = 0; ///< of the better known course, in those rows
-    double speed = 0.0;            ///< that they tell: magnitude, rad per unit of time; 0: less than a turn or so
-    double speedUncertainty = 0.0; ///< relative
-};
-
-/// Precondition: at least two rows with values.
-Courses coursesOf(const ReferenceData &data, const Supply &supply, const FitUnits &units);
-
-/// Magnitudes of the speed to look at, ascending: about the one that the turning points tell, or all that are possible.
-std::vector<double> likelySpeeds(const Courses &courses);
-std::vector<double> allSpeeds(const Courses &courses);
-
-/// Mechanisms worth trying, in FitUnits, with every mirror image the data may have; none where there are accelerations
-/// only. `size`: the crank's length where the data hold no length.
-std::vector<Parameters> startsFrom(const Courses &courses, const std::vector<double> &speeds, double size);
-
-/// The same for any data, slowly: for each speed the best of a grid of mechanisms and crank angles.
-std::vector<Parameters> startsFromGrid(const Observations &observations, const std::vector<double> &speeds,
-                                       bool bothDirections, double size, const std::stop_token &stop);
+bool crankCourseOf(const FitProblem &problem, CrankCourse &course);
 
 } // namespace slidercrank

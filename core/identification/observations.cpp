@@ -5,57 +5,151 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <utility>
 
 namespace slidercrank
 {
 
-bool Supply::has(Channel channel) const
+namespace
 {
-    const auto found = std::find(kPlottedChannels.begin(), kPlottedChannels.end(), channel);
-    return counts[static_cast<std::size_t>(found - kPlottedChannels.begin())] > 0;
+
+/// What every mechanism has as zeros: the ground, the slider's angle, what does not change.
+bool isNothing(Channel channel)
+{
+    return channel.coordinate == R1x || channel.coordinate == R1y || channel.coordinate == Theta1 ||
+           channel.coordinate == Theta4;
 }
 
-bool Supply::has(Coordinate coordinate) const
+/// Takes out jumps of whole turns: between two rows the coupler turns by less than half of one.
+bool takeOutJumps(std::vector<double> &degrees)
 {
-    return has({coordinate, Order::Position}) || has({coordinate, Order::Velocity}) ||
-           has({coordinate, Order::Acceleration});
+    bool any = false;
+    double last = kNone;
+    double turns = 0.0;
+    for (double &value : degrees) {
+        if (!std::isfinite(value)) {
+            continue;
+        }
+        if (std::isfinite(last)) {
+            const double jumps = std::round((value + turns - last) / 360.0);
+            any = any || jumps != 0.0;
+            turns -= 360.0 * jumps;
+        }
+        value += turns;
+        last = value;
+    }
+    return any;
 }
 
-Supply supplyOf(const ReferenceData &data)
+/// How many rows count for one: see observations.h.
+double repetition(const std::vector<double> &values, std::size_t count, double step)
 {
-    Supply supply;
-    std::array<const ReferenceSeries *, kPlottedChannels.size()> series{};
-    std::ranges::transform(kPlottedChannels, series.begin(), [&](Channel channel) { return data.find(channel); });
+    std::size_t runs = 1;
+    bool isEven = true;
+    double last = kNone;
+    double difference = kNone;
+    for (const double value : values) {
+        if (!std::isfinite(value)) {
+            continue;
+        }
+        if (std::isfinite(last)) {
+            runs += value != last ? 1 : 0;
+            isEven = isEven && (!std::isfinite(difference) || std::abs(value - last - difference) <= 1e-3 * step);
+            difference = std::isfinite(difference) ? difference : value - last;
+        }
+        last = value;
+    }
+    const auto n = static_cast<double>(count);
+    return runs > 1 && isEven && count > 2 ? n / 2.0 : n / static_cast<double>(runs);
+}
+
+void learn(ObservedColumn &column, const Rounding &rounding)
+{
+    double sum = 0.0;
+    ValueRange range = rangeOf(column.values);
+    column.count = range.count;
+    for (const double value : column.values) {
+        sum += std::isfinite(value) ? value : 0.0;
+    }
+    column.mean = sum / static_cast<double>(std::max<std::size_t>(column.count, 1));
+    double squares = 0.0;
+    RoundingSteps steps(rounding);
+    for (const double value : column.values) {
+        if (std::isfinite(value)) {
+            squares += (value - column.mean) * (value - column.mean);
+            column.step = std::max(column.step, steps.at(value));
+        }
+    }
+    // A column whose digits say nothing is taken to be as good as the others usually are.
+    constexpr double kUsualStep = 1e-6;
+    constexpr double kStepOfNothing = 1e-3;
+    if (!(column.step > 0.0)) {
+        column.step = range.size() > 0.0 ? kUsualStep * range.size() : kStepOfNothing;
+    }
+    column.step = std::max(column.step, kArithmeticStep * range.size());
+    column.varies = range.width() > 0.0;
+    column.spread = std::max(std::sqrt(squares / static_cast<double>(std::max<std::size_t>(column.count, 1))),
+                             column.varies ? 0.0 : column.step);
+
+    constexpr double kFinest = 0.01; // of the largest step
+    const double repeated = repetition(column.values, column.count, column.step);
+    column.variance.resize(column.values.size());
+    for (std::size_t i = 0; i < column.values.size(); ++i) {
+        const double value = column.values[i];
+        const double step =
+            std::isfinite(value)
+                ? std::max({steps.at(value), kFinest * column.step, kArithmeticStep * range.size()})
+                : column.step;
+        column.variance[i] = step * step / 12.0 * repeated;
+    }
+}
+
+} // namespace
+
+bool isPlotted(Channel channel)
+{
+    return channel.coordinate == Theta3 || channel.coordinate == R4x;
+}
+
+bool Observations::has(Channel channel) const
+{
+    return std::ranges::find(columns, channel, &ObservedColumn::channel) != columns.end();
+}
+
+bool Observations::has(Coordinate coordinate) const
+{
+    return std::ranges::any_of(columns, [&](const ObservedColumn &column) { return column.channel.coordinate == coordinate; });
+}
+
+bool Observations::hasPositionOnly() const
+{
+    return std::ranges::none_of(columns, [](const ObservedColumn &column) {
+        return column.channel.coordinate == Theta2 ||
+               (column.channel.order != Order::Position && column.channel.coordinate != R4y);
+    });
+}
+
+std::size_t Observations::valueCount() const
+{
+    std::size_t count = 0;
+    for (const ObservedColumn &column : columns) {
+        count += column.count;
+    }
+    return count;
+}
+
+std::vector<std::size_t> rowsOf(const ReferenceData &data)
+{
+    std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < data.time.size(); ++row) {
-        bool any = false;
-        for (std::size_t plotted = 0; plotted < series.size(); ++plotted) {
-            if (series[plotted] && std::isfinite(series[plotted]->values[row])) {
-                ++supply.counts[plotted];
-                ++supply.values;
-                any = true;
-            }
-        }
-        if (any) {
-            supply.rows.push_back(row);
+        if (std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+                return !isNothing(series.channel) && std::isfinite(series.values[row]);
+            })) {
+            rows.push_back(row);
         }
     }
-    return supply;
-}
-
-FitUnits unitsFor(const ReferenceData &data, const Supply &supply, double length)
-{
-    FitUnits units;
-    units.second = data.time[supply.rows.back()] - data.time[supply.rows.front()];
-    units.mm = length;
-    for (const Order order : {Order::Acceleration, Order::Velocity, Order::Position}) {
-        if (const ReferenceSeries *series = data.find({R4x, order})) {
-            const double peak = rangeOf(series->values).size() * std::pow(units.second, static_cast<int>(order));
-            units.mm = peak > 0.0 && std::isfinite(peak) ? peak : units.mm;
-        }
-    }
-    return units;
+    return rows;
 }
 
 std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t most)
@@ -68,9 +162,38 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t 
     return result;
 }
 
-std::span<const std::size_t> rowsBefore(std::span<const std::size_t> rows, std::size_t end)
+FitUnits unitsFor(const ReferenceData &data, std::span<const std::size_t> rows, double length)
 {
-    return rows.first(static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), end) - rows.begin()));
+    FitUnits units;
+    const double first = data.time[rows.front()];
+    const double last = data.time[rows.back()];
+    units.second = last > first ? last - first : 1.0;
+    units.origin = 0.5 * (first + last);
+    units.mm = length;
+    bool isKnown = false;
+    for (const Coordinate coordinate : {R4x, R3x, R2x, R3y, R2y}) {
+        for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+            const ReferenceSeries *series = data.find({coordinate, order});
+            if (!series || isKnown) {
+                continue;
+            }
+            ValueRange range;
+            for (const std::size_t row : rows) {
+                const double value = series->values[row];
+                if (std::isfinite(value)) {
+                    range.low = std::min(range.low, value);
+                    range.high = std::max(range.high, value);
+                }
+            }
+            // A derivative's unit of time is guessed to be that of a turn in all.
+            const double size = 0.5 * range.width() * std::pow(units.second / (2.0 * std::numbers::pi), static_cast<int>(order));
+            if (size > 0.0 && std::isfinite(size)) {
+                units.mm = size;
+                isKnown = true;
+            }
+        }
+    }
+    return units;
 }
 
 Parameters FitUnits::toFit(const Parameters &parameters) const
@@ -101,82 +224,37 @@ double FitUnits::factor(Channel channel) const
     return unit * std::pow(second, static_cast<int>(channel.order));
 }
 
-Observations observe(const ReferenceData &data, const FitUnits &units, std::span<const std::size_t> rows)
+Observations observe(const ReferenceData &data, const Clock &clock, const FitUnits &units,
+                     std::span<const std::size_t> rows)
 {
     Observations observations;
+    observations.units = units;
     observations.time.reserve(rows.size());
     for (const std::size_t row : rows) {
         observations.time.push_back(units.timeOf(data.time[row]));
     }
-    for (std::size_t plotted = 0; plotted < kPlottedChannels.size(); ++plotted) {
-        const ReferenceSeries *series = data.find(kPlottedChannels[plotted]);
-        if (!series) {
+    observations.printedClockStep = clock.printedStep / units.second;
+    observations.clockStep = clock.step() / units.second;
+    for (const ReferenceSeries &series : data.series) {
+        if (isNothing(series.channel)) {
             continue;
         }
-        const double factor = units.factor(series->channel);
-        ObservedChannel channel;
-        channel.plotted = static_cast<Eigen::Index>(plotted);
-        channel.values.resize(rows.size());
-        channel.steps.resize(rows.size());
-        channel.weights.resize(rows.size());
-        double sum = 0.0;
-        double peak = 0.0;
-        double count = 0.0;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const double value = series->values[rows[i]];
-            if (std::isfinite(value)) {
-                channel.values[i] = factor * value;
-                channel.steps[i] = factor * series->rounding.stepAt(value);
-                channel.weights[i] = 1.0;
-                sum += channel.values[i];
-                peak = std::max(peak, std::abs(channel.values[i]));
-                count += 1.0;
-            }
+        ObservedColumn column;
+        column.channel = series.channel;
+        column.values.reserve(rows.size());
+        for (const std::size_t row : rows) {
+            column.values.push_back(std::isfinite(series.values[row]) ? series.values[row] : kNone);
         }
-        if (count == 0.0) {
-            continue;
+        if (series.channel == Channel{Theta3, Order::Position}) {
+            column.hasJumps = takeOutJumps(column.values);
         }
-        // A column whose digits say nothing is taken to be as good as the others usually are.
-        constexpr double kUsualStep = 1e-6;
-        const double smallestStep =
-            peak * (series->rounding.rule == Rounding::Rule::Unknown ? kUsualStep : kArithmeticStep);
-        double squares = 0.0;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const double deviation = channel.values[i] - sum / count;
-            squares += channel.weights[i] * deviation * deviation;
-            channel.steps[i] = std::max(channel.steps[i], smallestStep);
+        learn(column, series.rounding);
+        // A derivative of what does not move says something only where it is not zero.
+        const bool says = series.channel.coordinate != R4y || series.channel.order == Order::Position || column.varies;
+        if (column.count >= 2 && says) {
+            observations.columns.push_back(std::move(column));
         }
-        channel.deviation = std::max(std::sqrt(squares / count), smallestStep);
-        if (!(channel.deviation > 0.0)) {
-            // Zero throughout: says next to nothing.
-            channel.deviation = 1.0;
-            std::fill(channel.steps.begin(), channel.steps.end(), channel.deviation);
-        }
-        for (double &weight : channel.weights) {
-            weight /= channel.deviation;
-        }
-        observations.channels.push_back(std::move(channel));
     }
-    return observations;
-}
-
-std::size_t valueCount(const Observations &observations)
-{
-    std::size_t count = 0;
-    for (const ObservedChannel &channel : observations.channels) {
-        count += static_cast<std::size_t>(
-            std::count_if(channel.weights.begin(), channel.weights.end(), [](double weight) { return weight > 0.0; }));
-    }
-    return count;
-}
-
-Observations lowestOrders(Observations observations)
-{
-    // kPlottedChannels alternates between θ3 and R4x, the orders ascending.
-    std::array<bool, 2> seen{};
-    std::erase_if(observations.channels, [&](const ObservedChannel &channel) {
-        return std::exchange(seen[static_cast<std::size_t>(channel.plotted % 2)], true);
-    });
     return observations;
 }
 

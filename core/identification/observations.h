@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Rows of reference data made ready for least squares: the six plotted channels, in units of their own size, weighted.
+// Rows of reference data made ready for least squares: the columns that a mechanism can say anything about, with what
+// is known of each value's error before any mechanism is fitted.
 
 #include "core/identification/sensitivity.h"
+#include "core/reading/clock.h"
 #include "core/reading/reference_data.h"
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace slidercrank
 {
-
-/// Which of the six channels hold how much.
-struct Supply {
-    std::size_t values = 0;                                    ///< of all six
-    std::array<std::size_t, kPlottedChannels.size()> counts{}; ///< in the order of kPlottedChannels
-    std::vector<std::size_t> rows;                             ///< those with any value, ascending
-
-    bool has(Channel channel) const;
-    bool has(Coordinate coordinate) const; ///< in any order
-};
-
-Supply supplyOf(const ReferenceData &data);
 
 /// What lengths, times and instants are counted in while fitting, so that no number is far from 1 whatever the size of
 /// the mechanism and wherever its clock starts.
@@ -42,37 +31,51 @@ struct FitUnits {
     double timeOf(double seconds) const { return (seconds - origin) / second; }
 };
 
-/// Time: from the first value to the last. Length: the largest |R4x|, or what its derivatives let it be; `length` (mm)
-/// where there are none. The origin is 0.
-FitUnits unitsFor(const ReferenceData &data, const Supply &supply, double length);
-
-/// One of the six channels at the rows of an Observations. Weight 0: no value there.
-struct ObservedChannel {
-    Eigen::Index plotted = 0; ///< which, in the order of kPlottedChannels
-    std::vector<double> values;
-    std::vector<double> steps; ///< of the file's rounding
-    std::vector<double> weights;
-    double deviation = 0.0; ///< standard deviation of the values
+/// One column at the rows of an Observations, in the author's unit.
+struct ObservedColumn {
+    Channel channel;              ///< what the file calls it
+    std::vector<double> values;   ///< NaN: none; θ3 without jumps of whole turns
+    std::vector<double> variance; ///< of their rounding
+    std::size_t count = 0;
+    double mean = 0.0;
+    double spread = 0.0; ///< standard deviation, or the step of a column that never changes
+    double step = 0.0;   ///< the largest
+    bool varies = false;
+    bool hasJumps = false; ///< of whole turns, that were taken out
 };
+
+/// Some rows of the data.
+struct Observations {
+    FitUnits units;
+    std::vector<double> time; ///< in FitUnits
+    double clockStep = 0.0;   ///< of the instants' rounding, in FitUnits; 0 where they are evenly spaced
+    double printedClockStep = 0.0;
+    std::vector<ObservedColumn> columns;
+
+    bool has(Channel channel) const;
+    bool has(Coordinate coordinate) const; ///< in any order
+    bool hasPositionOnly() const;          ///< no derivative, and nothing of θ2
+    std::size_t valueCount() const;
+};
+
+bool isPlotted(Channel channel);
+
+/// Rows with any value that counts, ascending.
+std::vector<std::size_t> rowsOf(const ReferenceData &data);
 
 /// At most so many of the rows, evenly spread.
 std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t most);
 
-/// Those of ascending rows that come before `end`.
-std::span<const std::size_t> rowsBefore(std::span<const std::size_t> rows, std::size_t end);
+/// `length` (mm): the unit of length where the file holds none.
+FitUnits unitsFor(const ReferenceData &data, std::span<const std::size_t> rows, double length);
 
-/// Some rows of the data, in FitUnits.
-struct Observations {
-    std::vector<double> time;
-    std::vector<ObservedChannel> channels; ///< only those that the file has, and that have values in these rows
-};
-
-/// Weights are 1 / deviation: every channel counts alike.
-Observations observe(const ReferenceData &data, const FitUnits &units, std::span<const std::size_t> rows);
-
-std::size_t valueCount(const Observations &observations);
-
-/// Without the channels that are derivatives of others that are there: positions lead a fit home from farther away.
-Observations lowestOrders(Observations observations);
+/// Columns with fewer than two values in these rows are left out, and those that every mechanism has as zeros.
+///
+/// The rounding's variance is that of a uniform distribution over the step. Rows that repeat do not round
+/// independently: what is left of n such rows is as many as there are runs, or two where all differences are the same.
+/// A value that happens to be next to nothing, as a position counted from its start, is known no better than a
+/// hundredth of the column's largest step.
+Observations observe(const ReferenceData &data, const Clock &clock, const FitUnits &units,
+                     std::span<const std::size_t> rows);
 
 } // namespace slidercrank

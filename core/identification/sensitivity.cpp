@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/sensitivity.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -93,6 +94,99 @@ bool plottedMotion(const Parameters &parameters, double t, PlottedValues &values
     derivatives(4, 3) += 2.0 * w * at.theta3D2;
     derivatives(5, 3) += 2.0 * w * R4xD2;
     return true;
+}
+
+bool InstantMotion::compute(const Parameters &parameters, double t)
+{
+    m_parameters = parameters;
+    m_time = t;
+    return plottedMotion(parameters, t, m_plotted, m_derivatives);
+}
+
+bool InstantMotion::computeValues(const Parameters &parameters, double t)
+{
+    m_parameters = parameters;
+    m_time = t;
+    return plottedMotion(parameters, t, m_plotted);
+}
+
+double InstantMotion::pin(bool alongX, int order) const
+{
+    return pinGradient(alongX, order)[0] * m_parameters.a;
+}
+
+Gradient InstantMotion::pinGradient(bool alongX, int order) const
+{
+    const double w = m_parameters.omega2;
+    const double theta2 = w * m_time + m_parameters.theta20;
+    const double cosine = std::cos(theta2);
+    const double sine = std::sin(theta2);
+    const std::array<double, 4> quarters{cosine, -sine, -cosine, sine}; // of cos(θ2 + k π/2); the sine is one behind
+    const auto first = static_cast<std::size_t>(order + (alongX ? 0 : 3));
+    const double power = std::pow(w, order);
+    const double slope = quarters[first % quarters.size()];
+    Gradient gradient = Gradient::Zero();
+    gradient[0] = power * slope;
+    gradient[4] = m_parameters.a * power * quarters[(first + 1) % quarters.size()];
+    gradient[3] =
+        m_time * gradient[4] + (order > 0 ? order * m_parameters.a * std::pow(w, order - 1) * slope : 0.0);
+    return gradient;
+}
+
+double InstantMotion::valueOf(Channel channel) const
+{
+    const int order = static_cast<int>(channel.order);
+    const auto slider = [&] { return m_plotted[2 * order + 1]; };
+    switch (channel.coordinate) {
+    case Theta2:
+        return order == 0   ? m_parameters.omega2 * m_time + m_parameters.theta20
+               : order == 1 ? m_parameters.omega2
+                            : 0.0;
+    case Theta3: return m_plotted[2 * order];
+    case R4x: return slider();
+    case R4y: return order == 0 ? m_parameters.c : 0.0;
+    case R2x: return 0.5 * pin(true, order);
+    case R2y: return 0.5 * pin(false, order);
+    case R3x: return 0.5 * (pin(true, order) + slider());
+    case R3y: return 0.5 * (pin(false, order) + (order == 0 ? m_parameters.c : 0.0));
+    case R1x:
+    case R1y:
+    case Theta1:
+    case Theta4: break;
+    }
+    return 0.0;
+}
+
+Gradient InstantMotion::gradientOf(Channel channel) const
+{
+    const int order = static_cast<int>(channel.order);
+    const auto plotted = [&](int row) -> Gradient { return m_derivatives.row(row).transpose(); };
+    Gradient gradient = Gradient::Zero();
+    switch (channel.coordinate) {
+    case Theta2:
+        if (order == 0) {
+            gradient[3] = m_time;
+            gradient[4] = 1.0;
+        } else if (order == 1) {
+            gradient[3] = 1.0;
+        }
+        break;
+    case Theta3: return plotted(2 * order);
+    case R4x: return plotted(2 * order + 1);
+    case R4y: gradient[2] = order == 0 ? 1.0 : 0.0; break;
+    case R2x: return 0.5 * pinGradient(true, order);
+    case R2y: return 0.5 * pinGradient(false, order);
+    case R3x: return 0.5 * (pinGradient(true, order) + plotted(2 * order + 1));
+    case R3y:
+        gradient = 0.5 * pinGradient(false, order);
+        gradient[2] = order == 0 ? 0.5 : 0.0;
+        break;
+    case R1x:
+    case R1y:
+    case Theta1:
+    case Theta4: break;
+    }
+    return gradient;
 }
 
 } // namespace slidercrank

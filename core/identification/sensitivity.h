@@ -21,6 +21,8 @@
 //
 //     by θ20  ω^k f^(k+1)              by ω  k ω^(k-1) f^(k) + t ω^k f^(k+1)
 //
+// The pin is A = a (cos θ2, sin θ2); the crank's centre is at A/2, the coupler's halfway between A and (R4x, c).
+//
 // Derived from the equations of closed_form.h. Plain sums: a fit knows its parameters to the digits of a file, and
 // needs no form that is exact at a toggle. Any consistent units; angles in rad.
 
@@ -43,5 +45,33 @@ using PlottedDerivatives = Eigen::Matrix<double, kPlottedCount, kParameterCount>
 /// length is not looked at: -a is a crank that is half a turn ahead, -b the same as b.
 bool plottedMotion(const Parameters &parameters, double t, PlottedValues &values);
 bool plottedMotion(const Parameters &parameters, double t, PlottedValues &values, PlottedDerivatives &derivatives);
+
+/// By enum Parameter.
+using Gradient = Eigen::Matrix<double, kParameterCount, 1>;
+
+/// All 36 channels at one instant: those of the coupler's and the crank's centres follow from the pin A and from the
+/// plotted ones.
+class InstantMotion
+{
+public:
+    /// False where the mechanism has no motion; then nothing may be asked.
+    bool compute(const Parameters &parameters, double t);
+
+    /// Without gradients.
+    bool computeValues(const Parameters &parameters, double t);
+
+    double valueOf(Channel channel) const;
+    Gradient gradientOf(Channel channel) const; ///< by the parameters that compute() was given
+    double rateOf(Channel channel) const { return m_parameters.omega2 * gradientOf(channel)[4]; }
+
+private:
+    double pin(bool alongX, int order) const; ///< of A: a ω^k cos(θ2 + k π/2), or the sine
+    Gradient pinGradient(bool alongX, int order) const;
+
+    Parameters m_parameters;
+    double m_time = 0.0;
+    PlottedValues m_plotted;
+    PlottedDerivatives m_derivatives;
+};
 
 } // namespace slidercrank

@@ -26,8 +26,7 @@ constexpr std::size_t kRowsBetweenPolls = 4096;
 
 /// The numbers of one line, reused from line to line.
 struct Row {
-    double time = 0.0;
-    std::string_view timeDigits;
+    PlainNumber time;                 ///< in seconds
     std::vector<PlainNumber> numbers; ///< by place in TableLayout::channels, in the author's unit; a gap has no digits
 };
 
@@ -43,12 +42,11 @@ struct BadCell {
 bool readPlainRow(CellScanner &scanner, const TableLayout &layout, Row &row)
 {
     const char *const begin = scanner.position();
-    PlainNumber time;
     for (const ReadColumn &column : layout.columns) {
         bool plain = scanner.hasCell();
         switch (column.role) {
         case ColumnRole::Ignored: plain = plain && scanner.skipPlainCell(); break;
-        case ColumnRole::Time: plain = plain && scanner.plainNumber(time); break;
+        case ColumnRole::Time: plain = plain && scanner.plainNumber(row.time); break;
         case ColumnRole::Channel:
             plain = plain && scanner.plainNumber(row.numbers[column.series]);
             row.numbers[column.series].value *= column.factor;
@@ -63,8 +61,7 @@ bool readPlainRow(CellScanner &scanner, const TableLayout &layout, Row &row)
         scanner.backTo(begin);
         return false;
     }
-    row.time = time.value / layout.columns[layout.timeColumn].factor;
-    row.timeDigits = time.digits;
+    row.time.value /= layout.columns[layout.timeColumn].factor;
     scanner.nextLine();
     return true;
 }
@@ -96,9 +93,8 @@ std::optional<BadCell> readRow(CellScanner &scanner, const TableLayout &layout, 
         switch (column.role) {
         case ColumnRole::Ignored: break;
         case ColumnRole::Time:
-            row.time = number.value / column.factor;
-            row.timeDigits = number.digits;
-            if (!number.fault && std::isnan(row.time)) {
+            row.time = {number.value / column.factor, placesOf(number.digits), number.digits};
+            if (!number.fault && std::isnan(row.time.value)) {
                 number.fault = RowFault::NoTime;
             }
             break;
@@ -161,6 +157,7 @@ public:
         for (ReferenceSeries &series : m_data.series) {
             series.values.clear();
         }
+        m_timeObserver = RoundingObserver();
         std::fill(m_observers.begin(), m_observers.end(), RoundingObserver());
     }
 
@@ -171,6 +168,7 @@ public:
             values.insert(values.end(), more.begin(), more.end());
         };
         append(m_data.time, later.m_data.time);
+        m_timeObserver.add(later.m_timeObserver);
         for (std::size_t i = 0; i < m_observers.size(); ++i) {
             append(m_data.series[i].values, later.m_data.series[i].values);
             m_observers[i].add(later.m_observers[i]);
@@ -179,7 +177,8 @@ public:
 
     void add(const Row &row)
     {
-        m_data.time.push_back(row.time);
+        m_data.time.push_back(row.time.value);
+        m_timeObserver.observe(row.time.places, row.time.digits);
         for (std::size_t i = 0; i < row.numbers.size(); ++i) {
             const PlainNumber &number = row.numbers[i];
             m_data.series[i].values.push_back(number.value);
@@ -194,6 +193,7 @@ public:
     {
         m_data.skipped = std::move(skipped);
         m_data.layout = std::move(layout.table.layout);
+        m_data.timeRounding = m_timeObserver.inferOfInstants(1.0 / layout.columns[layout.timeColumn].factor);
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {
             const ReadColumn &column = layout.columns[i];
             FileColumn &described = m_data.layout.columns[i];
@@ -217,6 +217,7 @@ private:
     }
 
     ReferenceData m_data;
+    RoundingObserver m_timeObserver;
     std::vector<RoundingObserver> m_observers;
 };
 
@@ -277,9 +278,9 @@ void readPart(Part &part, const TableLayout &layout, const std::function<bool(st
         }
         if (part.firstRow == 0) {
             part.firstRow = line;
-            part.firstTime = row.timeDigits;
-        } else if (!(row.time > part.builder.time().back())) {
-            part.error = timeFault(line, layout, row.timeDigits);
+            part.firstTime = row.time.digits;
+        } else if (!(row.time.value > part.builder.time().back())) {
+            part.error = timeFault(line, layout, row.time.digits);
             return;
         }
         part.builder.add(row);

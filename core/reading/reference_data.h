@@ -51,6 +51,7 @@ struct SkippedRow {
 
 struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
+    Rounding timeRounding;    ///< how the file rounded the instants, already in seconds
     std::vector<ReferenceSeries> series;
     std::vector<SkippedRow> skipped; ///< at most 1000, and then one more that counts the others
     FileLayout layout;               ///< how the file is written, and what each column became and why

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -70,15 +71,24 @@ int decadeOf(const Powers &powers, double magnitude)
 /// the program rounds.
 constexpr int kDigitsOfAChosenNumber = 4;
 
-/// The rule for a column that holds one number throughout: there is no chance in its digits, only that number.
-void inferFromOneValue(const PrintedPlaces &places, Rounding &rounding)
+/// The place where the one number of a column was rounded, as far as that can be told. Zeros behind the point may be
+/// its own: so many digits as a person chooses are taken for known.
+int placeOfOneValue(const PrintedPlaces &places)
 {
-    const bool chosen = places.first - places.last < kDigitsOfAChosenNumber;
-    const int place = chosen ? places.printed : places.last;
-    if (place < 0) {
-        rounding.rule = Rounding::Rule::Decimals;
-        rounding.digits = -place;
-    }
+    const int place = std::min(places.last, 0);
+    const int known = std::max(places.first - kDigitsOfAChosenNumber + 1, places.printed);
+    return places.printed < 0 ? std::min(place, known) : place;
+}
+
+/// Whether so many of all are more than chance: a value ends one place early in one case of ten.
+bool isNoChance(double some, double all)
+{
+    return 4.0 * some >= all + 8.0;
+}
+
+bool isNearlyAll(double some, double all)
+{
+    return some >= 0.9 * all;
 }
 
 /// What a decade tells: the place where its values were rounded, and how many values say so.
@@ -121,10 +131,16 @@ double Rounding::stepAt(double value) const
     case Rule::SignificantDigits: {
         const double printed = std::abs(value) / unitFactor;
         const int exponent = printed > 0.0 && std::isfinite(printed) ? decadeOf(powers, printed) : smallestExponent;
-        return unitFactor * powerOfTen(powers, std::max(exponent - digits + 1, finestPlace));
+        const int place = std::min(exponent - digits + 1, coarsestPlace);
+        return unitFactor * powerOfTen(powers, std::max(place, finestPlace));
     }
     }
     return 0.0;
+}
+
+double Rounding::finestStep() const
+{
+    return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(powersOfTen(), finestPlace);
 }
 
 double RoundingSteps::stepElsewhere(double value)
@@ -192,6 +208,26 @@ PrintedPlaces placesOf(std::string_view digits)
     return places;
 }
 
+PrintedPlaces shortestPlaces(PrintedPlaces places, std::string_view digits)
+{
+    std::array<char, 128> text; // no number needs more
+    digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
+    if (digits.size() > text.size()) {
+        return places;
+    }
+    char *const end = std::replace_copy(digits.begin(), digits.end(), text.data(), ',', '.');
+    double value = 0.0;
+    if (std::from_chars(text.data(), end, value).ec != std::errc()) {
+        return places; // beyond what a double holds
+    }
+    const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
+    const PrintedPlaces found = placesOf({text.data(), static_cast<std::size_t>(shortest.ptr - text.data())});
+    places.zero = found.zero;
+    places.first = found.first;
+    places.last = found.last;
+    return places;
+}
+
 void RoundingObserver::add(const RoundingObserver &later)
 {
     for (std::size_t decade = 0; decade < kDecades; ++decade) {
@@ -199,6 +235,10 @@ void RoundingObserver::add(const RoundingObserver &later)
             m_counts[decade][length] += later.m_counts[decade][length];
         }
     }
+    m_long += later.m_long;
+    m_values += later.m_values;
+    m_zerosBehind += later.m_zerosBehind;
+    m_coarsestPlace = std::max(m_coarsestPlace, later.m_coarsestPlace);
     m_finestPlace = std::min(m_finestPlace, later.m_finestPlace);
     m_smallestExponent = std::min(m_smallestExponent, later.m_smallestExponent);
     const bool differ =
@@ -211,6 +251,16 @@ void RoundingObserver::add(const RoundingObserver &later)
 
 Rounding RoundingObserver::infer(double unitFactor) const
 {
+    return inferWith(isNoChance, unitFactor);
+}
+
+Rounding RoundingObserver::inferOfInstants(double unitFactor) const
+{
+    return inferWith(isNearlyAll, unitFactor);
+}
+
+Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), double unitFactor) const
+{
     Rounding rounding;
     rounding.unitFactor = unitFactor;
     if (m_onlyMagnitude.empty()) {
@@ -219,7 +269,8 @@ Rounding RoundingObserver::infer(double unitFactor) const
     rounding.smallestExponent = m_smallestExponent;
     rounding.finestPlace = m_finestPlace;
     if (!m_varies) {
-        inferFromOneValue(placesOf(m_onlyMagnitude), rounding);
+        rounding.rule = Rounding::Rule::Decimals;
+        rounding.digits = -placeOfOneValue(shortestPlaces(placesOf(m_onlyMagnitude), m_onlyMagnitude));
         return rounding;
     }
 
@@ -230,7 +281,7 @@ Rounding RoundingObserver::infer(double unitFactor) const
         double reached = 0.0;
         for (std::size_t length = 0; length < kMostDigits && total > 0.0; ++length) {
             reached += counts[length];
-            if (4.0 * reached >= total) {
+            if (reached == total || hasEnded(reached, total)) {
                 const int exponent = static_cast<int>(row) - kLargestExponent;
                 decades.push_back({exponent, exponent - static_cast<int>(length), total});
                 break;
@@ -258,7 +309,23 @@ Rounding RoundingObserver::infer(double unitFactor) const
             rounding.digits = -candidate.place;
         }
     }
+    rounding.coarsestPlace = coarsestPlace(rounding);
+    if (rounding.rule == Rounding::Rule::Decimals) {
+        rounding.digits = std::max(rounding.digits, -rounding.coarsestPlace);
+    }
     return rounding;
+}
+
+/// Of the rule as it was found without regard to this.
+int RoundingObserver::coarsestPlace(const Rounding &rounding) const
+{
+    // As digits, so many zeros at the end would be a coincidence: one value in ten has one, one in a hundred two.
+    const bool isPadded = 4 * m_zerosBehind >= m_values + 16;
+    if (m_coarsestPlace >= 0 || !isPadded) {
+        return m_coarsestPlace;
+    }
+    const bool isLong = rounding.rule == Rounding::Rule::SignificantDigits && rounding.digits > kDigitsOfAChosenNumber;
+    return isLong ? std::numeric_limits<int>::max() : 0;
 }
 
 } // namespace slidercrank

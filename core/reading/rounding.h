@@ -3,6 +3,8 @@
 
 // How a program rounded a column of numbers when it wrote them: to so many significant digits, or to so many decimals.
 // Trailing zeros say nothing (139.397000 has six digits), so the rule is inferred from all values of the column.
+// Sixteen digits and more are a double's, and say nothing either: 12.3456000000000003 is 12.3456, the shortest text of
+// the same double.
 
 #include <algorithm>
 #include <array>
@@ -21,12 +23,12 @@ namespace slidercrank
 /// most.
 struct Rounding {
     enum class Rule {
-        Unknown,           ///< nothing to learn from (only zeros, or one whole number throughout): step 0
+        Unknown,           ///< nothing to learn from (only zeros): step 0
         SignificantDigits, ///< the step follows each value's own power of ten
         Decimals           ///< one step for all
     };
     Rule rule = Rule::Unknown;
-    int digits = 0;           ///< significant digits, or decimals (negative: tens, hundreds, …)
+    int digits = 0;           ///< significant digits, or decimals (negative: tens, hundreds, … of another unit)
     double unitFactor = 1.0;  ///< from the file's unit to the author's
     int smallestExponent = 0; ///< of the column's non-zero values: stands in for a value of zero
 
@@ -34,8 +36,17 @@ struct Rounding {
     /// are fewer than six where the value is small: no step is finer than this.
     int finestPlace = std::numeric_limits<int>::min();
 
+    /// And none is coarser than this: 70 beside 40 are whole numbers, not tens.
+    int coarsestPlace = std::numeric_limits<int>::max();
+
     /// The step at a value, both in the author's unit; 0 when unknown.
     double stepAt(double value) const;
+
+    /// Of the last digit printed anywhere, zero or not, in the author's unit: 1e-6 of 0.005000. 0 when nothing is
+    /// known.
+    double finestStep() const;
+
+    friend bool operator==(const Rounding &, const Rounding &) = default;
 };
 
 /// Rounding::stepAt() of one value after the other: quick where neighbours lie in the same decade, as those of a motion
@@ -75,13 +86,20 @@ struct PrintedPlaces {
 /// `digits`: optional sign, digits with at most one '.' or ',', optional exponent.
 PrintedPlaces placesOf(std::string_view digits);
 
+/// First and last digit of the shortest text that reads as the same double as `digits`, which stand at `places`.
+PrintedPlaces shortestPlaces(PrintedPlaces places, std::string_view digits);
+
 /// Learns the rule from the numbers as they were printed.
 ///
 /// Within a decade (the power of ten of the first digit) a value rounded to a place ends there, or one place earlier in
-/// one case of ten, two in one of a hundred. So the coarsest place at which, or before which, at least a quarter of the
-/// values of the decade end is no coincidence: the decade was rounded there, if not everywhere. (Some programs print
-/// some rows with more digits than others: the coarser half decides what can be promised of the column.) The rule is
-/// the one that passes nearest to the places of all decades, each weighing as much as it has values.
+/// one case of ten, two in one of a hundred. So the coarsest place at which, or before which, clearly more than a
+/// quarter of the values of the decade end is no coincidence: the decade was rounded there, if not everywhere. (Some
+/// programs print some rows with more digits than others: the coarser half decides what can be promised of the column.)
+/// The rule is the one that passes nearest to the places of all decades, each weighing as much as it has values. What
+/// it says is never coarser than what is printed: than the coarsest place printed, unless the zeros behind the last
+/// digits are too many to be digits themselves, and then than whole numbers, unless those are long ones.
+///
+/// A column that holds one number throughout is rounded to the last digit of that number, or to a whole number.
 class RoundingObserver
 {
 public:
@@ -96,13 +114,27 @@ public:
 
     Rounding infer(double unitFactor) const;
 
+    /// Of instants, whose digits are no chance: of 0.0333, 0.0667, 0.1 every third ends early. Here the place tells at
+    /// which nearly all have ended.
+    Rounding inferOfInstants(double unitFactor) const;
+
 private:
+    void count(const PrintedPlaces &places, std::string_view digits);
+    /// `hasEnded`: whether a decade was rounded to the place before which so many of all its values end.
+    Rounding inferWith(bool (*hasEnded)(double some, double all), double unitFactor) const;
+    int coarsestPlace(const Rounding &rounding) const;
+
     static constexpr int kLargestExponent = 48; ///< decades beyond ±48 teach nothing
     static constexpr std::size_t kDecades = 2 * kLargestExponent + 1;
-    static constexpr std::size_t kMostDigits = 20; ///< more say no more: a double holds 17
+    static constexpr std::size_t kMostDigits = 17; ///< the shortest text of a double has no more
+    static constexpr int kDigitsOfADouble = 16;    ///< as many, or more, are a double's own rather than somebody's
 
     /// By decade and number of digits - 1, from the first to the last that is not zero: how many values.
     std::array<std::array<std::uint32_t, kMostDigits>, kDecades> m_counts{};
+    std::uint32_t m_long = 0;        ///< texts of a double's own digits
+    std::uint64_t m_values = 0;      ///< other than zero
+    std::uint64_t m_zerosBehind = 0; ///< decimals printed in vain: zeros behind the last digit, of all these
+    int m_coarsestPlace = std::numeric_limits<int>::min(); ///< printed in any of them
     int m_finestPlace = std::numeric_limits<int>::max();
     int m_smallestExponent = std::numeric_limits<int>::max();
     std::string m_onlyMagnitude; ///< the text, without sign, of the first value that is not zero
@@ -112,10 +144,28 @@ private:
 // Here, because it is called for each value of a large file.
 inline void RoundingObserver::observe(const PrintedPlaces &places, std::string_view digits)
 {
+    if (places.zero || places.first - places.last + 1 < kDigitsOfADouble) {
+        count(places, digits);
+        return;
+    }
+    // To find the shortest text takes as long as to read the number: of very many, some tell enough.
+    constexpr std::uint32_t kEnough = 256;
+    constexpr std::uint32_t kSoManyth = 16;
+    if (m_long < kEnough || m_long % kSoManyth == 0) {
+        count(shortestPlaces(places, digits), digits);
+    }
+    ++m_long;
+}
+
+inline void RoundingObserver::count(const PrintedPlaces &places, std::string_view digits)
+{
     m_finestPlace = std::min(m_finestPlace, places.printed);
     if (places.zero) {
         return;
     }
+    ++m_values;
+    m_zerosBehind += static_cast<std::uint64_t>(std::max(std::min(places.last, 0) - places.printed, 0));
+    m_coarsestPlace = std::max(m_coarsestPlace, places.printed);
     m_smallestExponent = std::min(m_smallestExponent, places.first);
     if (std::abs(places.first) <= kLargestExponent) {
         const auto decade = static_cast<std::size_t>(places.first + kLargestExponent);

@@ -374,14 +374,6 @@
         <translation>no finitos</translation>
     </message>
     <message>
-        <source>Read so, it agrees with this mechanism.</source>
-        <translation>Leído así, coincide con este mecanismo.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s own mechanism: %1</source>
-        <translation>El mecanismo propio del archivo: %1</translation>
-    </message>
-    <message>
         <source>Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6</source>
         <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
     </message>
@@ -604,40 +596,6 @@ Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canal
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. A column agrees when at least
-95 % of its values are within half a rounding step of the file and none beyond ten halves, is close when none
-is beyond a hundred halves, and differs otherwise. Where one differs, the text says what explains it. A file that
-cannot be read is told on standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Una columna coincide cuando al menos
-el 95 % de sus valores está a menos de medio paso de redondeo del archivo y ninguno pasa de diez medios; se aproxima
-cuando ninguno pasa de cien medios, y en otro caso difiere. Donde una difiere, el texto dice qué lo explica. De un
-archivo que no se puede leer se informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from any of the columns theta3, R4_x and their
-derivatives, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, the textbook&apos;s angle, another sign, …), that is said, and the file is read so. The options
-of the mechanism give what the file cannot fix.
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de cualquiera de las columnas theta3, R4_x
-y sus derivadas, y la certeza de cada parámetro. Si el archivo entiende por una columna algo distinto de lo que dice su
-encabezado (radianes, el ángulo de los libros de texto, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar.
-</translation>
-    </message>
-    <message>
         <source>Usage: slidercrank study [options]
 
 Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
@@ -672,32 +630,6 @@ JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;om
 </translation>
     </message>
     <message>
-        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;channels&quot;:[…],
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
-CSV: the file&apos;s name, then the same columns.
-</source>
-        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;channels&quot;:[…],
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
-CSV: el nombre del archivo y las mismas columnas.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…},
-       &quot;identifiable&quot;:{&quot;a&quot;:true,…}, &quot;iterations&quot;, &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;}; in mm and rad as the options;
-      before, after: largest error, % of peak; null where there is none.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…},
-       &quot;identifiable&quot;:{&quot;a&quot;:true,…}, &quot;iterations&quot;, &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;}; en mm y rad como las opciones;
-      before, after: error máximo, % del pico; null donde no lo hay.
-</translation>
-    </message>
-    <message>
         <source>JSON: {&quot;machine&quot;, &quot;cases&quot;:[{&quot;name&quot;, &quot;methods&quot;:[…]}]}; a method is
       {&quot;method&quot;,&quot;tolerance&quot;,&quot;channels&quot;,&quot;nsPerState&quot;,&quot;spread&quot;,&quot;iterationsPerState&quot;,&quot;maxError&quot;,
        &quot;errorBound&quot;,&quot;status&quot;,&quot;counts&quot;,&quot;silentFailures&quot;}; spread: between the quartiles, in ns; status: the worst;
@@ -709,18 +641,6 @@ CSV: the case&apos;s name, then the same columns, a column a status.
        &quot;errorBound&quot;,&quot;status&quot;,&quot;counts&quot;,&quot;silentFailures&quot;}; spread: entre los cuartiles, en ns; status: el peor;
        counts: instantes por estado; silentFailures: instantes dados por resueltos y erróneos; null donde no lo hay.
 CSV: el nombre del caso y las mismas columnas, una por estado.
-</translation>
-    </message>
-    <message>
-        <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
-standard output cannot be read or written, or a file is not what it should be; 4 the mechanism cannot be
-assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
-acceleration do not exist, somewhere, or no mechanism was found for a file. Of several, 3, 4, 5, 1 in this order.
-</source>
-        <translation>Estado de salida: 0 hecho; 1 --fail-on-difference y un canal difiere; 2 la línea de órdenes es incorrecta; 3 un archivo
-o la salida estándar no se puede leer o escribir, o un archivo no es lo que debería; 4 el mecanismo no se puede
-ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
-aceleración no existen, en algún instante, o no se halló mecanismo para un archivo. De varios: 3, 4, 5, 1, en ese orden.
 </translation>
     </message>
     <message>
@@ -1074,6 +994,508 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
 Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
     </message>
+    <message>
+        <source>To go on with the first: %1</source>
+        <translation>Para seguir con el primero: %1</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from the columns theta3, R4_x and their derivatives, and how
+certain each of its parameters is; every other column has to agree. Where the file means something else by a column
+than its heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is
+read so. The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s
+pivot O2, angles counter-clockwise from x.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       nothing found explains the file: what comes nearest, as just that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de las columnas theta3, R4_x y sus derivadas, y
+con qué certeza se conoce cada parámetro; todas las demás columnas han de concordar. Donde el archivo entiende por una
+columna otra cosa que su encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo
+se lee así. Las opciones del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de
+la manivela, los ángulos en sentido antihorario desde x.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
+CSV: the file&apos;s name, then the same columns.
+</source>
+        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
+CSV: el nombre del archivo y las mismas columnas.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      Of the outcome nearest the mechanism is no more than what comes nearest.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que lo más cercano.
+</translation>
+    </message>
+    <message>
+        <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
+standard output cannot be read or written, or a file is not what it should be; 4 the mechanism cannot be
+assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
+acceleration do not exist, somewhere, or a file&apos;s mechanism was neither identified nor ambiguous. Of several, 3,
+4, 5, 1 in this order.
+</source>
+        <translation>Estado de salida: 0 hecho; 1 --fail-on-difference y un canal difiere; 2 la línea de órdenes es incorrecta; 3 un archivo
+o la salida estándar no se puede leer o escribir, o un archivo no es lo que debería; 4 el mecanismo no se puede
+ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
+aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
+4, 5, 1, en ese orden.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+standard error, and the others are still compared.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
+como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente.
+</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ConventionText</name>
+    <message>
+        <source>%1: in %2, but read as %3.</source>
+        <translation>%1: en %2, pero leído como %3.</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>grados</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>radianes</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>%1: in a unit of angle %2 times as large as the one read.</source>
+        <translation>%1: en una unidad de ángulo %2 veces mayor que la leída.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>%1: in a unit of length %2 times as large as the one read.</source>
+        <translation>%1: en una unidad de longitud %2 veces mayor que la leída.</translation>
+    </message>
+    <message>
+        <source>The time is in milliseconds, but was read as seconds</source>
+        <translation>El tiempo está en milisegundos, pero se leyó como segundos</translation>
+    </message>
+    <message>
+        <source>The time is in seconds, but was read as milliseconds</source>
+        <translation>El tiempo está en segundos, pero se leyó como milisegundos</translation>
+    </message>
+    <message>
+        <source>The time is in minutes, but was read as seconds</source>
+        <translation>El tiempo está en minutos, pero se leyó como segundos</translation>
+    </message>
+    <message>
+        <source>The unit of the time is %1 times as large as the one read</source>
+        <translation>La unidad del tiempo es %1 veces mayor que la leída</translation>
+    </message>
+    <message>
+        <source>; so are the derivatives %1</source>
+        <translation>; también las derivadas %1</translation>
+    </message>
+    <message>
+        <source> − %1°</source>
+        <translation> − %1°</translation>
+    </message>
+    <message>
+        <source> + %1°</source>
+        <translation> + %1°</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1: counted from where it began; %2 is %1%3.</source>
+        <translation>%1: medido desde donde empezó; %2 es %1%3.</translation>
+    </message>
+    <message>
+        <source>%1: counted from another direction; %2 is %1%3.</source>
+        <translation>%1: medido desde otra dirección; %2 es %1%3.</translation>
+    </message>
+    <message>
+        <source>%1 to the right of O₂</source>
+        <translation>%1 a la derecha de O₂</translation>
+    </message>
+    <message>
+        <source>%1 to the left of O₂</source>
+        <translation>%1 a la izquierda de O₂</translation>
+    </message>
+    <message>
+        <source>%1 above O₂</source>
+        <translation>%1 por encima de O₂</translation>
+    </message>
+    <message>
+        <source>%1 below O₂</source>
+        <translation>%1 por debajo de O₂</translation>
+    </message>
+    <message>
+        <source>%1: counted from where it began, %2.</source>
+        <translation>%1: medido desde donde empezó, %2.</translation>
+    </message>
+    <message>
+        <source>%1: counted from another origin, %2.</source>
+        <translation>%1: medido desde otro origen, %2.</translation>
+    </message>
+    <message>
+        <source>Multiplies %1 by %2</source>
+        <translation>Multiplica %1 por %2</translation>
+    </message>
+    <message>
+        <source>Multiplies the instants by %1</source>
+        <translation>Multiplica los instantes por %1</translation>
+    </message>
+    <message>
+        <source>Multiplies the instants by %1, and brings %2 to the same unit</source>
+        <translation>Multiplica los instantes por %1 y lleva %2 a la misma unidad</translation>
+    </message>
+    <message>
+        <source>Changes the sign of %1</source>
+        <translation>Cambia el signo de %1</translation>
+    </message>
+    <message>
+        <source>Makes %1 continuous</source>
+        <translation>Hace continuo %1</translation>
+    </message>
+    <message>
+        <source>Adds %1° to %2, made continuous</source>
+        <translation>Suma %1° a %2, hecho continuo</translation>
+    </message>
+    <message>
+        <source>Subtracts %1 from %2</source>
+        <translation>Resta %1 de %2</translation>
+    </message>
+    <message>
+        <source>Adds %1 to %2</source>
+        <translation>Suma %1 a %2</translation>
+    </message>
+    <message>
+        <source>Exchanges %1</source>
+        <translation>Intercambia %1</translation>
+    </message>
+    <message>
+        <source>Takes the other assembly for the model</source>
+        <translation>Toma para el modelo la otra configuración</translation>
+    </message>
+    <message>
+        <source>Adds %1 s to the instants</source>
+        <translation>Suma %1 s a los instantes</translation>
+    </message>
+    <message>
+        <source>Leaves %1 out</source>
+        <translation>Deja fuera %1</translation>
+    </message>
+    <message>
+        <source>angle unit</source>
+        <translation>unidad de ángulo</translation>
+    </message>
+    <message>
+        <source>length unit</source>
+        <translation>unidad de longitud</translation>
+    </message>
+    <message>
+        <source>time unit</source>
+        <translation>unidad de tiempo</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>signo</translation>
+    </message>
+    <message>
+        <source>half a turn</source>
+        <translation>media vuelta</translation>
+    </message>
+    <message>
+        <source>whole turns</source>
+        <translation>vueltas enteras</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>origen</translation>
+    </message>
+    <message>
+        <source>swapped columns</source>
+        <translation>columnas intercambiadas</translation>
+    </message>
+    <message>
+        <source>assembly</source>
+        <translation>configuración</translation>
+    </message>
+    <message>
+        <source>time shift</source>
+        <translation>desfase de tiempo</translation>
+    </message>
+    <message>
+        <source>no derivative</source>
+        <translation>no es derivada</translation>
+    </message>
+    <message>
+        <source>%1: counted clockwise, against the sense of the model.</source>
+        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
+    </message>
+    <message>
+        <source>%1: along an axis that points the other way.</source>
+        <translation>%1: a lo largo de un eje que apunta al revés.</translation>
+    </message>
+    <message>
+        <source>%1: of the opposite sign.</source>
+        <translation>%1: de signo contrario.</translation>
+    </message>
+    <message>
+        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; θ³ is %1%2.</source>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; θ³ es %1%2.</translation>
+    </message>
+    <message>
+        <source>%1: jumps by whole turns.</source>
+        <translation>%1: salta vueltas enteras.</translation>
+    </message>
+    <message>
+        <source>%1: off by whole turns; θ³ is %1%2.</source>
+        <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
+    </message>
+    <message>
+        <source>%1: each stands under the other&apos;s name.</source>
+        <translation>%1: cada una está bajo el nombre de la otra.</translation>
+    </message>
+    <message>
+        <source>The file moves as the other assembly: the slider on the other side of A.</source>
+        <translation>El archivo se mueve en la otra configuración: la corredera al otro lado de A.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
+        <translation>El reloj del archivo va %1 s adelantado: lo que tiene en t ocurre ese tiempo antes.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s clock is %1 s behind: what it has at t happens that much later.</source>
+        <translation>El reloj del archivo va %1 s atrasado: lo que tiene en t ocurre ese tiempo después.</translation>
+    </message>
+    <message>
+        <source>%1: not the time derivative of its position column.</source>
+        <translation>%1: no es la derivada temporal de su columna de posición.</translation>
+    </message>
+    <message>
+        <source>%1: its largest error is %2 % of peak.</source>
+        <translation>%1: su error máximo es el %2 % del pico.</translation>
+    </message>
+    <message>
+        <source>%1: largest error %2 % of peak instead of %3 %.</source>
+        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::DiagnosisText</name>
+    <message>
+        <source>%1/a = %2</source>
+        <translation>%1/a = %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from its mirror image (c, ω₂ and θ₂₀ negated).</source>
+        <translation>Estas columnas no lo distinguen de su imagen especular (c, ω₂ y θ₂₀ cambiados de signo).</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from one that turns the other way, from 180° − θ₂₀.</source>
+        <translation>Estas columnas no lo distinguen de uno que gira en sentido contrario, desde 180° − θ₂₀.</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from the other assembly with c negated and θ₂₀ half a turn on.</source>
+        <translation>Estas columnas no lo distinguen de la otra configuración con c cambiado de signo y θ₂₀ media vuelta más allá.</translation>
+    </message>
+    <message>
+        <source>These columns cannot tell it from %1.</source>
+        <translation>Estas columnas no lo distinguen de %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source> (mirror image)</source>
+        <translation> (imagen especular)</translation>
+    </message>
+    <message>
+        <source> (turning the other way)</source>
+        <translation> (girando en sentido contrario)</translation>
+    </message>
+    <message>
+        <source> (the other assembly)</source>
+        <translation> (la otra configuración)</translation>
+    </message>
+    <message>
+        <source> (another speed that meets the same instants)</source>
+        <translation> (otra velocidad que pasa por los mismos instantes)</translation>
+    </message>
+    <message>
+        <source>%1 mechanisms explain this file equally: %2.</source>
+        <translation>%1 mecanismos explican este archivo por igual: %2.</translation>
+    </message>
+    <message>
+        <source>; or </source>
+        <translation>; o </translation>
+    </message>
+    <message>
+        <source>More instants a turn, derivatives or θ₂ would tell them apart.</source>
+        <translation>Más instantes por vuelta, derivadas o θ₂ los distinguirían.</translation>
+    </message>
+    <message>
+        <source>There are too few instants to find the mechanism by: export more of them.</source>
+        <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
+    </message>
+    <message>
+        <source>Nothing moves in these data: export the motion of a turning crank.</source>
+        <translation>En estos datos no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
+    </message>
+    <message>
+        <source>So few values can be met by chance, and do not tell the mechanism: export more instants, or more columns.</source>
+        <translation>Tan pocos valores pueden coincidir por azar y no determinan el mecanismo: exporte más instantes, o más columnas.</translation>
+    </message>
+    <message>
+        <source>These data leave %1 open: export a longer motion, more digits, or more columns.</source>
+        <translation>Estos datos no determinan %1: exporte un movimiento más largo, más cifras, o más columnas.</translation>
+    </message>
+    <message>
+        <source>Many mechanisms move nearly as these data do: export a longer motion, more digits, or more columns.</source>
+        <translation>Muchos mecanismos se mueven casi como estos datos: exporte un movimiento más largo, más cifras, o más columnas.</translation>
+    </message>
+    <message>
+        <source>There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
+        <translation>Hay muy pocos valores de θ³, Rₓ⁴ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
+    </message>
+    <message>
+        <source>The crank speed is not constant: θ₂ turns at %1 rad/s at the start and %2 rad/s at the end.</source>
+        <translation>La velocidad de la manivela no es constante: θ₂ gira a %1 rad/s al principio y a %2 rad/s al final.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file. What comes nearest: %1.</source>
+        <translation>Nada de lo hallado explica este archivo. Lo más cercano: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file. What comes nearest: %1, off by up to %2 % of peak, in %3.</source>
+        <translation>Nada de lo hallado explica este archivo. Lo más cercano: %1, que se aparta hasta un %2 % del máximo, en %3.</translation>
+    </message>
+    <message>
+        <source>%1 a</source>
+        <translation>%1 a</translation>
+    </message>
+    <message>
+        <source>θ³ alone fixes only b/a and c/a; a = %1 is taken as given.</source>
+        <translation>θ³ por sí solo únicamente determina b/a y c/a; se toma a = %1 como dado.</translation>
+    </message>
+    <message>
+        <source>The data do not fix %1: kept as given.</source>
+        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
+    </message>
+    <message>
+        <source>What is left looks like noise: %1 (rms).</source>
+        <translation>Lo que queda parece ruido: %1 (rms).</translation>
+    </message>
+    <message>
+        <source>The search was stopped.</source>
+        <translation>La búsqueda se detuvo.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file.</source>
+        <translation>Nada de lo hallado explica este archivo.</translation>
+    </message>
+    <message>
+        <source>Nothing found explains this file: check which column is which, and their units.</source>
+        <translation>Nada de lo hallado explica este archivo: revise qué columna es cuál, y sus unidades.</translation>
+    </message>
+    <message>
+        <source>Read so, it does not differ from this mechanism.</source>
+        <translation>Leído así, no difiere de este mecanismo.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s own mechanism: %1</source>
+        <translation>El mecanismo propio del archivo: %1</translation>
+    </message>
+    <message>
+        <source>Round numbers come as near to the data: %1.</source>
+        <translation>Unos números redondos se acercan igual de bien a los datos: %1.</translation>
+    </message>
+    <message>
+        <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
+        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EditCommandText</name>
@@ -1200,14 +1622,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>veredicto</translation>
     </message>
     <message>
-        <source>agrees: at least 95 % of the values within half a step of the file, none beyond ten halves
-close: none beyond a hundred halves
-differs: anything else</source>
-        <translation>coincide: al menos el 95 % de los valores a menos de medio paso del archivo, ninguno más allá de diez medios
-próximo: ninguno más allá de cien medios
-difiere: todo lo demás</translation>
-    </message>
-    <message>
         <source>max error</source>
         <translation>error máx.</translation>
     </message>
@@ -1324,6 +1738,14 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
 %2</source>
         <translation>%1
 %2</translation>
+    </message>
+    <message>
+        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
+close: none beyond a hundred times
+differs: anything else, and what lies beyond the rounding by 1 % of half the motion&apos;s range</source>
+        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
+próximo: ninguno más allá de cien veces
+difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
     </message>
 </context>
 <context>
@@ -1466,6 +1888,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>Now → then (as measured ± standard error)</source>
         <translation>Ahora → después (medido ± error estándar)</translation>
     </message>
+    <message>
+        <source>Take the first of them over</source>
+        <translation>Adoptar el primero de ellos</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FindingText</name>
@@ -1490,268 +1916,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>, </translation>
     </message>
     <message>
-        <source>%1/a = %2</source>
-        <translation>%1/a = %2</translation>
-    </message>
-    <message>
         <source>%1 = %2</source>
         <translation>%1 = %2</translation>
     </message>
     <message>
-        <source>%1: in %2, but read as %3.</source>
-        <translation>%1: en %2, pero leído como %3.</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>grados</translation>
-    </message>
-    <message>
-        <source>radians</source>
-        <translation>radianes</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
-    </message>
-    <message>
-        <source>%1: in a unit of angle %2 times as large as the one read.</source>
-        <translation>%1: en una unidad de ángulo %2 veces mayor que la leída.</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>milímetros</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centímetros</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>metros</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pulgadas</translation>
-    </message>
-    <message>
-        <source>%1: in a unit of length %2 times as large as the one read.</source>
-        <translation>%1: en una unidad de longitud %2 veces mayor que la leída.</translation>
-    </message>
-    <message>
-        <source>The time is in milliseconds, but was read as seconds</source>
-        <translation>El tiempo está en milisegundos, pero se leyó como segundos</translation>
-    </message>
-    <message>
-        <source>The time is in seconds, but was read as milliseconds</source>
-        <translation>El tiempo está en segundos, pero se leyó como milisegundos</translation>
-    </message>
-    <message>
-        <source>The time is in minutes, but was read as seconds</source>
-        <translation>El tiempo está en minutos, pero se leyó como segundos</translation>
-    </message>
-    <message>
-        <source>The unit of the time is %1 times as large as the one read</source>
-        <translation>La unidad del tiempo es %1 veces mayor que la leída</translation>
-    </message>
-    <message>
-        <source>; so are the derivatives %1</source>
-        <translation>; también las derivadas %1</translation>
-    </message>
-    <message>
-        <source> − %1°</source>
-        <translation> − %1°</translation>
-    </message>
-    <message>
-        <source> + %1°</source>
-        <translation> + %1°</translation>
-    </message>
-    <message>
-        <source>Multiplies %1 by %2</source>
-        <translation>Multiplica %1 por %2</translation>
-    </message>
-    <message>
-        <source>Multiplies the instants by %1</source>
-        <translation>Multiplica los instantes por %1</translation>
-    </message>
-    <message>
-        <source>Multiplies the instants by %1, and brings %2 to the same unit</source>
-        <translation>Multiplica los instantes por %1 y lleva %2 a la misma unidad</translation>
-    </message>
-    <message>
-        <source>Changes the sign of %1</source>
-        <translation>Cambia el signo de %1</translation>
-    </message>
-    <message>
-        <source>Makes %1 continuous</source>
-        <translation>Hace continuo %1</translation>
-    </message>
-    <message>
-        <source>Adds %1° to %2, made continuous</source>
-        <translation>Suma %1° a %2, hecho continuo</translation>
-    </message>
-    <message>
-        <source>Exchanges %1</source>
-        <translation>Intercambia %1</translation>
-    </message>
-    <message>
-        <source>Takes the other assembly for the model</source>
-        <translation>Toma para el modelo la otra configuración</translation>
-    </message>
-    <message>
-        <source>Adds %1 s to the instants</source>
-        <translation>Suma %1 s a los instantes</translation>
-    </message>
-    <message>
-        <source>Leaves %1 out</source>
-        <translation>Deja fuera %1</translation>
-    </message>
-    <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
-    </message>
-    <message>
-        <source>%1 a</source>
-        <translation>%1 a</translation>
-    </message>
-    <message>
-        <source>θ³ alone fixes only b/a and c/a; a = %1 is taken as given.</source>
-        <translation>θ³ por sí solo únicamente determina b/a y c/a; se toma a = %1 como dado.</translation>
-    </message>
-    <message>
-        <source>θ³ alone cannot tell it from one that turns the other way, from 180° − θ₂₀.</source>
-        <translation>θ³ por sí solo no lo distingue de uno que gira en sentido contrario, desde 180° − θ₂₀.</translation>
-    </message>
-    <message>
-        <source>The derivatives of θ³ alone cannot tell it from the other assembly with c negated and θ₂₀ half a turn on.</source>
-        <translation>Las derivadas de θ³ por sí solas no lo distinguen de la otra configuración con c cambiado de signo y θ₂₀ media vuelta más allá.</translation>
-    </message>
-    <message>
-        <source>Rₓ⁴ alone cannot tell this mechanism from its mirror image (c, ω₂ and θ₂₀ negated).</source>
-        <translation>Rₓ⁴ por sí solo no distingue este mecanismo de su imagen especular (c, ω₂ y θ₂₀ cambiados de signo).</translation>
-    </message>
-    <message>
-        <source>The data do not fix %1: kept as given.</source>
-        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
-    </message>
-    <message>
-        <source>It comes nearest of all, but the data are still off by %1 × the file&apos;s rounding step (rms).</source>
-        <translation>Es el que más se acerca, pero los datos aún se apartan %1 × el paso de redondeo del archivo (rms).</translation>
-    </message>
-    <message>
-        <source>There are too few values of θ³, Rₓ⁴ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
-        <translation>Hay muy pocos valores de θ³, Rₓ⁴ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
-    </message>
-    <message>
-        <source>No slider-crank moves as these data do: check which column is which, and their units.</source>
-        <translation>Ningún mecanismo manivela-corredera se mueve como estos datos: revise qué columna es cuál, y sus unidades.</translation>
-    </message>
-    <message>
-        <source>The search was stopped.</source>
-        <translation>La búsqueda se detuvo.</translation>
-    </message>
-    <message>
-        <source>This error looks like %1: %2 instead of %3%4 explains %5 % of it.</source>
-        <translation>Este error parece de %1: %2 en vez de %3%4 explica el %5 % de él.</translation>
-    </message>
-    <message>
-        <source>angle unit</source>
-        <translation>unidad de ángulo</translation>
-    </message>
-    <message>
-        <source>length unit</source>
-        <translation>unidad de longitud</translation>
-    </message>
-    <message>
-        <source>time unit</source>
-        <translation>unidad de tiempo</translation>
-    </message>
-    <message>
-        <source>sign</source>
-        <translation>signo</translation>
-    </message>
-    <message>
-        <source>half a turn</source>
-        <translation>media vuelta</translation>
-    </message>
-    <message>
-        <source>whole turns</source>
-        <translation>vueltas enteras</translation>
-    </message>
-    <message>
-        <source>swapped columns</source>
-        <translation>columnas intercambiadas</translation>
-    </message>
-    <message>
-        <source>assembly</source>
-        <translation>configuración</translation>
-    </message>
-    <message>
-        <source>time shift</source>
-        <translation>desfase de tiempo</translation>
-    </message>
-    <message>
-        <source>no derivative</source>
-        <translation>no es derivada</translation>
-    </message>
-    <message>
-        <source>%1: counted clockwise, against the sense of the model.</source>
-        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
-    </message>
-    <message>
-        <source>%1: along an axis that points the other way.</source>
-        <translation>%1: a lo largo de un eje que apunta al revés.</translation>
-    </message>
-    <message>
-        <source>%1: of the opposite sign.</source>
-        <translation>%1: de signo contrario.</translation>
-    </message>
-    <message>
-        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; θ³ is %1%2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; θ³ es %1%2.</translation>
-    </message>
-    <message>
-        <source>%1: jumps by whole turns.</source>
-        <translation>%1: salta vueltas enteras.</translation>
-    </message>
-    <message>
-        <source>%1: off by whole turns; θ³ is %1%2.</source>
-        <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
-    </message>
-    <message>
-        <source>%1: each stands under the other&apos;s name.</source>
-        <translation>%1: cada una está bajo el nombre de la otra.</translation>
-    </message>
-    <message>
-        <source>The file moves as the other assembly: the slider on the other side of A.</source>
-        <translation>El archivo se mueve en la otra configuración: la corredera al otro lado de A.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
-        <translation>El reloj del archivo va %1 s adelantado: lo que tiene en t ocurre ese tiempo antes.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s clock is %1 s behind: what it has at t happens that much later.</source>
-        <translation>El reloj del archivo va %1 s atrasado: lo que tiene en t ocurre ese tiempo después.</translation>
-    </message>
-    <message>
-        <source>%1: not the time derivative of its position column.</source>
-        <translation>%1: no es la derivada temporal de su columna de posición.</translation>
-    </message>
-    <message>
-        <source>%1: its largest error is %2 % of peak.</source>
-        <translation>%1: su error máximo es el %2 % del pico.</translation>
-    </message>
-    <message>
-        <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
-    </message>
-    <message>
-        <source>agrees to the last printed digit</source>
-        <translation>coincide hasta la última cifra escrita</translation>
-    </message>
-    <message>
-        <source>agrees within %1 × the file&apos;s rounding</source>
-        <translation>coincide dentro de %1 × el redondeo del archivo</translation>
     </message>
     <message>
         <source>differs: nothing to compare with</source>
@@ -1762,28 +1932,12 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>difiere</translation>
     </message>
     <message>
-        <source>|model − reference| ≤ ½ step for at least %1 % of the values, ≤ %2 · ½ step for all; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| ≤ ½ paso para al menos el %1 % de los valores, ≤ %2 · ½ paso para todos; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
-        <source>|model − reference| ≤ %1 · ½ step for all values; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| ≤ %1 · ½ paso para todos los valores; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
-        <source>|model − reference| &gt; %1 · ½ step somewhere; the step is that of each value&apos;s last printed digit.</source>
-        <translation>|modelo − referencia| &gt; %1 · ½ paso en alguna parte; el paso es el de la última cifra escrita de cada valor.</translation>
-    </message>
-    <message>
         <source>At no instant of the file do both the model and the file have a value.</source>
         <translation>En ningún instante del archivo tienen valor a la vez el modelo y el archivo.</translation>
     </message>
     <message>
         <source> At %1 instants the model has no value to compare with.</source>
         <translation> En %1 instantes el modelo no tiene valor con el que comparar.</translation>
-    </message>
-    <message>
-        <source>Here: %1 of %2 within ½ step, the worst %3 · ½ step.</source>
-        <translation>Aquí: %1 de %2 a menos de ½ paso, el peor a %3 · ½ paso.</translation>
     </message>
     <message>
         <source>The file has no column that this program knows.</source>
@@ -1822,14 +1976,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>En %1 de los instantes del archivo el mecanismo no se puede ensamblar, o no tiene derivadas.</translation>
     </message>
     <message>
-        <source>Nothing moves in these data: export the motion of a turning crank.</source>
-        <translation>En estos datos no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
-    </message>
-    <message>
-        <source>Round numbers come as near to the data: %1.</source>
-        <translation>Unos números redondos se acercan igual de bien a los datos: %1.</translation>
-    </message>
-    <message>
         <source>open</source>
         <translation>abierta</translation>
     </message>
@@ -1840,6 +1986,46 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>%1 assembly</source>
         <translation>configuración %1</translation>
+    </message>
+    <message>
+        <source>agrees within the file&apos;s rounding</source>
+        <translation>coincide dentro del redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>close, if the file&apos;s instants are rounded</source>
+        <translation>próximo, si los instantes del archivo están redondeados</translation>
+    </message>
+    <message>
+        <source>close: within %1 × the file&apos;s rounding</source>
+        <translation>próximo: dentro de %1 × el redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none beyond it by more than %3 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| ≤ cota para al menos el %1 % de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>|model − reference| &gt; %1 · bound somewhere, or beyond it by more than %2 % of half the motion&apos;s range.</source>
+        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2 % de la mitad del recorrido.</translation>
+    </message>
+    <message>
+        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s, though the instants are evenly spaced.</source>
+        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante, aunque los instantes estén a intervalos iguales.</translation>
+    </message>
+    <message>
+        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s; evenly spaced instants count as exact.</source>
+        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante; los instantes a intervalos iguales cuentan como exactos.</translation>
+    </message>
+    <message>
+        <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
+        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4 %.</translation>
+    </message>
+    <message>
+        <source>Comes close to this mechanism in every channel, if the file&apos;s instants, evenly spaced as they are, were rounded.</source>
+        <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, aun a intervalos iguales, se redondearon.</translation>
     </message>
 </context>
 <context>
@@ -2118,6 +2304,30 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Point at it, or Page Down and Page Up</source>
         <translation>Señálela, o Av Pág y Re Pág</translation>
+    </message>
+    <message>
+        <source>Rₓ⁴ and R_y⁴ are counted from O₂, x along the slider&apos;s line, and angles counter-clockwise from x. At the start it is the mechanism of Table 1 of the report that the program began with, a piece of course work: a = 20, b = 65, c = 25 mm, one turn a second.</source>
+        <translation>Rₓ⁴ y R_y⁴ se miden desde O₂, x a lo largo de la línea de la corredera, y los ángulos en sentido antihorario desde x. Al empezar es el mecanismo de la tabla 1 del informe con el que nació el programa, un trabajo de curso: a = 20, b = 65, c = 25 mm, una vuelta por segundo.</translation>
+    </message>
+    <message>
+        <source>Whose motion a file is</source>
+        <translation>De quién es el movimiento de un archivo</translation>
+    </message>
+    <message>
+        <source>A mechanism is found for a file where what it leaves of every column is rounding, or noise that looks like noise; ± is one standard deviation. Several may explain it equally: then all are listed. Too few values, too few instants a turn or too small a part of a turn do not tell; then it is said what is missing. Where nothing explains the file, what comes nearest is no more than that, and no proof that there is nothing.</source>
+        <translation>Un mecanismo queda hallado para un archivo cuando lo que deja de cada columna es redondeo, o ruido que parece ruido; ± es una desviación estándar. Varios pueden explicarlo por igual: entonces se dan todos. Muy pocos valores, muy pocos instantes por vuelta o una parte demasiado pequeña de una vuelta no deciden; entonces se dice qué falta. Donde nada explica el archivo, lo más cercano no es más que eso, y no prueba que no haya nada.</translation>
+    </message>
+    <message>
+        <source>Rₓ⁴ alone does not tell a mechanism from its mirror image, θ³ alone fixes only b/a and c/a. A column may be counted from elsewhere than O₂, as a slider joint&apos;s own coordinate is, or mean another unit, sign or angle than its name says: that is shown with the error before and after, and never applied by itself.</source>
+        <translation>Rₓ⁴ por sí solo no distingue un mecanismo de su imagen especular, θ³ por sí solo determina únicamente b/a y c/a. Una columna puede estar medida desde otro punto que O₂, como la coordenada propia de una corredera, o entender otra unidad, otro signo u otro ángulo que su nombre: eso se muestra con el error antes y después, y nunca se aplica por sí mismo.</translation>
+    </message>
+    <message>
+        <source>How exact numbers can be</source>
+        <translation>Cuán exactos pueden ser los números</translation>
+    </message>
+    <message>
+        <source>The study holds every method against 50 digits and more, and against the bound κ·u: how far a channel f moves because the numbers given are rounded to doubles, whatever the method.</source>
+        <translation>El estudio compara cada método con 50 cifras y más, y con el límite κ·u: cuánto se mueve un canal f porque los números dados se redondean a doble precisión, sea cual sea el método.</translation>
     </message>
 </context>
 <context>
@@ -2728,12 +2938,16 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
     </message>
     <message>
-        <source>%1 differs from this mechanism. %2</source>
-        <translation>%1 difiere de este mecanismo. %2</translation>
-    </message>
-    <message>
         <source>Show the errors</source>
         <translation>Mostrar los errores</translation>
+    </message>
+    <message>
+        <source>%1 differs from this mechanism.</source>
+        <translation>%1 difiere de este mecanismo.</translation>
+    </message>
+    <message>
+        <source>%1 comes close to this mechanism.</source>
+        <translation>%1 se acerca a este mecanismo.</translation>
     </message>
 </context>
 <context>
@@ -3878,6 +4092,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>Makes this mechanism the one on show; can be undone</source>
         <translation>Hace de este mecanismo el que se muestra; se puede deshacer</translation>
     </message>
+    <message>
+        <source>Take the first over</source>
+        <translation>Adoptar el primero</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Report</name>
@@ -4022,10 +4240,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Errores: modelo frente a referencia</translation>
     </message>
     <message>
-        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. To the last printed digit: at least %1 % of the values within half a step, none beyond %2 halves. Within n × the file&apos;s rounding: none beyond n half steps, n ≤ %3.</source>
-        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Hasta la última cifra escrita: al menos el %1 % de los valores a menos de medio paso, ninguno más allá de %2 medios. Dentro de n × el redondeo del archivo: ninguno más allá de n medios pasos, n ≤ %3.</translation>
-    </message>
-    <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
@@ -4044,6 +4258,18 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Motion</source>
         <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>one of the file&apos;s</source>
+        <translation>uno de los del archivo</translation>
+    </message>
+    <message>
+        <source>Against the first of several mechanisms the file agrees in %1 of %2 channels.</source>
+        <translation>Frente al primero de varios mecanismos, el archivo coincide en %1 de %2 canales.</translation>
+    </message>
+    <message>
+        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (evenly spaced instants count as exact), none beyond %2 times that bound, nor by more than %4 % of half the motion&apos;s range. Close: none beyond %3 times, nor by more than %5 %.</source>
+        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4 % de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5 %.</translation>
     </message>
 </context>
 <context>

@@ -3,8 +3,9 @@
 // What it costs to find the mechanism that made 201 rows, the parameter that explains a difference, and how a file is
 // to be read. The start is Table 1 of the report, which the data are far from.
 
-#include "core/diagnosis/conventions.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/identification/identification.h"
+#include "core/identification/parameter_change.h"
 #include "tests/support/printed_motion.h"
 
 #include <benchmark/benchmark.h>
@@ -49,16 +50,16 @@ BENCHMARK_CAPTURE(identifyChannels, accelerations, kFarOff, "000011", 201, 1.0)-
 BENCHMARK_CAPTURE(identifyChannels, half_a_turn, kFarOff, "111111", 201, 0.3)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(identifyChannels, many_rows, kFarOff, "111111", 100000, 100.0)->Unit(benchmark::kMillisecond);
 
-void attributeToOne(benchmark::State &state, const Parameters &truth)
+void changeOne(benchmark::State &state, const Parameters &truth)
 {
     const ReferenceData data = printedData(truth);
     for (auto _ : state) {
-        const std::vector<Attribution> causes = attribute(data, Mechanism());
-        benchmark::DoNotOptimize(causes.data());
+        const std::vector<ParameterChange> changes = parameterChanges(data, Mechanism(), truth);
+        benchmark::DoNotOptimize(changes.data());
     }
 }
-BENCHMARK_CAPTURE(attributeToOne, authors_file, kAuthors)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(attributeToOne, far_off, kFarOff)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(changeOne, authors_file, kAuthors)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(changeOne, far_off, kFarOff)->Unit(benchmark::kMillisecond);
 
 /// Of a file with its angles in radians, against Table 1.
 void findRadians(benchmark::State &state, const Parameters &truth, int rows, double duration)
@@ -71,8 +72,8 @@ void findRadians(benchmark::State &state, const Parameters &truth, int rows, dou
     const Convention toRadians{Convention::Kind::AngleUnit, angles, 1.0 / kDegreesPerRadian};
     const ReferenceData data = applied(toRadians, printedData(truth, printing));
     for (auto _ : state) {
-        const std::vector<ConventionFinding> found = findConventions(data, Mechanism());
-        benchmark::DoNotOptimize(found.data());
+        const Diagnosis found = diagnose(data, Mechanism());
+        benchmark::DoNotOptimize(&found);
     }
 }
 BENCHMARK_CAPTURE(findRadians, at_hand, Parameters(), 201, 1.0)->Unit(benchmark::kMillisecond);

@@ -128,6 +128,26 @@ QByteArray awayFrom(double actual, double expected, double tolerance, const char
         .toUtf8();
 }
 
+/// The exact motion of Table 1 with its lengths times `scale`, as a program prints it: `timeText` and `text` make
+/// cells.
+template <typename TimeText, typename Text>
+QByteArray printedFile(double scale, int perSecond, TimeText timeText, Text text)
+{
+    QByteArray file = "time,theta3,R4_x,theta3_diff,R4_x_diff,theta3_diff2,R4_x_diff2\n";
+    for (int i = 0; i <= 2 * perSecond; ++i) {
+        const double t = static_cast<double>(i) / perSecond;
+        const double omega2 = 2.0 * std::numbers::pi;
+        const Textbook at = textbook(20.0 * scale, 65.0 * scale, 25.0 * scale, omega2, omega2 * t, false);
+        file += timeText(t);
+        for (const double value :
+             {at.theta3 / kDegree, at.R4x, at.theta3Dot / kDegree, at.R4xDot, at.theta3DDot / kDegree, at.R4xDDot}) {
+            file += ',' + text(value);
+        }
+        file += '\n';
+    }
+    return file;
+}
+
 QString sample()
 {
     return QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
@@ -215,7 +235,12 @@ private slots:
     void comparesTheSampleInCsv();
     void comparesSeveralFiles();
     void comparesTheFilesThatItCanRead();
+    void tellsRoundingFromDifference_data();
+    void tellsRoundingFromDifference();
     void saysWhoseMotionADifferentFileIs();
+    void saysInJsonWhyAFileDiffers();
+    void itsSentencesAgreeWithEachOther_data();
+    void itsSentencesAgreeWithEachOther();
     void saysWhatAFileMeansOtherwise();
     void neverOverwritesWhatItReads();
     void identifiesTheAuthorsFile_data();
@@ -223,6 +248,7 @@ private slots:
     void identifiesInWordsAndGoesOnWithIt();
     void identifiesWhatReadsOtherwise();
     void saysWhatAFileCannotFix();
+    void namesTheMirrorImageOfASlider();
     void saysWhenItFindsNoMechanism();
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
@@ -769,10 +795,18 @@ void TestCommandLine::comparesTheSampleInJson()
     QCOMPARE(object.keys(), QStringList(QStringLiteral("files")));
     QCOMPARE(object["files"].toArray().size(), qsizetype(1));
     const QJsonObject file = object["files"].toArray().first().toObject();
-    QCOMPARE(file.keys(), QStringList({"channels", "file", "ignoredColumns", "mechanism", "skipped"}));
+    QCOMPARE(file.keys(), QStringList({"channels", "columns", "explanation", "file", "ignoredColumns", "mechanism",
+                                       "skipped", "verdict"}));
     QCOMPARE(file["file"].toString(), sample());
     QCOMPARE(file["mechanism"].toObject()["b"].toDouble(), 60.0);
+    QCOMPARE(file["verdict"].toString(), QStringLiteral("agrees"));
+    QCOMPARE(file["explanation"], QJsonValue(QJsonValue::Null));
     QCOMPARE(file["skipped"].toArray(), QJsonArray());
+    QCOMPARE(file["columns"].toArray().size(), qsizetype(7));
+    const QJsonObject time = file["columns"].toArray().first().toObject();
+    QCOMPARE(time.keys(), QStringList({"channel", "guessed", "heading", "unit", "why"}));
+    QCOMPARE(time["channel"].toString(), QStringLiteral("time"));
+    QCOMPARE(time["guessed"], QJsonValue(false));
 
     QStringList keys{"name",          "unit",          "count",        "maxAbs",
                      "timeOfMaxAbs",  "rms",           "maxPercent",   "timeOfMaxPercent",
@@ -904,6 +938,55 @@ void TestCommandLine::comparesTheFilesThatItCanRead()
     QVERIFY(!QFile::exists(output));
 }
 
+void TestCommandLine::tellsRoundingFromDifference_data()
+{
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<QString>("mechanism");
+    QTest::addColumn<int>("agreeing");
+    QTest::addColumn<int>("differing");
+    const auto sixDigits = [](double value) { return QByteArray::number(value, 'g', 6); };
+    const auto inFull = [](double value) {
+        return QByteArray::number(QByteArray::number(value, 'g', 6).toDouble(), 'e', 18);
+    };
+    const auto whole = [](double value) { return QByteArray::number(value, 'f', 0); };
+    const auto fourDecimals = [](double value) { return QByteArray::number(value, 'f', 4); };
+    QTest::newRow("30 frames a second, instants of four decimals")
+        << printedFile(1.0, 30, fourDecimals, sixDigits) << QString() << 6 << 0;
+    QTest::newRow("six digits, printed with 19") << printedFile(1.0, 100, inFull, inFull) << QString() << 6 << 0;
+    QTest::newRow("of a mechanism a fifth longer, six digits, instants of four decimals")
+        << printedFile(1.2, 30, fourDecimals, sixDigits) << QString() << 3 << 3;
+    QTest::newRow("of a mechanism half as long again, whole millimetres")
+        << printedFile(1.5, 100, sixDigits, whole) << QString() << 3 << 3;
+    QByteArray constants = "time,theta2_diff,R4_y\n";
+    for (int i = 0; i < 50; ++i) {
+        constants += QByteArray::number(0.01 * i) + ",360,25\n";
+    }
+    QTest::newRow("constants") << constants << "--omega2 6.2831855 --c 25.000012" << 2 << 0;
+    QTest::newRow("two whole numbers of another mechanism")
+        << QByteArray("time,R4_x\n0,70\n0.5,40\n") << "--a 60 --b 350" << 0 << 1;
+}
+
+void TestCommandLine::tellsRoundingFromDifference()
+{
+    QFETCH(QByteArray, file);
+    QFETCH(QString, mechanism);
+    QFETCH(int, agreeing);
+    QFETCH(int, differing);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    writeFile(path, file);
+    const Outcome outcome = run(QStringList{"compare", path, "--fail-on-difference", "--format", "csv"} +
+                                QProcess::splitCommand(mechanism));
+    int agrees = 0;
+    int differs = 0;
+    for (const QByteArrayList &row : tableOf(outcome.out).cells) {
+        agrees += row.last() == "agrees" ? 1 : 0;
+        differs += row.last() == "differs" ? 1 : 0;
+    }
+    QVERIFY2(agrees == agreeing && differs == differing, outcome.out.constData());
+    QCOMPARE(outcome.status, differing > 0 ? 1 : 0);
+}
+
 void TestCommandLine::saysWhoseMotionADifferentFileIs()
 {
     for (const QString &file : {sample(), authorsFile()}) {
@@ -911,13 +994,53 @@ void TestCommandLine::saysWhoseMotionADifferentFileIs()
             QSKIP("The author's own file is not here.");
         }
         const Outcome wrong = run({"compare", file});
-        QVERIFY2(wrong.out.contains("\nThis error looks like b: 60.000 instead of 65 mm explains 99.9999 % of it.\n"),
-                 wrong.out.constData());
+        QVERIFY2(
+            wrong.out.contains("\nThis error looks like b = 60 instead of 65 mm, which explains 99.9999 % of it.\n"),
+            wrong.out.constData());
         QVERIFY2(wrong.out.contains("\nThe file's own mechanism: a = "), wrong.out.constData());
         const Outcome right = run({"compare", file, "--b", "60"});
-        QCOMPARE(right.out.count("agrees to the last printed digit"), qsizetype(6));
+        QCOMPARE(right.out.count("agrees within the file's rounding"), qsizetype(6));
         QVERIFY2(!right.out.contains("This error") && !right.out.contains("own mechanism"), right.out.constData());
     }
+}
+
+void TestCommandLine::saysInJsonWhyAFileDiffers()
+{
+    const Outcome outcome = run({"compare", sample(), "--format", "json"});
+    const QJsonObject file = QJsonDocument::fromJson(outcome.out).object()["files"].toArray().first().toObject();
+    QCOMPARE(file["verdict"].toString(), QStringLiteral("differs"));
+    const QJsonObject explanation = file["explanation"].toObject();
+    QVERIFY(
+        explanation["sentence"].toString().startsWith(QStringLiteral("This error looks like b = 60 instead of 65")));
+    QVERIFY(std::abs(explanation["mechanism"].toObject()["b"].toDouble() - 60.0) < 1e-5);
+    QCOMPARE(explanation["conventions"].toArray(), QJsonArray());
+}
+
+void TestCommandLine::itsSentencesAgreeWithEachOther_data()
+{
+    QTest::addColumn<QStringList>("channels");
+    QTest::addColumn<QString>("rows");
+    QTest::newRow("the coupler's centre alone") << QStringList{"--channels", "R3_x,R3_y,R3_x_diff"} << "200";
+    QTest::newRow("two exact rows") << QStringList{"--channels", "theta3,R4_x"} << "1";
+}
+
+void TestCommandLine::itsSentencesAgreeWithEachOther()
+{
+    QFETCH(const QStringList, channels);
+    QFETCH(const QString, rows);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    QCOMPARE(run(QStringList{"solve", "--b", "60", "--duration", "0.3", "--steps", rows, "--output", path} + channels)
+                 .status,
+             0);
+    const Outcome outcome = run({"compare", path});
+    QVERIFY2(outcome.out.contains("\nDiffers from this mechanism in "), outcome.out.constData());
+    for (const char *claim : {"Read so", "explains 9", "No slider-crank", "own mechanism"}) {
+        QVERIFY2(!outcome.out.contains(claim), outcome.out.constData());
+    }
+    const Outcome identified = run({"identify", path});
+    QCOMPARE(identified.status, 5);
+    QVERIFY2(isOneLine(identified.err) && !identified.err.contains("±"), identified.err.constData());
 }
 
 void TestCommandLine::saysWhatAFileMeansOtherwise()
@@ -928,7 +1051,7 @@ void TestCommandLine::saysWhatAFileMeansOtherwise()
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.out.contains("\ntheta3: in radians, but read as degrees. Multiplies theta3 by 57.2958: "),
              outcome.out.constData());
-    QVERIFY2(outcome.out.endsWith("\nRead so, it agrees with this mechanism.\n"), outcome.out.constData());
+    QVERIFY2(outcome.out.endsWith("\nRead so, it does not differ from this mechanism.\n"), outcome.out.constData());
     QVERIFY2(!outcome.out.contains("This error"), outcome.out.constData());
 }
 
@@ -966,9 +1089,13 @@ void TestCommandLine::identifiesTheAuthorsFile()
     QJsonParseError parsing;
     const QJsonObject found = QJsonDocument::fromJson(outcome.out, &parsing).object();
     QCOMPARE(parsing.error, QJsonParseError::NoError);
-    QCOMPARE(found.keys(), QStringList({"channels", "conditionNumber", "conventions", "file", "identifiable",
-                                        "iterations", "mechanism", "rounded", "standardError", "summary"}));
+    QCOMPARE(found.keys(), QStringList({"alternatives", "channels", "columns", "conditionNumber", "conventions", "file",
+                                        "identifiable", "iterations", "mechanism", "noise", "outcome", "rounded",
+                                        "standardError", "summary"}));
     QCOMPARE(found["file"].toString(), file);
+    QCOMPARE(found["outcome"].toString(), QStringLiteral("identified"));
+    QCOMPARE(found["alternatives"].toArray(), QJsonArray());
+    QCOMPARE(found["noise"].toObject(), QJsonObject());
 
     // Other measurements of the same file found these within 3e-5 mm, 1e-6 rad/s and 1e-6 rad.
     const struct {
@@ -1035,8 +1162,11 @@ void TestCommandLine::identifiesWhatReadsOtherwise()
     const QJsonArray conventions = found["conventions"].toArray();
     QCOMPARE(conventions.size(), qsizetype(1));
     const QJsonObject convention = conventions[0].toObject();
-    QCOMPARE(convention.keys(), QStringList({"after", "before", "explanation", "name"}));
+    QCOMPARE(convention.keys(), QStringList({"after", "amount", "before", "channel", "explanation", "name", "unit"}));
     QCOMPARE(convention["name"].toString(), QStringLiteral("angle-unit"));
+    QCOMPARE(convention["channel"].toString(), QStringLiteral("theta3"));
+    QVERIFY(std::abs(convention["amount"].toDouble() - 180.0 / std::numbers::pi) < 1e-12);
+    QCOMPARE(convention["unit"], QJsonValue(QJsonValue::Null));
     QCOMPARE(convention["explanation"].toString(), QStringLiteral("theta3: in radians, but read as degrees."));
     QVERIFY(convention["before"].toDouble() > 90.0);
     QVERIFY(convention["after"].toDouble() < 0.01);
@@ -1063,6 +1193,23 @@ void TestCommandLine::saysWhatAFileCannotFix()
     QVERIFY2(summary.contains(QStringLiteral("θ³ alone fixes only b/a and c/a; a = 20 mm")), qPrintable(summary));
 }
 
+void TestCommandLine::namesTheMirrorImageOfASlider()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("slider.csv"));
+    run({"solve", "--a", "30", "--b", "90", "--c", "-15", "--channels", "R4_x", "--output", path});
+    const Outcome outcome = run({"identify", path, "--format", "json"});
+    QCOMPARE(outcome.status, 0);
+    const QJsonObject found = QJsonDocument::fromJson(outcome.out).object();
+    QCOMPARE(found["outcome"].toString(), QStringLiteral("identified"));
+    QCOMPARE(found["alternatives"].toArray().size(), qsizetype(1));
+    const QJsonObject image = found["alternatives"].toArray().first().toObject();
+    QCOMPARE(image.keys(), QStringList({"mechanism", "why"}));
+    QCOMPARE(image["why"].toString(), QStringLiteral("mirror-image"));
+    QCOMPARE(image["mechanism"].toObject()["c"].toDouble(), -found["mechanism"].toObject()["c"].toDouble());
+    QCOMPARE(image["mechanism"].toObject()["omega2"].toDouble(), -found["mechanism"].toObject()["omega2"].toDouble());
+}
+
 void TestCommandLine::saysWhenItFindsNoMechanism()
 {
     QTemporaryDir folder;
@@ -1078,7 +1225,10 @@ void TestCommandLine::saysWhenItFindsNoMechanism()
     const Outcome json = run({"identify", path, "--format", "json"});
     QCOMPARE(json.status, 5);
     const QJsonObject none = QJsonDocument::fromJson(json.out).object();
+    QCOMPARE(none["outcome"].toString(), QStringLiteral("insufficient"));
     QCOMPARE(none["mechanism"], QJsonValue(QJsonValue::Null));
+    QCOMPARE(none["rounded"], QJsonValue(QJsonValue::Null));
+    QCOMPARE(none["conditionNumber"], QJsonValue(QJsonValue::Null));
     QCOMPARE(none["identifiable"].toObject()["b"], QJsonValue(false));
     QCOMPARE(none["channels"].toArray(), QJsonArray());
     QCOMPARE(run({"identify", folder.filePath(QStringLiteral("missing.csv"))}).status, 3);
@@ -1737,11 +1887,11 @@ void TestCommandLine::reportsTheSameNumbersAsItCompares()
     };
     const QString different = textOf({});
     QVERIFY2(different.contains(QStringLiteral("inventor_sample.csv")), qPrintable(different));
-    QVERIFY2(different.contains(QStringLiteral("looks like b: 60.000 instead of 65 mm explains 99.9999 % of it.")),
+    QVERIFY2(different.contains(QStringLiteral("looks like b = 60 instead of 65 mm, which explains 99.9999 % of it.")),
              qPrintable(different));
     QVERIFY(different.contains(QStringLiteral("until ‖C‖ ≤ 1e-8")));
     const QString same = textOf({QStringLiteral("--b"), QStringLiteral("60")});
-    QCOMPARE(same.count(QStringLiteral("agrees to the last printed digit")), qsizetype(6));
+    QCOMPARE(same.count(QStringLiteral("agrees within the file's rounding")), qsizetype(6));
 
     // A row a channel, as many as `compare` has, with its numbers to three digits.
     const QJsonArray channels = QJsonDocument::fromJson(run({"compare", sample(), "--format", "json"}).out)

@@ -542,6 +542,7 @@ private slots:
         row("solve JSON", QStringLiteral("solve --format json --steps 4"));
         row("compare CSV", QStringLiteral("compare %1 --format csv").arg(sample));
         row("compare JSON", QStringLiteral("compare %1 --format json").arg(sample));
+        row("identify JSON", QStringLiteral("identify %1 --format json").arg(sample));
     }
 
     void filesAndStreamsAreTheSameInBothLanguages()

@@ -3,7 +3,7 @@
 
 // A reference file on disk: opened under its Unicode name, read by the core, and its failure put into one sentence.
 
-#include "core/diagnosis/conventions.h"
+#include "core/diagnosis/convention.h"
 #include "core/reading/reference_data.h"
 
 #include <QByteArray>

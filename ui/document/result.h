@@ -4,7 +4,7 @@
 // What the views draw: of one moment, as plain data. Session publishes it.
 
 #include "core/comparison/comparison.h"
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/limits/mobility.h"
 #include "core/run/trajectory.h"
 #include "ui/document/reference_file.h"
@@ -51,10 +51,10 @@ struct Result {
 
 /// Whose motion a file is: the mechanism it belongs to, the one parameter that explains the difference, the conventions
 /// by which it would read better. Immutable once published.
-struct Diagnosis {
+struct ReferenceDiagnosis {
     std::shared_ptr<const Reference> reference;
     Parameters parameters; ///< the model that the file was held against
-    Interpretation found;
+    Diagnosis found;
 };
 
 /// What a Result is computed from: a value that can travel to another thread.

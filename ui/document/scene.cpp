@@ -37,13 +37,14 @@ constexpr std::array<Word<Elimination>, 2> kEliminations{
 constexpr std::array<Word<ErrorMeasure>, 3> kErrorMeasures{
     {{ErrorMeasure::Percent, "percent"}, {ErrorMeasure::Absolute, "absolute"}, {ErrorMeasure::OfPeak, "of-peak"}}};
 constexpr std::array<Word<Abscissa>, 2> kAbscissae{{{Abscissa::Time, "time"}, {Abscissa::CrankAngle, "crank-angle"}}};
-constexpr std::array<Word<Convention::Kind>, 10> kConventions{{
+constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
     {Convention::Kind::AngleUnit, "angle-unit"},
     {Convention::Kind::LengthUnit, "length-unit"},
     {Convention::Kind::TimeUnit, "time-unit"},
     {Convention::Kind::Sign, "sign"},
     {Convention::Kind::HalfTurn, "half-turn"},
     {Convention::Kind::WholeTurns, "whole-turns"},
+    {Convention::Kind::ZeroPoint, "zero-point"},
     {Convention::Kind::SwappedColumns, "swapped-columns"},
     {Convention::Kind::Branch, "branch"},
     {Convention::Kind::TimeShift, "time-shift"},

@@ -26,11 +26,11 @@ Choices choicesOf(const Result &result)
 }
 
 /// Null when stopped. Takes longer than a moment.
-std::shared_ptr<const Diagnosis> diagnose(const std::shared_ptr<const Reference> &reference, const Mechanism &mechanism,
-                                          std::stop_token stop)
+std::shared_ptr<const ReferenceDiagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference,
+                                                      const Mechanism &mechanism, std::stop_token stop)
 {
-    Diagnosis diagnosis{reference, mechanism.parameters(), interpret(reference->data, mechanism, stop)};
-    return stop.stop_requested() ? nullptr : std::make_shared<const Diagnosis>(std::move(diagnosis));
+    ReferenceDiagnosis diagnosis{reference, mechanism.parameters(), diagnose(reference->data, mechanism, stop)};
+    return stop.stop_requested() ? nullptr : std::make_shared<const ReferenceDiagnosis>(std::move(diagnosis));
 }
 
 } // namespace
@@ -173,13 +173,15 @@ void Session::diagnoseAside()
     if (!reference || !upToDate || known) {
         return; // nothing to say, or not yet: the next result asks again
     }
-    m_diagnosing.start([reference, mechanism = m_result->mechanism](
-                           const std::stop_token &stop, const auto &) { return diagnose(reference, mechanism, stop); },
-                       [this](const std::shared_ptr<const Diagnosis> &diagnosis) { publishDiagnosis(diagnosis); },
-                       [this](const QString &sentence) {
-                           endSearch();
-                           emit problemFound(sentence);
-                       });
+    m_diagnosing.start(
+        [reference, mechanism = m_result->mechanism](const std::stop_token &stop, const auto &) {
+            return diagnosisOf(reference, mechanism, stop);
+        },
+        [this](const std::shared_ptr<const ReferenceDiagnosis> &diagnosis) { publishDiagnosis(diagnosis); },
+        [this](const QString &sentence) {
+            endSearch();
+            emit problemFound(sentence);
+        });
 }
 
 /// Without an answer, where there is none.
@@ -188,13 +190,14 @@ void Session::endSearch()
     m_rest.stop();
     const bool isKnown = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
     if (m_choices.reference && !isKnown) {
-        auto stopped = std::make_shared<Diagnosis>(Diagnosis{m_choices.reference, m_choices.parameters, {}});
-        stopped->found.identification.status = Identification::Status::Stopped;
+        auto stopped =
+            std::make_shared<ReferenceDiagnosis>(ReferenceDiagnosis{m_choices.reference, m_choices.parameters, {}});
+        stopped->found.identification.stopped = true;
         publishDiagnosis(std::move(stopped));
     }
 }
 
-void Session::publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis)
+void Session::publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnosis)
 {
     if (m_diagnosis != diagnosis) {
         m_diagnosis = std::move(diagnosis);
@@ -280,7 +283,7 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
 
 void Session::takeOver()
 {
-    if (m_diagnosis && m_diagnosis->found.identification.status == Identification::Status::Found) {
+    if (m_diagnosis && m_diagnosis->found.identification.stands()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded), tr("taking over the file's mechanism"));
     }
 }

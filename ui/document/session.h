@@ -3,7 +3,7 @@
 
 // The one mutable state: what the person chose, the reference data, the current time. Every change recomputes what is
 // on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else. What
-// a file has to say about itself follows as a Diagnosis, when the parameters rest. Every edit can be undone.
+// a file has to say about itself follows as a ReferenceDiagnosis, when the parameters rest. Every edit can be undone.
 
 #include "ui/document/edit_stack.h"
 #include "ui/document/reference_file.h"
@@ -40,8 +40,9 @@ public:
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
 
     /// Null without a reference, and until it is known. Of a reference's diagnoses the last stays until the parameters
-    /// have rested and the next is there: it may be of other parameters than the ones on show (Diagnosis::parameters).
-    const std::shared_ptr<const Diagnosis> &diagnosis() const { return m_diagnosis; }
+    /// have rested and the next is there: it may be of other parameters than the ones on show
+    /// (ReferenceDiagnosis::parameters).
+    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis() const { return m_diagnosis; }
 
     QUndoStack &undoStack() { return m_edits; }
 
@@ -95,7 +96,7 @@ signals:
     void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
     void resultChanged(const std::shared_ptr<const slidercrank::Result> &result);
     void timeChanged(const slidercrank::Pose &pose);
-    void diagnosisChanged(const std::shared_ptr<const slidercrank::Diagnosis> &diagnosis); ///< may be null
+    void diagnosisChanged(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis); ///< may be null
 
     /// Another file, another reading of it, or none.
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);
@@ -125,12 +126,12 @@ private:
     void publish(std::shared_ptr<const Result> result);
     void diagnoseAside();
     void endSearch();
-    void publishDiagnosis(std::shared_ptr<const Diagnosis> diagnosis);
+    void publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnosis);
 
     Choices m_choices;
     double m_time = 0.0;
     std::shared_ptr<const Result> m_result;
-    std::shared_ptr<const Diagnosis> m_diagnosis;
+    std::shared_ptr<const ReferenceDiagnosis> m_diagnosis;
     WorkAside m_computation{WorkAside::Kind::OfAnEdit};
     WorkAside m_reading;
     WorkAside m_diagnosing;

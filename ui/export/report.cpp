@@ -3,6 +3,7 @@
 
 #include "ui/words/axis_scale.h"
 #include "ui/words/column_text.h"
+#include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 #include "ui/words/written_number.h"
@@ -38,7 +39,7 @@ ReportBlock paragraph(const QString &text, Kind kind = Kind::Text)
 
 bool isFound(const ReportContent &content)
 {
-    return content.result->reference && content.interpretation.identification.status == Identification::Status::Found;
+    return content.result->reference && content.diagnosis.identification.stands();
 }
 
 bool differs(const std::vector<ChannelComparison> &channels)
@@ -62,13 +63,14 @@ QString nounOf(Parameter parameter)
 ReportBlock mechanismBlock(const ReportContent &content)
 {
     const Parameters &model = content.result->mechanism.parameters();
-    const Identification &found = content.interpretation.identification;
+    const Identification &found = content.diagnosis.identification;
     ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
     if (content.hasGhost) {
         block.text = Report::tr("Thin: the linkage as the file has it.");
     }
     if (isFound(content)) {
-        block.table.header << Report::tr("the file's own");
+        block.table.header << (found.outcome == Identification::Outcome::Identified ? Report::tr("the file's own")
+                                                                                    : Report::tr("one of the file's"));
         block.table.numeric += u'n';
     }
     for (const Parameter parameter : kParameters) {
@@ -160,30 +162,31 @@ QString methodText(const Result &result)
 void addComparison(std::vector<ReportBlock> &blocks, const ReportContent &content)
 {
     const Result &result = *content.result;
-    const Interpretation &found = content.interpretation;
+    const Diagnosis &found = content.diagnosis;
     blocks.push_back(
         paragraph(summaryOf(result.comparison), differs(result.comparison) ? Kind::Difference : Kind::Agreement));
-    for (const ConventionFinding &finding : found.conventions) {
-        blocks.push_back(paragraph(explanationOf(finding.convention) + u' ' + effectOf(finding)));
-    }
-    if (const QString sentence = attributionText(found.attribution, result.mechanism); !sentence.isEmpty()) {
-        blocks.push_back(paragraph(sentence));
+    for (const QString &line : differenceLines(found, result.reference->data, result.mechanism)) {
+        blocks.push_back(paragraph(line));
     }
 }
 
 void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &content)
 {
-    const Interpretation &found = content.interpretation;
+    const Diagnosis &found = content.diagnosis;
     if (!isFound(content)) {
-        blocks.push_back(paragraph(summaryOf(found.identification)));
+        if (!found.isOfMechanismAtHand) {
+            blocks.push_back(paragraph(summaryOf(found)));
+        }
         return;
     }
     const auto agreeing = std::ranges::count(found.identified, Verdict::Agrees, &ChannelComparison::verdict);
-    QString text = Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
+    const bool isOne = found.identification.outcome == Identification::Outcome::Identified;
+    QString text = (isOne ? Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
+                          : Report::tr("Against the first of several mechanisms the file agrees in %1 of %2 channels."))
                        .arg(agreeing)
                        .arg(found.identified.size());
-    if (const QString caveats = caveatsOf(found.identification); !caveats.isEmpty()) {
-        text += u' ' + caveats;
+    if (const QString more = isOne ? caveatsOf(found) : summaryOf(found); !more.isEmpty()) {
+        text += u' ' + more;
     }
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         text += u' ' + rounded;
@@ -207,11 +210,15 @@ void addErrors(std::vector<ReportBlock> &blocks, const Result &result)
         Report::tr(
             "Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where "
             "the reference is not zero. File's step: distance of the numbers that the file can print, where it "
-            "is largest. To the last printed digit: at least %1 % of the values within half a step, none beyond "
-            "%2 halves. Within n × the file's rounding: none beyond n half steps, n ≤ %3.")
-            .arg(kPercentWithinHalfStep)
-            .arg(kHalfStepsOfAgreement)
-            .arg(kHalfStepsOfCloseness),
+            "is largest. Within the file's rounding: at least %1 % of the values within half a step of their own and "
+            "what the motion does in half a step of their instant (evenly spaced instants count as exact), none "
+            "beyond %2 times that bound, nor by more than %4 % of half the motion's range. Close: none beyond %3 "
+            "times, nor by more than %5 %.")
+            .arg(kPercentWithinBound)
+            .arg(kBoundsOfAgreement)
+            .arg(kBoundsOfCloseness)
+            .arg(numberText(100.0 * kExcessOfAgreement))
+            .arg(numberText(100.0 * kExcessOfCloseness)),
         Kind::Note));
     if (const QString leftOut = leftOutText(result.reference->data); !leftOut.isEmpty()) {
         blocks.push_back(paragraph(leftOut, Kind::Note));

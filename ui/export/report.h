@@ -5,7 +5,7 @@
 // figure, the method. Blocks of text and tables in their order, and places for the two drawings; ui/report_pages puts
 // them on pages.
 
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/diagnosis.h"
 #include "ui/document/result.h"
 
 #include <QString>
@@ -19,7 +19,7 @@ namespace slidercrank
 
 struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null; its reference may be
-    Interpretation interpretation;        ///< of the reference against the mechanism; without one, of no meaning
+    Diagnosis diagnosis;                  ///< of the reference against the mechanism; without one, of no meaning
     bool hasGhost = false;                ///< the drawing shows the file's linkage, too
 };
 

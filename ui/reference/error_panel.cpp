@@ -194,9 +194,9 @@ QWidget *ErrorPanel::createTablePage()
         QStringLiteral("errorTable"), tr("Errors, a row a channel"),
         {{tr("channel"), tr("What is compared, and its unit"), {}, false},
          {tr("verdict"),
-          tr("agrees: at least 95 % of the values within half a step of the file, none beyond ten halves\n"
-             "close: none beyond a hundred halves\n"
-             "differs: anything else"),
+          tr("agrees: at least 95 % of the values within the file's rounding, none beyond ten times that\n"
+             "close: none beyond a hundred times\n"
+             "differs: anything else, and what lies beyond the rounding by 1 % of half the motion's range"),
           {},
           false},
          {tr("max error"), tr("max |model − reference|, in the channel's unit")},
@@ -235,7 +235,7 @@ void ErrorPanel::setResult(const std::shared_ptr<const Result> &result)
     refresh();
 }
 
-void ErrorPanel::setDiagnosis(const std::shared_ptr<const Diagnosis> &diagnosis)
+void ErrorPanel::setDiagnosis(const std::shared_ptr<const ReferenceDiagnosis> &diagnosis)
 {
     m_diagnosis = diagnosis;
     refresh();

@@ -32,7 +32,7 @@ public slots:
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
 
     /// Null: not known yet.
-    void setDiagnosis(const std::shared_ptr<const slidercrank::Diagnosis> &diagnosis);
+    void setDiagnosis(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis);
 
 signals:
     void timeRequested(double seconds); ///< somebody wants to see where an error is largest
@@ -53,7 +53,7 @@ private:
     void fillTable();
 
     std::shared_ptr<const Result> m_result;
-    std::shared_ptr<const Diagnosis> m_diagnosis;
+    std::shared_ptr<const ReferenceDiagnosis> m_diagnosis;
     bool m_stale = false; ///< these are not on show yet
     QTimer m_pause{this}; ///< runs for a while after each filling
     QStackedWidget *m_pages = nullptr;

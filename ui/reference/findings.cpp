@@ -5,6 +5,8 @@
 #include "ui/controls/paragraph.h"
 #include "ui/document/result.h"
 #include "ui/words/axis_scale.h"
+#include "ui/words/convention_text.h"
+#include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
 
 #include <QGridLayout>
@@ -47,15 +49,15 @@ bool isBetter(const std::vector<ChannelComparison> &identified, const std::vecto
 }
 
 /// A line a parameter: old → new, and how it was measured.
-QString changesText(const Parameters &before, const Interpretation &interpretation)
+QString changesText(const Parameters &before, const Diagnosis &diagnosis)
 {
-    const Identification &found = interpretation.identification;
-    const Parameters &after = interpretation.rounded;
+    const Identification &found = diagnosis.identification;
+    const Parameters &after = diagnosis.rounded;
     constexpr int kDigits = 9;
     QString rows;
     for (const Parameter parameter : kParameters) {
         const std::size_t i = indexOf(parameter);
-        const double inShownUnit = parameter == Parameter::Theta20 ? kDegreesPerRadian : 1.0;
+        const double inShownUnit = shownFactor(parameter);
         const double value = valueOf(found.parameters, parameter);
         const QString measured =
             found.identifiable[i] ? measuredText(inShownUnit * value, inShownUnit * found.standardError[i], inShownUnit)
@@ -73,10 +75,10 @@ QString changesText(const Parameters &before, const Interpretation &interpretati
 }
 
 /// What the file means otherwise, and how far it is off without and with that.
-QString conventionSentence(const ConventionFinding &found)
+QString conventionSentence(const ConventionFinding &found, const ReferenceData &data)
 {
     constexpr int kDigits = 3;
-    const QString sentence = explanationOf(found.convention);
+    const QString sentence = explanationOf(found.convention, data);
     if (found.convention.kind == Convention::Kind::NotDerivative) {
         return sentence; // left out, it has no error any more
     }
@@ -85,44 +87,50 @@ QString conventionSentence(const ConventionFinding &found)
 }
 
 /// Which mechanism the file is of, where it is another one than that on show.
-Finding mechanismFinding(const Result &result, const Diagnosis &diagnosis)
+Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnosis)
 {
     const Identification &found = diagnosis.found.identification;
     Finding finding;
-    if (!diagnosis.found.conventions.empty() && diagnosis.found.attribution.empty()) {
+    if (!diagnosis.found.conventions.empty() && diagnosis.found.isOfMechanismAtHand) {
         return finding; // read with the conventions, it is of the one on show
     }
-    if (found.status != Identification::Status::Found) {
-        finding.sentence = summaryOf(found);
-        return finding; // one parameter may explain much, but is not what is wrong
+    const QString summary = summaryOf(diagnosis.found);
+    if (!found.stands()) {
+        finding.sentence = summary;
+        return finding;
     }
-    finding.sentence = attributionText(diagnosis.found.attribution, Mechanism(diagnosis.parameters));
-    if (isBetter(diagnosis.found.identified, result.comparison)) {
+    const bool isOne = found.outcome == Identification::Outcome::Identified;
+    finding.sentence = isOne ? changeText(diagnosis.found, Mechanism(diagnosis.parameters)) : summary;
+    const bool takesOver = isBetter(diagnosis.found.identified, result.comparison);
+    if (takesOver) {
         finding.remedy = Finding::Remedy::TakeOver;
-        finding.remedyText = FindingList::tr("Take this mechanism over");
+        finding.remedyText =
+            isOne ? FindingList::tr("Take this mechanism over") : FindingList::tr("Take the first of them over");
         finding.details = changesText(result.mechanism.parameters(), diagnosis.found);
-        if (finding.sentence.isEmpty()) {
-            finding.sentence = FindingList::tr("The file fits %1").arg(summaryOf(found));
-        }
+    }
+    if (finding.sentence.isEmpty() && (takesOver || !found.noise.empty())) {
+        finding.sentence = FindingList::tr("The file fits %1").arg(summary);
     }
     return finding;
 }
 
 } // namespace
 
-std::vector<Finding> findingsOf(const Result &result, const Diagnosis *diagnosis)
+std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
     std::vector<Finding> findings;
-    const bool agrees = std::ranges::all_of(
-        result.comparison, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+    const auto worst = std::ranges::max_element(result.comparison, {}, &ChannelComparison::verdict);
+    const bool agrees = worst == result.comparison.end() || worst->verdict == Verdict::Agrees;
+    const bool differs = !agrees && worst->verdict == Verdict::Differs;
     if (diagnosis && !agrees) {
         for (const ConventionFinding &found : diagnosis->found.conventions) {
-            findings.push_back({Finding::Remedy::Apply, found.convention, conventionSentence(found),
-                                FindingList::tr("Apply"), effectOf(found)});
+            findings.push_back({Finding::Remedy::Apply, found.convention,
+                                conventionSentence(found, result.reference->data), FindingList::tr("Apply"),
+                                effectOf(found)});
         }
         const Finding mechanism = mechanismFinding(result, *diagnosis);
-        const bool explained = mechanism.remedy == Finding::Remedy::None && !findings.empty();
-        if (!mechanism.sentence.isEmpty() && !explained) {
+        const bool isExplained = !differs || !findings.empty();
+        if (!mechanism.sentence.isEmpty() && (mechanism.remedy != Finding::Remedy::None || !isExplained)) {
             findings.push_back(mechanism);
         }
     }

@@ -3,7 +3,7 @@
 
 // What a reference file says about itself, as lines to read, each with at most one thing to do about it.
 
-#include "core/diagnosis/conventions.h"
+#include "core/diagnosis/convention.h"
 
 #include <QString>
 #include <QWidget>
@@ -15,7 +15,7 @@ class QLabel;
 namespace slidercrank
 {
 
-struct Diagnosis;
+struct ReferenceDiagnosis;
 struct Result;
 
 struct Finding {
@@ -36,7 +36,7 @@ struct Finding {
 
 /// What is to be said while these results are on show. `diagnosis`: of the same reference, or null while unknown.
 /// Empty where there is nothing to say: every channel agrees, and nothing was applied.
-std::vector<Finding> findingsOf(const Result &result, const Diagnosis *diagnosis);
+std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis);
 
 /// The lines, one below the other; hidden while there are none.
 class FindingList : public QWidget

@@ -6,6 +6,8 @@
 #include "ui/controls/paragraph.h"
 #include "ui/reference/empty_page.h"
 #include "ui/words/column_text.h"
+#include "ui/words/convention_text.h"
+#include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 #include "ui/words/theme.h"
@@ -196,7 +198,7 @@ void ReferencePanel::setReference(const std::shared_ptr<const Reference> &refere
     refill();
 }
 
-void ReferencePanel::setDiagnosis(const std::shared_ptr<const Diagnosis> &diagnosis)
+void ReferencePanel::setDiagnosis(const std::shared_ptr<const ReferenceDiagnosis> &diagnosis)
 {
     m_diagnosis = diagnosis;
     if (isVisible() && !m_stale) {
@@ -346,9 +348,10 @@ void ReferencePanel::fillFindings()
 
     if (!m_reference->conventions.empty()) {
         rows->addWidget(boldLabel(tr("Read otherwise than printed")));
+        const ReferenceData &printed = (m_reference->asPrinted ? m_reference->asPrinted : m_reference)->data;
         QStringList sentences;
         for (const Convention &convention : m_reference->conventions) {
-            sentences << explanationOf(convention);
+            sentences << explanationOf(convention, printed);
         }
         auto *asPrinted = named("asPrintedButton", new QPushButton(tr("Read as printed again")));
         connect(asPrinted, &QPushButton::clicked, this, &ReferencePanel::readAsPrintedRequested, later);
@@ -358,20 +361,20 @@ void ReferencePanel::fillFindings()
     if (known && !m_diagnosis->found.conventions.empty()) {
         rows->addWidget(boldLabel(tr("How else it may be read")));
         for (const ConventionFinding &finding : m_diagnosis->found.conventions) {
+            const QString explanation = explanationOf(finding.convention, m_reference->data);
             auto *apply = named("applyButton", new QPushButton(tr("Apply")));
-            apply->setAccessibleName(tr("Apply: %1").arg(explanationOf(finding.convention)));
+            apply->setAccessibleName(tr("Apply: %1").arg(explanation));
             connect(
                 apply, &QPushButton::clicked, this,
                 [this, convention = finding.convention] { emit applyRequested(convention); }, later);
-            rows->addLayout(
-                rowOf(plainText(explanationOf(finding.convention) + QLatin1Char('\n') + effectOf(finding)), apply));
+            rows->addLayout(rowOf(plainText(explanation + QLatin1Char('\n') + effectOf(finding)), apply));
         }
     }
     rows->addWidget(boldLabel(tr("Whose motion it is")));
     if (!known) {
         rows->addWidget(plainText(tr("Being found out…")));
     } else {
-        QString summary = summaryOf(m_diagnosis->found.identification);
+        QString summary = summaryOf(m_diagnosis->found);
         if (const QString rounded = roundNumbersText(m_diagnosis->found); !rounded.isEmpty()) {
             summary += QLatin1Char('\n') + rounded;
         }
@@ -380,8 +383,10 @@ void ReferencePanel::fillFindings()
             summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
         }
         QLabel *mechanism = named("identificationLabel", plainText(summary));
-        if (m_diagnosis->found.identification.status == Identification::Status::Found) {
-            auto *takeOver = named("takeOverButton", new QPushButton(tr("Take over")));
+        if (const Identification &found = m_diagnosis->found.identification; found.stands()) {
+            const bool isOne = found.outcome == Identification::Outcome::Identified;
+            auto *takeOver =
+                named("takeOverButton", new QPushButton(isOne ? tr("Take over") : tr("Take the first over")));
             takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
             takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);

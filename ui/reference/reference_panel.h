@@ -34,7 +34,7 @@ public:
 public slots:
     /// Kept, and filled in when the panel is on show; null: none.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
-    void setDiagnosis(const std::shared_ptr<const slidercrank::Diagnosis> &diagnosis);
+    void setDiagnosis(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis);
 
 signals:
     void openReferenceRequested();
@@ -64,7 +64,7 @@ private:
     void fillFindings();
 
     std::shared_ptr<const Reference> m_reference;
-    std::shared_ptr<const Diagnosis> m_diagnosis;
+    std::shared_ptr<const ReferenceDiagnosis> m_diagnosis;
     bool m_stale = false; ///< what is kept is not on show yet
     QStackedWidget *m_pages = nullptr;
     QLabel *m_name = nullptr;

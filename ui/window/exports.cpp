@@ -143,21 +143,21 @@ void Exports::writeReport(const QString &path)
         return exportReport(path, *content, {mechanism().draw, figure().draw});
     };
     const Result &result = *content->result;
-    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
+    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
     const bool isKnown =
         diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
     if (isKnown) {
-        content->interpretation = diagnosis->found;
+        content->diagnosis = diagnosis->found;
     }
     if (isKnown || !result.reference) {
         tellWritten(path, write());
         return;
     }
-    const auto interpretAside = [content](const std::stop_token &stop, const auto &) -> std::optional<QString> {
-        content->interpretation = interpret(content->result->reference->data, content->result->mechanism, stop);
+    const auto diagnoseAside = [content](const std::stop_token &stop, const auto &) -> std::optional<QString> {
+        content->diagnosis = diagnose(content->result->reference->data, content->result->mechanism, stop);
         return std::nullopt;
     };
-    writeAside(path, interpretAside, write);
+    writeAside(path, diagnoseAside, write);
 }
 
 void Exports::chooseAnimation()

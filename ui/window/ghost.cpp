@@ -33,8 +33,8 @@ void Ghost::find()
     const Result &result = *m_session->result();
     const bool differs = std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0;
     if (differs && m_isWanted) {
-        const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
-        const bool found = diagnosis && diagnosis->found.identification.status == Identification::Status::Found;
+        const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
+        const bool found = diagnosis && diagnosis->found.identification.stands();
         const Mechanism lengths(found ? diagnosis->found.identification.parameters : m_session->parameters());
         m_motion = [lengths, reference = result.reference](double time) {
             return referencePoseAt(reference->data, lengths, time);

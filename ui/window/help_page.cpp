@@ -126,6 +126,10 @@ QString formulasText()
                      "b, leads from its pin A to the pin B of the slider, which moves along y = c. Bodies "
                      "are superscripts: 1 ground, 2 crank, 3 coupler, 4 slider."));
     html += formulas({QStringLiteral("θ² = ω₂ t + θ₂₀")});
+    html += paragraph(HelpPage::tr(
+        "Rₓ⁴ and R_y⁴ are counted from O₂, x along the slider's line, and angles counter-clockwise from x. "
+        "At the start it is the mechanism of Table 1 of the report that the program began with, a piece "
+        "of course work: a = 20, b = 65, c = 25 mm, one turn a second."));
     html +=
         paragraph(HelpPage::tr("θ³ is the coupler's angle seen from A towards B; the θ₃ that textbooks draw at B is "
                                "θ³ + 180°. The crank turns round where"));
@@ -152,6 +156,24 @@ QString formulasText()
                      "is 0 there is no percentage. The View menu has errors in ° and mm, and in percent of "
                      "the peak."));
     html += formulas({HelpPage::tr("|model − x| / |x| · 100 %")});
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Whose motion a file is"));
+    html += paragraph(
+        HelpPage::tr("A mechanism is found for a file where what it leaves of every column is rounding, or noise that "
+                     "looks like noise; ± is one standard deviation. Several may explain it equally: then all are "
+                     "listed. Too few values, too few instants a turn or too small a part of a turn do not tell; then "
+                     "it is said what is missing. Where nothing explains the file, what comes nearest is no more than "
+                     "that, and no proof that there is nothing."));
+    html += paragraph(
+        HelpPage::tr("Rₓ⁴ alone does not tell a mechanism from its mirror image, θ³ alone fixes only b/a and c/a. A "
+                     "column may be counted from elsewhere than O₂, as a slider joint's own coordinate is, or mean "
+                     "another unit, sign or angle than its name says: that is shown with the error before and after, "
+                     "and never applied by itself."));
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("How exact numbers can be"));
+    html += paragraph(
+        HelpPage::tr("The study holds every method against 50 digits and more, and against the bound κ·u: how far a "
+                     "channel f moves because the numbers given are rounded to doubles, whatever the method."));
+    html +=
+        formulas({QStringLiteral("κ = Σ |p ∂f/∂p|,  p = a, b, c, ω₂, θ₂₀, t"), QStringLiteral("u = 2⁻⁵³ = 1.1·10⁻¹⁶")});
     return html;
 }
 

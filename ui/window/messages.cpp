@@ -8,6 +8,8 @@
 #include <QDir>
 #include <QSettings>
 
+#include <algorithm>
+
 namespace slidercrank
 {
 
@@ -16,10 +18,11 @@ Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
     , m_session(session)
     , m_bar(bar)
 {
-    connect(session, &Session::problemFound, this, &Messages::tellProblem);
+    connect(session, &Session::problemFound, this, &Messages::tellRefusal);
     connect(session, &Session::referenceRefused, this, &Messages::tellRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::announceReading);
     connect(session, &Session::diagnosisChanged, this, &Messages::announceDiagnosis);
+    connect(session, &Session::resultChanged, this, &Messages::followResult);
     connect(scene, &SceneFile::problemFound, this, &Messages::tellProblem);
     connect(scene, &SceneFile::saved, this,
             [this](const QString &path) { tell(tr("Saved: %1").arg(QDir::toNativeSeparators(path))); });
@@ -69,6 +72,13 @@ void Messages::tellProblem(const QString &sentence)
     m_bar->showMessage(MessageBar::Kind::Problem, sentence);
 }
 
+/// Of what the mechanism cannot be, until it is something else.
+void Messages::tellRefusal(const QString &sentence)
+{
+    m_refusal = sentence;
+    tellProblem(sentence);
+}
+
 void Messages::tellRefused(const QString &path, const QString &sentence)
 {
     if (layoutOf(beginningOf(path)).columns.empty()) {
@@ -94,28 +104,72 @@ void Messages::announceReading()
     }
 }
 
-/// Said once, when a file is opened or read otherwise.
+/// Said when a file is opened or read otherwise.
 void Messages::announceDiagnosis()
 {
-    const std::shared_ptr<const Diagnosis> &diagnosis = m_session->diagnosis();
-    const Result &result = *m_session->result();
-    if (!diagnosis || !m_announcesDiagnosis || diagnosis->reference != result.reference) {
+    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
+    if (!m_announcesDiagnosis || !diagnosis || diagnosis->reference != m_session->result()->reference) {
+        tellDifferenceAnew();
         return;
     }
     m_announcesDiagnosis = false;
-    if (!m_bar->isHidden()) {
-        return; // opening the file cleared it: what it says is newer
+    if (m_bar->isHidden()) { // else what it says is newer than the file
+        tellDifference();
     }
-    const std::vector<Finding> findings = findingsOf(result, diagnosis.get());
-    if (findings.empty() || findings.front().remedy == Finding::Remedy::ReadAsPrinted) {
-        return; // it agrees
+}
+
+void Messages::followResult()
+{
+    if (m_bar->text() == m_refusal) {
+        m_bar->hide();
+    }
+    tellDifferenceAnew();
+}
+
+/// What was said of a file is said of the mechanism now on show, until somebody puts it away.
+void Messages::tellDifferenceAnew()
+{
+    if (!m_bar->isHidden() && !m_difference.isEmpty() && m_bar->text() == m_difference) {
+        tellDifference();
+    }
+}
+
+/// How the file on show is from the mechanism on show, and why as soon as that is known; nothing where it agrees.
+void Messages::tellDifference()
+{
+    const Result &result = *m_session->result();
+    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
+    const bool isKnown =
+        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+    const auto is = [&](Verdict verdict) {
+        return std::ranges::count(result.comparison, verdict, &ChannelComparison::verdict) > 0;
+    };
+    std::vector<Finding> findings;
+    if (result.reference && isKnown) {
+        findings = findingsOf(result, diagnosis.get());
+        std::erase_if(findings,
+                      [](const Finding &finding) { return finding.remedy == Finding::Remedy::ReadAsPrinted; });
+    }
+    m_difference.clear();
+    if (!is(Verdict::Differs) && findings.empty()) {
+        m_bar->hide();
+        return;
+    }
+    m_difference =
+        (is(Verdict::Differs) ? tr("%1 differs from this mechanism.") : tr("%1 comes close to this mechanism."))
+            .arg(result.reference->name);
+    if (findings.empty()) {
+        if (m_bar->isHidden() || m_bar->text() != m_difference) { // else it is said while a slider is dragged
+            m_bar->showMessage(MessageBar::Kind::Problem, m_difference);
+        }
+        return;
     }
     const Finding &first = findings.front();
-    const QString sentence = tr("%1 differs from this mechanism. %2").arg(result.reference->name, first.sentence);
+    m_difference += u' ' + first.sentence;
     if (findings.size() == 1 && first.remedy != Finding::Remedy::None) {
-        m_bar->showMessage(MessageBar::Kind::Problem, sentence, first.remedyText, [this, first] { remedy(first); });
+        m_bar->showMessage(MessageBar::Kind::Problem, m_difference, first.remedyText, [this, first] { remedy(first); });
     } else {
-        m_bar->showMessage(MessageBar::Kind::Problem, sentence, tr("Show the errors"),
+        m_bar->showMessage(MessageBar::Kind::Problem, m_difference, tr("Show the errors"),
                            [this] { emit errorsRequested(); });
     }
 }

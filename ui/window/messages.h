@@ -43,11 +43,17 @@ private:
     void greet();
     void announceReading();
     void announceDiagnosis();
+    void tellDifference();
+    void tellDifferenceAnew();
+    void followResult();
+    void tellRefusal(const QString &sentence);
     void tellRefused(const QString &path, const QString &sentence);
 
     Session *m_session;
     MessageBar *m_bar;
     QString m_greeting;                ///< as it was said; empty: it was not
+    QString m_difference;              ///< likewise, of the file
+    QString m_refusal;                 ///< likewise, of an edit
     bool m_announcesDiagnosis = false; ///< the next one is the first of a newly loaded file
 };
 

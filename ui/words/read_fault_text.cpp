@@ -13,31 +13,7 @@ namespace
 
 struct ReadFaultText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReadFaultText)
-
-public:
-    /// In English, to be translated; %1 stands for the rows below.
-    static const char *clauseOf(RowFault fault)
-    {
-        switch (fault) {
-        case RowFault::NotANumber: return QT_TR_NOOP("not a number");
-        case RowFault::TooLarge: return QT_TR_NOOP("not a number: too large");
-        case RowFault::PointForComma: return QT_TR_NOOP("not a number: this file writes a decimal comma");
-        case RowFault::CommaForPoint: return QT_TR_NOOP("not a number: this file writes a decimal point");
-        case RowFault::OpenQuotation: return QT_TR_NOOP("a quotation mark that is not closed at the end of the cell");
-        case RowFault::TooManyCells: return QT_TR_NOOP("too many cells");
-        case RowFault::TooFewCells: return QT_TR_NOOP("too few cells");
-        case RowFault::NoTime: return QT_TR_NOOP("no time");
-        case RowFault::NotListed: return QT_TR_NOOP("this line and %1 more below it cannot be read either");
-        }
-        return "";
-    }
 };
-
-/// With how many rows the clause speaks of, if it does.
-QString counted(const QString &clause, const SkippedRow &row)
-{
-    return row.fault == RowFault::NotListed ? clause.arg(row.rows - 1) : clause;
-}
 
 /// Why a column whose name suggests a channel is none.
 QString clauseOf(ColumnReason reason)
@@ -56,12 +32,20 @@ QString clauseOf(ColumnReason reason)
 
 QString reasonOf(const SkippedRow &row)
 {
-    return counted(ReadFaultText::tr(ReadFaultText::clauseOf(row.fault)), row);
-}
-
-QString englishReasonOf(const SkippedRow &row)
-{
-    return counted(QString::fromUtf8(ReadFaultText::clauseOf(row.fault)), row);
+    switch (row.fault) {
+    case RowFault::NotANumber: return ReadFaultText::tr("not a number");
+    case RowFault::TooLarge: return ReadFaultText::tr("not a number: too large");
+    case RowFault::PointForComma: return ReadFaultText::tr("not a number: this file writes a decimal comma");
+    case RowFault::CommaForPoint: return ReadFaultText::tr("not a number: this file writes a decimal point");
+    case RowFault::OpenQuotation:
+        return ReadFaultText::tr("a quotation mark that is not closed at the end of the cell");
+    case RowFault::TooManyCells: return ReadFaultText::tr("too many cells");
+    case RowFault::TooFewCells: return ReadFaultText::tr("too few cells");
+    case RowFault::NoTime: return ReadFaultText::tr("no time");
+    case RowFault::NotListed:
+        return ReadFaultText::tr("this line and %1 more below it cannot be read either").arg(row.rows - 1);
+    }
+    return {};
 }
 
 QString sentenceOf(const ReadFault &fault)
@@ -110,7 +94,7 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::NoRow:
         return ReadFaultText::tr("no row can be read; here the reason is: %1. Numbers look like 0.005, or like 0,005 "
                                  "where semicolons or tabs separate the columns.")
-            .arg(ReadFaultText::tr(ReadFaultText::clauseOf(fault.row)));
+            .arg(reasonOf(SkippedRow{0, 0, {}, fault.row}));
     case Kind::NoValues: return ReadFaultText::tr("no column beside the time holds a number.");
     case Kind::TimeNotRising:
         return ReadFaultText::tr("the time does not increase from the row before: sort the rows by time and keep one "

@@ -16,7 +16,4 @@ QString sentenceOf(const ReadFault &fault);
 /// A clause: "not a number".
 QString reasonOf(const SkippedRow &row);
 
-/// The same in English whatever the language: for files that programs read.
-QString englishReasonOf(const SkippedRow &row);
-
 } // namespace slidercrank

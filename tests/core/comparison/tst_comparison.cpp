@@ -17,7 +17,7 @@ namespace
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Channel kTheta3{Theta3, Order::Position};
-constexpr double kScale = 1.0;
+constexpr ChannelSize kSize{1.0, 100.0}; // errors are small beside its motion
 constexpr std::size_t kRows = 100;
 
 /// A column printed with three decimals: half a step is 0.0005.
@@ -47,7 +47,7 @@ Verdict verdictWith(std::size_t offCount, double halfSteps)
     for (std::size_t i = 0; i < offCount; ++i) {
         model[i] += (i % 2 == 0 ? 1.0 : -1.0) * halfSteps * kHalfStep;
     }
-    return compareChannel(time, model, seriesOf(values), kScale).verdict;
+    return compareChannel(time, model, seriesOf(values), kSize).verdict;
 }
 
 QByteArray bytesOf(const QString &path)
@@ -91,7 +91,7 @@ private slots:
     {
         const std::vector<double> time{0.0, 0.5, 1.0, 1.5, 2.0};
         const std::vector<double> model{1.0, 2.5, -3.0, 0.25, 7.0};
-        const ChannelComparison result = compareChannel(time, model, seriesOf({1.0, 2.0, -4.0, 0.0, kNaN}), kScale);
+        const ChannelComparison result = compareChannel(time, model, seriesOf({1.0, 2.0, -4.0, 0.0, kNaN}), kSize);
         QCOMPARE(result.channel, kTheta3);
         QCOMPARE(result.count, std::size_t(4));
         QCOMPARE(result.missingModel, std::size_t(0));
@@ -112,17 +112,16 @@ private slots:
         const std::vector<double> values(5, 10.0);
         const std::vector<double> model{10.0, 10.0 + 0.6 * kHalfStep, 10.0 - 2.0 * kHalfStep, 10.0 + 7.5 * kHalfStep,
                                         kNaN};
-        const ChannelComparison result = compareChannel(instants(5), model, seriesOf(values), kScale);
-        QCOMPARE(result.withinHalfStep, std::size_t(2));
-        QVERIFY2(std::abs(result.worstHalfSteps - 7.5) < 1e-9,
-                 qPrintable(QString::number(result.worstHalfSteps, 'g', 17)));
-        QCOMPARE(compareChannel(instants(5), values, seriesOf(values), kScale).worstHalfSteps, 0.0);
+        const ChannelComparison result = compareChannel(instants(5), model, seriesOf(values), kSize);
+        QCOMPARE(result.withinBound, std::size_t(2));
+        QVERIFY2(std::abs(result.worstOver - 7.5) < 1e-9, qPrintable(QString::number(result.worstOver, 'g', 17)));
+        QCOMPARE(compareChannel(instants(5), values, seriesOf(values), kSize).worstOver, 0.0);
     }
 
     void keepsTheFirstOfEqualErrors()
     {
         const ChannelComparison result =
-            compareChannel(std::vector{0.0, 1.0, 2.0}, std::vector{1.0, 3.0, 1.0}, seriesOf({2.0, 2.0, 2.0}), kScale);
+            compareChannel(std::vector{0.0, 1.0, 2.0}, std::vector{1.0, 3.0, 1.0}, seriesOf({2.0, 2.0, 2.0}), kSize);
         QCOMPARE(result.timeOfMaxAbs, 0.0);
         QCOMPARE(result.timeOfMaxPercent, 0.0);
     }
@@ -131,7 +130,7 @@ private slots:
     {
         const Rounding six{Rounding::Rule::SignificantDigits, 6};
         const std::vector<double> values{12.3456, -1139.91, 123.456, kNaN};
-        const ChannelComparison result = compareChannel(instants(4), values, seriesOf(values, six), kScale);
+        const ChannelComparison result = compareChannel(instants(4), values, seriesOf(values, six), kSize);
         QVERIFY(std::abs(result.roundingStep.value() - 0.01) < 1e-12);
     }
 
@@ -159,21 +158,113 @@ private slots:
         QTEST(verdictWith(off, halfSteps), "verdict");
     }
 
+    void whatLiesBeyondIsSmallBesideTheMotion_data()
+    {
+        QTest::addColumn<double>("beyond");
+        QTest::addColumn<Verdict>("verdict");
+        QTest::newRow("within") << -0.1 << Verdict::Agrees;
+        QTest::newRow("0.4 %") << 0.4 << Verdict::Agrees;
+        QTest::newRow("0.6 %") << 0.6 << Verdict::Close;
+        QTest::newRow("0.9 %") << 0.9 << Verdict::Close;
+        QTest::newRow("1.1 %") << 1.1 << Verdict::Differs;
+        QTest::newRow("65 %") << 65.0 << Verdict::Differs;
+    }
+
+    void whatLiesBeyondIsSmallBesideTheMotion()
+    {
+        // Whole numbers, of a motion with a range of 200: half of it is 100.
+        QFETCH(const double, beyond);
+        const Rounding whole{Rounding::Rule::Decimals, 0};
+        std::vector<double> values;
+        for (std::size_t i = 0; i < kRows; ++i) {
+            values.push_back(i % 2 == 0 ? 100.0 : -100.0);
+        }
+        std::vector<double> model = values;
+        model[50] -= 0.5 + beyond;
+        const ChannelComparison result = compareChannel(instants(kRows), model, seriesOf(values, whole), {});
+        QTEST(result.verdict, "verdict");
+        QVERIFY2(std::abs(result.excess - 0.01 * std::max(beyond, 0.0)) < 1e-9,
+                 qPrintable(QString::number(result.excess)));
+    }
+
+    void knowsHowLargeAMotionIs()
+    {
+        const Mechanism mechanism;
+        const double omega = mechanism.omega2();
+        QCOMPARE(sizeOf(mechanism, {R4y, Order::Position}).still, 20.0);
+        QCOMPARE(sizeOf(mechanism, {R4y, Order::Acceleration}).still, 20.0 * omega * omega);
+        QCOMPARE(sizeOf(mechanism, {Theta2, Order::Velocity}).still, omega * kDegreesPerRadian);
+        QCOMPARE(sizeOf(mechanism, {Theta2, Order::Position}).most, 180.0);
+        QCOMPARE(sizeOf(mechanism, {R4x, Order::Position}).still, 0.0); // the range of the model
+    }
+
+    void takesAResidueForZero()
+    {
+        // Six digits of what is nothing but arithmetic: the other program's zero.
+        const Rounding six{Rounding::Rule::SignificantDigits, 6, 1.0, -15, -20};
+        const std::vector<double> values{132.005, -7.4e-15, -131.257};
+        const ChannelComparison result =
+            compareChannel(instants(3), std::vector{132.005, 1.3e-6, -131.257}, seriesOf(values, six), kSize);
+        QCOMPARE(result.verdict, Verdict::Agrees);
+    }
+
+    void anEvenClockMayBeARoundedOne_data()
+    {
+        QTest::addColumn<double>("spacing");
+        QTest::addColumn<bool>("isRounded");
+        QTest::addColumn<Verdict>("verdict");
+        QTest::newRow("it is not") << 0.0133 << false << Verdict::Agrees;
+        QTest::newRow("it is") << 0.0133005 << true << Verdict::Close;
+        QTest::newRow("it is no such clock") << 0.0135 << false << Verdict::Differs;
+    }
+
+    void anEvenClockMayBeARoundedOne()
+    {
+        QFETCH(const double, spacing);
+        QFETCH(const bool, isRounded);
+        QFETCH(const Verdict, verdict);
+        const Mechanism mechanism;
+        SolverSettings settings;
+        settings.method = Method::ClosedForm;
+        std::vector<double> meant;
+        std::vector<double> printed;
+        for (int i = 0; i < 61; ++i) {
+            meant.push_back(spacing * i);
+            printed.push_back(std::round(133.0 * i) / 1e4);
+        }
+        const Channel speed{R4x, Order::Velocity};
+        ReferenceData data;
+        data.time = printed;
+        data.timeRounding = {Rounding::Rule::Decimals, 4, 1.0, -2, -4};
+        data.series.push_back({speed,
+                               sample(mechanism, meant, plottedChannels(), settings)[speed],
+                               {Rounding::Rule::SignificantDigits, 6}});
+        const ChannelComparison exactly = compareExactly(mechanism, data).channels.front();
+        QCOMPARE(exactly.verdict, verdict);
+        QCOMPARE(exactly.clockIsRounded, isRounded);
+        // And of a model that somebody else solved.
+        settings.method = Method::Newton;
+        const Trajectory solved = sample(mechanism, printed, plottedChannels(), settings);
+        const ChannelComparison byNewton = compare(mechanism, solved, data).front();
+        QCOMPARE(byNewton.verdict, verdict);
+        QCOMPARE(byNewton.clockIsRounded, isRounded);
+    }
+
     void takesTheStepOfEachValue()
     {
         // Six significant digits: an error of 0.004 is within half a step at 1139.91 and 80 halves out at 12.3456.
         const Rounding six{Rounding::Rule::SignificantDigits, 6};
         const std::vector<double> values{12.3456, 1139.91};
-        QCOMPARE(compareChannel(instants(2), std::vector{12.3456, 1139.914}, seriesOf(values, six), kScale).verdict,
+        QCOMPARE(compareChannel(instants(2), std::vector{12.3456, 1139.914}, seriesOf(values, six), kSize).verdict,
                  Verdict::Agrees);
-        QCOMPARE(compareChannel(instants(2), std::vector{12.3496, 1139.91}, seriesOf(values, six), kScale).verdict,
+        QCOMPARE(compareChannel(instants(2), std::vector{12.3496, 1139.91}, seriesOf(values, six), kSize).verdict,
                  Verdict::Close);
     }
 
     void differsWhereTheModelIsMissing()
     {
-        const ChannelComparison result = compareChannel(std::vector{0.0, 1.0, 2.0}, std::vector{1.0, kNaN, kNaN},
-                                                        seriesOf({1.0, 1.0, kNaN}), kScale);
+        const ChannelComparison result =
+            compareChannel(std::vector{0.0, 1.0, 2.0}, std::vector{1.0, kNaN, kNaN}, seriesOf({1.0, 1.0, kNaN}), kSize);
         QCOMPARE(result.count, std::size_t(1));
         QCOMPARE(result.missingModel, std::size_t(1));
         QCOMPARE(result.maxAbs.value(), 0.0);
@@ -183,7 +274,7 @@ private slots:
     void saysNothingWhereThereIsNothing()
     {
         const ChannelComparison result =
-            compareChannel(instants(2), std::vector{1.0, 2.0}, seriesOf({kNaN, kNaN}), kScale);
+            compareChannel(instants(2), std::vector{1.0, 2.0}, seriesOf({kNaN, kNaN}), kSize);
         QCOMPARE(result.count, std::size_t(0));
         QVERIFY(!result.maxAbs && !result.rms && !result.maxPercent && !result.percentOfPeak && !result.roundingStep);
         QCOMPARE(result.verdict, Verdict::Differs);
@@ -202,7 +293,7 @@ private slots:
     {
         QFETCH(const double, noise);
         const ChannelComparison result = compareChannel(instants(kRows), std::vector<double>(kRows, noise),
-                                                        seriesOf(std::vector<double>(kRows, 0.0), Rounding()), 100.0);
+                                                        seriesOf(std::vector<double>(kRows, 0.0), Rounding()), {100.0});
         QTEST(result.verdict, "verdict");
         QCOMPARE(result.zeroReference, kRows);
         QVERIFY(!result.maxPercent && !result.percentOfPeak && !result.roundingStep);
@@ -232,13 +323,13 @@ private slots:
         const Rounding seventeen{Rounding::Rule::SignificantDigits, 17};
         const std::vector<double> values{75.0, 30.0, 1e-9};
         const std::vector<double> model{75.0 + 1e-13, 30.0 - 1e-13, 1e-9 + 1e-14};
-        QCOMPARE(compareChannel(instants(3), model, seriesOf(values, seventeen), kScale).verdict, Verdict::Agrees);
+        QCOMPARE(compareChannel(instants(3), model, seriesOf(values, seventeen), kSize).verdict, Verdict::Agrees);
     }
 
     void survivesExtremeNumbers()
     {
         const ChannelComparison result =
-            compareChannel(std::vector{0.0, 1.0}, std::vector{1e10, -1e-200}, seriesOf({1e-300, 1e300}), kScale);
+            compareChannel(std::vector{0.0, 1.0}, std::vector{1e10, -1e-200}, seriesOf({1e-300, 1e300}), kSize);
         QCOMPARE(result.zeroReference, std::size_t(1)); // a percentage that no double holds
         QCOMPARE(result.maxPercent.value(), 100.0);
         QVERIFY(std::isfinite(result.rms.value()));
@@ -284,8 +375,8 @@ private slots:
             QVERIFY(x.channel == y.channel && x.count == y.count && x.missingModel == y.missingModel);
             QVERIFY(x.maxAbs == y.maxAbs && x.timeOfMaxAbs == y.timeOfMaxAbs && x.rms == y.rms);
             QVERIFY(x.maxPercent == y.maxPercent && x.timeOfMaxPercent == y.timeOfMaxPercent);
-            QVERIFY(x.zeroReference == y.zeroReference && x.withinHalfStep == y.withinHalfStep);
-            QVERIFY(x.worstHalfSteps == y.worstHalfSteps && x.verdict == y.verdict && x.roundingStep == y.roundingStep);
+            QVERIFY(x.zeroReference == y.zeroReference && x.withinBound == y.withinBound);
+            QVERIFY(x.worstOver == y.worstOver && x.verdict == y.verdict && x.roundingStep == y.roundingStep);
 
             long double squares = 0.0L;
             long double percent = 0.0L;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/diagnosis/conventions.h"
+#include "core/diagnosis/convention.h"
 
 #include "core/comparison/comparison.h"
 
@@ -407,6 +407,7 @@ const char *nameOfKind(Kind kind)
     case Kind::Sign: return "sign";
     case Kind::HalfTurn: return "half turn";
     case Kind::WholeTurns: return "whole turns";
+    case Kind::ZeroPoint: return "zero point";
     case Kind::SwappedColumns: return "swapped";
     case Kind::Branch: return "branch";
     case Kind::TimeShift: return "time shift";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
+#include "core/identification/parameter_change.h"
 
 #include "core/identification/sensitivity.h"
 #include "tests/support/long_tests.h"
@@ -85,9 +86,16 @@ QString described(const Parameters &p)
         .arg(p.branch == Branch::Open ? "open" : "crossed");
 }
 
+using Why = Identification::Alternative::Why;
+
+bool hasAlternative(const Identification &result, Why why)
+{
+    return std::ranges::count(result.alternatives, why, &Identification::Alternative::why) > 0;
+}
+
 bool isFound(const Identification &result)
 {
-    return result.status == Identification::Status::Found;
+    return result.outcome == Identification::Outcome::Identified;
 }
 
 } // namespace
@@ -164,7 +172,7 @@ private slots:
         QVERIFY(result.conditionNumber > 10.0 && result.conditionNumber < 20.0);
         QVERIFY(result.rms < 0.4);
 
-        const std::vector<Attribution> causes = attribute(data, Mechanism());
+        const std::vector<ParameterChange> causes = parameterChanges(data, Mechanism());
         QCOMPARE(causes.size(), kParameterCount);
         QCOMPARE(causes[0].parameter, Parameter::B);
         QVERIFY(std::abs(causes[0].value - 60.0) < 5e-4);
@@ -206,8 +214,8 @@ private slots:
                                     .arg(rows)
                                     .arg(found)
                                     .arg(described(result.parameters), described(truth))));
-            QCOMPARE(result.mirrorImagePossible, onlyR4x);
-            QVERIFY(!result.onlyRatios && !result.reversePossible && !result.otherBranchPossible);
+            QCOMPARE(hasAlternative(result, Why::MirrorImage), onlyR4x);
+            QVERIFY(!result.onlyRatios && result.alternatives.size() == (onlyR4x ? 1 : 0));
         }
     }
 
@@ -236,8 +244,9 @@ private slots:
             QVERIFY(result.parameters.omega2 > 0.0);
             const double found = distance(result.parameters, truth.omega2 < 0.0 ? reversed(truth) : truth);
             QVERIFY2(found <= 1e-3, qPrintable(described(result.parameters) + " instead of " + described(truth)));
-            QVERIFY(result.onlyRatios && result.reversePossible && !result.mirrorImagePossible);
-            QCOMPARE(result.otherBranchPossible, channels[0] == '0');
+            QVERIFY(result.onlyRatios && hasAlternative(result, Why::Reversed));
+            QVERIFY(!hasAlternative(result, Why::MirrorImage));
+            QCOMPARE(hasAlternative(result, Why::OtherAssembly), channels[0] == '0');
             QVERIFY(!result.identifiable[indexOf(Parameter::A)] && !result.identifiable[indexOf(Parameter::B)]);
             QVERIFY(!result.identifiable[indexOf(Parameter::C)] && result.identifiable[indexOf(Parameter::Omega2)]);
         }
@@ -376,7 +385,7 @@ private slots:
                 value = random.uniform(-1.0, 1.0);
             }
         }
-        QCOMPARE(identify(data, Mechanism()).status, Identification::Status::NotFound);
+        QCOMPARE(identify(data, Mechanism()).outcome, Identification::Outcome::None);
     }
 
     void saysThatNothingMoves()
@@ -384,7 +393,7 @@ private slots:
         Parameters standing;
         standing.omega2 = 0.0;
         standing.theta20 = 0.3;
-        QCOMPARE(identify(printedData(standing), Mechanism()).status, Identification::Status::NothingMoves);
+        QCOMPARE(identify(printedData(standing), Mechanism()).lack, Identification::Lack::NothingMoves);
     }
 
     void saysThatThereAreTooFewData()
@@ -392,9 +401,9 @@ private slots:
         Printing printing;
         printing.rows = 4;
         printing.channels = "010000";
-        QCOMPARE(identify(printedData(Parameters(), printing), Mechanism()).status, Identification::Status::TooFewData);
-        QCOMPARE(identify(ReferenceData(), Mechanism()).status, Identification::Status::TooFewData);
-        QVERIFY(attribute(ReferenceData(), Mechanism()).empty());
+        QCOMPARE(identify(printedData(Parameters(), printing), Mechanism()).lack, Identification::Lack::FewValues);
+        QCOMPARE(identify(ReferenceData(), Mechanism()).outcome, Identification::Outcome::Insufficient);
+        QVERIFY(parameterChanges(ReferenceData(), Mechanism()).empty());
     }
 
     void stopsWhenAsked()
@@ -402,11 +411,11 @@ private slots:
         std::stop_source source;
         source.request_stop();
         const ReferenceData data = printedData(Parameters());
-        QCOMPARE(identify(data, Mechanism(), source.get_token()).status, Identification::Status::Stopped);
-        QVERIFY(attribute(data, Mechanism(), source.get_token()).empty());
+        QVERIFY(identify(data, Mechanism(), source.get_token()).stopped);
+        QVERIFY(parameterChanges(data, Mechanism(), source.get_token()).empty());
     }
 
-    void attributesADifferenceToTheParameterThatMakesIt_data()
+    void findsTheParameterThatMakesADifference_data()
     {
         QTest::addColumn<int>("which");
         QTest::newRow("a") << 0;
@@ -416,7 +425,7 @@ private slots:
         QTest::newRow("θ20") << 4;
     }
 
-    void attributesADifferenceToTheParameterThatMakesIt()
+    void findsTheParameterThatMakesADifference()
     {
         QFETCH(const int, which);
         RandomMechanisms random(kSeed);
@@ -434,7 +443,7 @@ private slots:
             default: given.theta20 += random.uniform(-kPi, kPi); break;
             }
             const ReferenceData data = printedData(truth, turnsOf(truth, random.uniform(0.6, 3.0), 201, "111111"));
-            const std::vector<Attribution> causes = attribute(data, Mechanism(given));
+            const std::vector<ParameterChange> causes = parameterChanges(data, Mechanism(given));
             QCOMPARE(causes.size(), kParameterCount);
             const QString what = described(given) + " instead of " + described(truth);
             QVERIFY2(indexOf(causes[0].parameter) == static_cast<std::size_t>(which), qPrintable(what));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/round_numbers.h"
 
-#include "core/diagnosis/interpretation.h"
+#include "core/diagnosis/diagnosis.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
 
@@ -81,8 +81,8 @@ private slots:
             Printing printing;
             printing.to = 2.0 * kPi / std::abs(chosen.omega2);
             const ReferenceData data = printedData(chosen, printing);
-            const Interpretation found = interpret(data, Mechanism(Parameters()));
-            QCOMPARE(found.identification.status, Identification::Status::Found);
+            const Diagnosis found = diagnose(data, Mechanism(Parameters()));
+            QCOMPARE(found.identification.outcome, Identification::Outcome::Identified);
             QVERIFY(allAgree(found.rounded, data));
             const auto isSame = [](double x, double y) { return std::abs(x - y) <= 1e-15 * std::abs(y); };
             exact += found.rounded.a == chosen.a && found.rounded.b == chosen.b && found.rounded.c == chosen.c &&
@@ -121,7 +121,7 @@ private slots:
             printing.format = format.constData();
             const ReferenceData data = printedData(p, printing);
             const Identification identification = identify(data, Mechanism(p));
-            if (identification.status != Identification::Status::Found) {
+            if (identification.outcome != Identification::Outcome::Identified) {
                 continue;
             }
             ++found;
@@ -147,7 +147,7 @@ private slots:
         Printing printing;
         printing.channels = "101010"; // θ3 and its derivatives: ratios only
         Parameters chosen;            // 20, 65, 25
-        const Interpretation found = interpret(printedData(chosen, printing), Mechanism(start));
+        const Diagnosis found = diagnose(printedData(chosen, printing), Mechanism(start));
         QVERIFY(found.identification.onlyRatios);
         QCOMPARE(found.rounded.a, 31.25);
         QVERIFY(std::abs(found.rounded.b - 31.25 * 65.0 / 20.0) < 1e-3);

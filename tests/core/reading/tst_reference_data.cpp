@@ -630,11 +630,9 @@ private slots:
         QCOMPARE(inPieces->layout.unitsLine, whole.layout.unitsLine);
         QCOMPARE(inPieces->layout.byteOrderMark, whole.layout.byteOrderMark);
         QCOMPARE(inPieces->layout.rows, whole.layout.rows);
+        QVERIFY(inPieces->timeRounding == whole.timeRounding);
         for (std::size_t i = 0; i < whole.series.size(); ++i) {
-            const Rounding &x = inPieces->series[i].rounding;
-            const Rounding &y = whole.series[i].rounding;
-            QVERIFY(x.rule == y.rule && x.digits == y.digits && x.unitFactor == y.unitFactor &&
-                    x.smallestExponent == y.smallestExponent && x.finestPlace == y.finestPlace);
+            QVERIFY(inPieces->series[i].rounding == whole.series[i].rounding);
         }
     }
 

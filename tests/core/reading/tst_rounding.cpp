@@ -116,10 +116,18 @@ private slots:
         }) << decimals << 2;
         QTest::newRow("integers") << column([](int i) { return withDecimals(irregular(i, 900.0), 0); }) << decimals
                                   << 0;
-        QTest::newRow("tens") << column([](int i) { return withDecimals(irregular(i, 900.0), 0) + "0"; }) << decimals
-                              << -1;
-        QTest::newRow("17 digits") << column([](int i) { return QString::number(irregular(i, 75.0), 'g', 17); })
-                                   << significant << 17;
+        QTest::newRow("tens: whole numbers")
+            << column([](int i) { return withDecimals(irregular(i, 900.0), 0) + "0"; }) << decimals << 0;
+        QTest::newRow("all digits that a double has")
+            << column([](int i) { return QString::number(irregular(i, 75.0), 'g', 17); }) << significant << 16;
+        QTest::newRow("6 significant digits, printed with 17") << column([](int i) {
+            return QString::number(asInventorPrints(irregular(i, 75.0), 6).toDouble(), 'g', 17);
+        }) << significant << 6;
+        QTest::newRow("3 decimals, printed with 19 digits and a comma") << column([](int i) {
+            return QString::number(withDecimals(irregular(i, 130.0), 3).toDouble(), 'e', 18).replace('.', ',');
+        }) << decimals << 3;
+        QTest::newRow("6 significant digits of numbers beyond a million, printed with 6 decimals")
+            << column([](int i) { return asInventorPrints(irregular(i, 5e6), 6); }) << significant << 6;
         QTest::newRow("4 digits with exponents")
             << column([](int i) { return QString::number(std::exp(irregular(i, 20.0)), 'e', 3); }) << significant << 4;
         QTest::newRow("3 decimals, and zeros")
@@ -136,10 +144,13 @@ private slots:
         QTest::newRow("nothing") << QStringList() << unknown << 0;
 
         // One number throughout: its zeros may be the number's own.
-        QTest::newRow("25 throughout, with 6 decimals")
-            << column([](int) { return QString("25.000000"); }) << decimals << 6;
+        QTest::newRow("25 throughout, with 6 decimals: as many digits as a person chooses")
+            << column([](int) { return QString("25.000000"); }) << decimals << 2;
+        QTest::newRow("25 throughout, with 1 decimal") << column([](int) { return QString("25.0"); }) << decimals << 1;
         QTest::newRow("360 throughout, either sign")
-            << column([](int i) { return QString(i % 2 == 0 ? "360" : "-360"); }) << unknown << 0;
+            << column([](int i) { return QString(i % 2 == 0 ? "360" : "-360"); }) << decimals << 0;
+        QTest::newRow("0.1 throughout, as a double has it")
+            << column([](int) { return QString("0.10000000000000001"); }) << decimals << 4;
         QTest::newRow("6 rad/s in degrees throughout")
             << column([](int) { return QString("343.775000"); }) << decimals << 3;
     }
@@ -150,6 +161,34 @@ private slots:
         const Rounding rounding = inferred(cells);
         QTEST(static_cast<int>(rounding.rule), "rule");
         QTEST(rounding.digits, "digits");
+    }
+
+    void isNoCoarserThanWhatIsPrinted_data()
+    {
+        QTest::addColumn<QStringList>("cells");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("step");
+        QTest::newRow("two whole numbers") << QStringList{"70", "40"} << 70.0 << 1.0;
+        QTest::newRow("and one of them beyond a decade") << QStringList{"7", "40"} << 40.0 << 1.0;
+        QTest::newRow("two with a decimal") << QStringList{"70.0", "40.0"} << 70.0 << 0.1;
+        QTest::newRow("two with two decimals, of which one ends early") << QStringList{"8.53", "12.30"} << 12.3 << 0.01;
+        QTest::newRow("two whole ones with six decimals") << QStringList{"70.000000", "40.000000"} << 70.0 << 1.0;
+        QTest::newRow("two of six digits with six decimals")
+            << QStringList{"74.543600", "-1139.910000"} << 1139.91 << 0.01;
+        QTest::newRow("one of four that ends early by chance")
+            << QStringList{"12.34", "45.67", "78.9", "23.45"} << 78.9 << 0.01;
+        QTest::newRow("chosen angles") << QStringList{"30", "60", "90", "120", "150", "180"} << 90.0 << 1.0;
+        QTest::newRow("chosen angles with a decimal")
+            << QStringList{"30.0", "60.0", "90.0", "120.0", "150.0", "180.0", "210.0", "240.0"} << 90.0 << 1.0;
+    }
+
+    void isNoCoarserThanWhatIsPrinted()
+    {
+        QFETCH(const QStringList, cells);
+        QFETCH(const double, value);
+        QFETCH(const double, step);
+        const double found = inferred(cells).stepAt(value);
+        QVERIFY2(std::abs(found - step) <= 1e-12 * step, qPrintable(QString::number(found, 'g', 17)));
     }
 
     void stepsAsTheRuleSays_data()
@@ -176,6 +215,8 @@ private slots:
         QTest::newRow("3 decimals in cm") << decimals << 74.5 << 1e-2;
         QTest::newRow("3 decimals at 0") << decimals << 0.0 << 1e-2;
         QTest::newRow("hundreds") << Rounding{Rule::Decimals, -2} << 1200.0 << 100.0;
+        const Rounding whole{Rule::SignificantDigits, 2, 1.0, 0, 0, 0};
+        QTest::newRow("2 digits of whole numbers, at 1234") << whole << 1234.0 << 1.0;
         QTest::newRow("unknown") << Rounding() << 12.0 << 0.0;
     }
 

@@ -105,9 +105,9 @@ ReferenceSource randomReference(RandomMechanisms &random, const QString &folder)
     }
     for (int i = 0; i < 3; ++i) {
         Convention convention;
-        convention.kind =
-            oneOf(random, {Kind::AngleUnit, Kind::LengthUnit, Kind::TimeUnit, Kind::Sign, Kind::HalfTurn,
-                           Kind::WholeTurns, Kind::SwappedColumns, Kind::Branch, Kind::TimeShift, Kind::NotDerivative});
+        convention.kind = oneOf(random, {Kind::AngleUnit, Kind::LengthUnit, Kind::TimeUnit, Kind::Sign, Kind::HalfTurn,
+                                         Kind::WholeTurns, Kind::ZeroPoint, Kind::SwappedColumns, Kind::Branch,
+                                         Kind::TimeShift, Kind::NotDerivative});
         convention.channels = {kPlottedChannels[1], channelAt(35)};
         convention.amount = random.uniform(0.001, 1000.0);
         reference.conventions.push_back(convention);

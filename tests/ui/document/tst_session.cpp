@@ -314,13 +314,13 @@ private slots:
         QCOMPARE(busy.count(), 1); // it is being searched
         session.cancel();
         QVERIFY(session.diagnosis());
-        QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
+        QVERIFY(session.diagnosis()->found.identification.stopped);
         finishAside(); // what was under way does not come back
         letTimePass(session);
         QCOMPARE(busy.count(), 2);
-        QCOMPARE(session.diagnosis()->found.identification.status, Identification::Status::Stopped);
+        QVERIFY(session.diagnosis()->found.identification.stopped);
         session.setParameter(Parameter::B, 64.0);
-        AWAIT_COMPARE(session.diagnosis()->found.identification.status, Identification::Status::Found);
+        AWAIT_COMPARE(session.diagnosis()->found.identification.outcome, Identification::Outcome::Identified);
     }
 
     void oneClickTakesTheFoundMechanismOver_data()
@@ -340,12 +340,13 @@ private slots:
         QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
         session.loadReference(path);
         AWAIT_COMPARE(diagnoses.count(), 1);
-        const Diagnosis &diagnosis = *session.diagnosis();
+        const ReferenceDiagnosis &diagnosis = *session.diagnosis();
         QCOMPARE(diagnosis.reference, session.reference());
-        QCOMPARE(diagnosis.found.identification.status, Identification::Status::Found);
-        QCOMPARE(diagnosis.found.attribution.front().parameter, Parameter::B);
-        QVERIFY(std::abs(diagnosis.found.attribution.front().value - 60.0) < 1e-4);
-        QVERIFY(diagnosis.found.attribution.front().explained > 0.999999);
+        QCOMPARE(diagnosis.found.identification.outcome, Identification::Outcome::Identified);
+        QVERIFY(diagnosis.found.change);
+        QCOMPARE(diagnosis.found.change->parameter, Parameter::B);
+        QVERIFY(std::abs(diagnosis.found.change->value - 60.0) < 1e-4);
+        QVERIFY(diagnosis.found.change->explained > 0.999999);
         QVERIFY(allAgree(diagnosis.found.identified));
 
         session.takeOver();
@@ -389,7 +390,7 @@ private slots:
         QCOMPARE(session.diagnosis(), first); // what was found of the file stands
         AWAIT_COMPARE(diagnoses.count(), 1);
         QCOMPARE(session.diagnosis()->parameters.b, 85.0);
-        QCOMPARE(session.diagnosis()->found.attribution.front().parameter, Parameter::B);
+        QCOMPARE(session.diagnosis()->found.change->parameter, Parameter::B);
         QCOMPARE(session.diagnosis()->found.identification.parameters, first->found.identification.parameters);
     }
 
@@ -402,7 +403,7 @@ private slots:
         session.loadReference(kSample);
         AWAIT(session.diagnosis());
         QVERIFY(allAgree(session.result()->comparison));
-        QVERIFY(session.diagnosis()->found.attribution.empty());
+        QVERIFY(!session.diagnosis()->found.change);
         QVERIFY(session.diagnosis()->found.conventions.empty());
     }
 
@@ -449,6 +450,27 @@ private slots:
         QCOMPARE(session.reference(), printed);
         session.undoStack().undo();
         QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
+    }
+
+    void anOriginIsMovedAndMovedBack()
+    {
+        const Channel slider{R4x, Order::Position};
+        auto printed = std::make_shared<Reference>();
+        printed->data.time = {0.0, 0.5};
+        printed->data.series = {{slider, {0.0, kNone}, {Rounding::Rule::SignificantDigits, 6}}};
+        Session session;
+        session.setReference(printed);
+        session.apply({Convention::Kind::ZeroPoint, {slider}, 74.5});
+        const ReferenceSeries &moved = *session.reference()->data.find(slider);
+        QCOMPARE(moved.values[0], 74.5);
+        QVERIFY(std::isnan(moved.values[1]));
+        QCOMPARE(moved.rounding.rule, Rounding::Rule::Decimals); // six digits of the distance are not six of the place
+        session.undoStack().undo();
+        QCOMPARE(session.reference(), printed);
+        session.undoStack().redo();
+        QCOMPARE(session.reference()->data.find(slider)->values[0], 74.5);
+        session.readAsPrinted();
+        QCOMPARE(session.reference(), printed);
     }
 
     void theOtherAssemblyIsTheModelsNotTheFiles()

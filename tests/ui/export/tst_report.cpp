@@ -37,7 +37,7 @@ ReportContent contentWith(double b, const std::shared_ptr<const Reference> &refe
     session.setReference(reference);
     ReportContent content{session.result(), {}, false};
     if (reference) {
-        content.interpretation = interpret(reference->data, Mechanism(parameters));
+        content.diagnosis = diagnose(reference->data, Mechanism(parameters));
     }
     return content;
 }
@@ -94,7 +94,7 @@ private slots:
         QVERIFY(!blockOf(blocks, Kind::Agreement));
         const QString text = allText(blocks);
         QVERIFY2(text.contains("Reference: inventor_sample.csv, t = 0 s to 1 s, 201 instants."), qPrintable(text));
-        QVERIFY(text.contains("This error looks like b: 60.000 instead of 65 mm explains 99.9999 % of it."));
+        QVERIFY(text.contains("This error looks like b = 60 instead of 65 mm, which explains 99.9999 % of it."));
         QVERIFY(text.contains("Against its own mechanism the file agrees in 6 of 6 channels."));
         QVERIFY(text.contains("± is one standard deviation"));
         QVERIFY(!text.contains("conventions"));
@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(errors.header.size(), errors.numeric.size());
         for (const QStringList &row : errors.rows) {
             QCOMPARE(row.size(), errors.header.size());
-            QCOMPARE(row.last(), QString("agrees to the last printed digit"));
+            QCOMPARE(row.last(), QString("agrees within the file's rounding"));
         }
         QCOMPARE(errors.rows[3].first(), QString("θ³ [°]"));
         QVERIFY(std::abs(errors.rows[3][1].toDouble() / *content.result->comparison[3].maxAbs - 1.0) < 5e-3);
@@ -167,13 +167,23 @@ private slots:
     {
         ReportContent content = contentWith(65.0, sampleFile());
         const Convention radians{Convention::Kind::AngleUnit, {{Theta3, Order::Position}}, kDegreesPerRadian};
-        content.interpretation.conventions = {{radians, 98.0, 0.001}};
+        content.diagnosis.conventions = {{radians, 98.0, 0.001}};
         QString text = allText(reportOf(content));
         QVERIFY2(text.contains("theta3: in radians, but read as degrees."), qPrintable(text));
         QVERIFY(text.contains("read with the conventions named above"));
-        content.interpretation.identification.status = Identification::Status::NotFound;
+        content.diagnosis.isOfMechanismAtHand = true; // by itself that is all there is to say
         text = allText(reportOf(content));
-        QVERIFY2(text.contains("No slider-crank moves as these data do") && !text.contains("its own mechanism") &&
+        QVERIFY(text.contains("Read so, it does not differ") && !text.contains("This error looks like"));
+
+        content.diagnosis.conventions.clear();
+        content.diagnosis.isOfMechanismAtHand = false;
+        content.diagnosis.identification.outcome = Identification::Outcome::Ambiguous;
+        text = allText(reportOf(content));
+        QVERIFY2(text.contains("Against the first of several") && !text.contains("the file's own"), qPrintable(text));
+
+        content.diagnosis.identification.outcome = Identification::Outcome::Nearest;
+        text = allText(reportOf(content));
+        QVERIFY2(text.contains("Nothing found explains this file") && !text.contains("its own mechanism") &&
                      !text.contains("the file's own"),
                  qPrintable(text));
     }
@@ -225,7 +235,7 @@ private slots:
         for (int i = 0; i < 100; ++i) {
             longer->comparison.push_back(longer->comparison.front());
         }
-        QCOMPARE(exportReport(path, {longer, content.interpretation, false}, noDrawings()), std::optional<QString>());
+        QCOMPARE(exportReport(path, {longer, content.diagnosis, false}, noDrawings()), std::optional<QString>());
         const qsizetype pages = pageCount(contentOf(path));
         QVERIFY2(pages >= 4 && pages <= 6, QByteArray::number(pages).constData());
     }

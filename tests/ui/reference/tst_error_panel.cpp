@@ -64,13 +64,13 @@ std::shared_ptr<Result> resultWith(const std::vector<ChannelComparison> &compari
 }
 
 /// The file is of b = 60 mm, and agrees with that.
-std::shared_ptr<const Diagnosis> diagnosisOf(const Result &result)
+std::shared_ptr<const ReferenceDiagnosis> diagnosisOf(const Result &result)
 {
-    auto diagnosis = std::make_shared<Diagnosis>();
+    auto diagnosis = std::make_shared<ReferenceDiagnosis>();
     diagnosis->reference = result.reference;
     diagnosis->parameters = result.mechanism.parameters();
     Identification &found = diagnosis->found.identification;
-    found.status = Identification::Status::Found;
+    found.outcome = Identification::Outcome::Identified;
     found.parameters.b = 60.00001;
     found.standardError.fill(3e-5);
     found.identifiable.fill(true);
@@ -78,7 +78,7 @@ std::shared_ptr<const Diagnosis> diagnosisOf(const Result &result)
     for (ChannelComparison &channel : diagnosis->found.identified) {
         channel.verdict = Verdict::Agrees;
     }
-    diagnosis->found.attribution = {{Parameter::B, 60.00001, 0.9999999}};
+    diagnosis->found.change = {Parameter::B, 60.00001, 0.9999999};
     return diagnosis;
 }
 
@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(textOf(table, 1, LargestError), QString("14.2"));
         QCOMPARE(textOf(table, 0, LargestErrorAt), QString("0.25"));
         QVERIFY(textOf(table, 0, Outcome).startsWith(QString("✓ agrees")));
-        QVERIFY(toolTipOf(table, 1, Outcome).contains("½ step"));
+        QVERIFY(toolTipOf(table, 1, Outcome).contains("· bound"));
         for (int column = 0; column < table->model()->columnCount(); ++column) {
             QVERIFY(!table->model()->headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
         }
@@ -201,12 +201,12 @@ private slots:
         panel.show();
         panel.setResult(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25)}));
         auto *table = child<NumberTable>(panel, "errorTable");
-        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
+        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees within the file's rounding"));
         panel.resize(560, 220);
         AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees"));
-        QVERIFY(toolTipOf(table, 0, Outcome).startsWith("agrees to the last printed digit"));
+        QVERIFY(toolTipOf(table, 0, Outcome).startsWith("agrees within the file's rounding"));
         panel.resize(1000, 220);
-        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees to the last printed digit"));
+        AWAIT_COMPARE(textOf(table, 0, Outcome), QString("✓ agrees within the file's rounding"));
     }
 
     void explainsTheDifferenceAndOffersTheRemedy()
@@ -220,7 +220,7 @@ private slots:
         QVERIFY(panel.findChildren<QPushButton *>("remedyButton").isEmpty()); // not known yet
         panel.setDiagnosis(diagnosis);
         QVERIFY2(
-            child<QLabel>(panel, "findingLabel")->text().startsWith("This error looks like b: 60.000 instead of 65 mm"),
+            child<QLabel>(panel, "findingLabel")->text().startsWith("This error looks like b = 60 instead of 65 mm"),
             qPrintable(child<QLabel>(panel, "findingLabel")->text()));
         auto *button = child<QPushButton>(panel, "remedyButton");
         QVERIFY(button->isVisible());
@@ -246,14 +246,41 @@ private slots:
         AWAIT(!child<QWidget>(panel, "findings")->isVisible());
     }
 
+    void offersOnlyWhatStands()
+    {
+        const auto result = resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});
+        auto diagnosis = std::make_shared<ReferenceDiagnosis>(*diagnosisOf(*result));
+        ErrorPanel panel;
+        panel.resize(900, 220);
+        panel.show();
+        panel.setResult(result);
+
+        diagnosis->found.identification.outcome = Identification::Outcome::Ambiguous;
+        panel.setDiagnosis(diagnosis);
+        QVERIFY(child<QLabel>(panel, "findingLabel")->text().contains("explain this file equally"));
+        QCOMPARE(child<QPushButton>(panel, "remedyButton")->text(), QString("Take the first of them over"));
+
+        auto nearest = std::make_shared<ReferenceDiagnosis>(*diagnosis);
+        nearest->found.identification.outcome = Identification::Outcome::Nearest;
+        nearest->found.change.reset();
+        nearest->found.identified[0].percentOfPeak = 0.001; // however near
+        panel.setDiagnosis(nearest);
+        AWAIT(child<QLabel>(panel, "findingLabel")->text().contains("What comes nearest"));
+        AWAIT(panel.findChildren<QPushButton *>("remedyButton").isEmpty());
+
+        // Beside a file that comes close, what could not be found of it is of no interest.
+        panel.setResult(resultWith({compared(kTheta3, Verdict::Close, 2.0, 0.5)}));
+        AWAIT(!child<QWidget>(panel, "findings")->isVisible());
+    }
+
     void offersEachConventionAndTheWayBack()
     {
         const auto result = resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});
-        auto diagnosis = std::make_shared<Diagnosis>(*diagnosisOf(*result));
+        auto diagnosis = std::make_shared<ReferenceDiagnosis>(*diagnosisOf(*result));
         const Convention radians{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRadian};
         const Convention late{Convention::Kind::TimeShift, {}, 0.1};
         diagnosis->found.conventions = {{radians, 98.0, 1e-3}, {late, 30.0, 1e-3}};
-        diagnosis->found.identification.status = Identification::Status::NotFound;
+        diagnosis->found.identification.outcome = Identification::Outcome::Nearest;
         ErrorPanel panel;
         panel.resize(900, 220);
         panel.show();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/number_table.h"
 #include "ui/reference/reference_panel.h"
+#include "ui/words/convention_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/theme.h"
 
@@ -62,12 +63,12 @@ const QByteArray kFile = "time;theta3 [rad];R4_x;remark\n"
                          "0,5;oops;60,1;x\n"
                          "1,0;0,429775;;x\n";
 
-std::shared_ptr<Diagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference)
+std::shared_ptr<ReferenceDiagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference)
 {
-    auto diagnosis = std::make_shared<Diagnosis>();
+    auto diagnosis = std::make_shared<ReferenceDiagnosis>();
     diagnosis->reference = reference;
     Identification found;
-    found.status = Identification::Status::Found;
+    found.outcome = Identification::Outcome::Identified;
     found.parameters.b = 60.0;
     found.identifiable.fill(true);
     found.standardError.fill(1e-6);
@@ -197,7 +198,7 @@ private slots:
         m_panel->setDiagnosis(diagnosis);
         const QString text = allText(*child<QScrollArea>(*m_panel, QStringLiteral("findings")));
         for (const ConventionFinding &finding : diagnosis->found.conventions) {
-            QVERIFY2(text.contains(explanationOf(finding.convention)), qPrintable(text));
+            QVERIFY2(text.contains(explanationOf(finding.convention, reference->data)), qPrintable(text));
             QVERIFY2(text.contains(effectOf(finding)), qPrintable(text));
         }
         const auto buttons = m_panel->findChildren<QPushButton *>(QStringLiteral("applyButton"));
@@ -218,7 +219,7 @@ private slots:
         reference->conventions = {kDegrees};
         reference->asPrinted = printed;
         m_panel->setReference(reference);
-        QVERIFY(allText(*m_panel).contains(explanationOf(kDegrees)));
+        QVERIFY(allText(*m_panel).contains(explanationOf(kDegrees, printed->data)));
         QSignalSpy back(m_panel.get(), &ReferencePanel::readAsPrintedRequested);
         // The panel is filled anew by what follows the click: that must not pull the rug from under the button.
         connect(m_panel.get(), &ReferencePanel::readAsPrintedRequested, m_panel.get(),
@@ -240,10 +241,26 @@ private slots:
         QTest::mouseClick(child<QPushButton>(*m_panel, QStringLiteral("takeOverButton")), Qt::LeftButton);
         AWAIT_COMPARE(taken.count(), 1);
 
-        const auto onShow = std::make_shared<Diagnosis>(*diagnosis);
+        const auto onShow = std::make_shared<ReferenceDiagnosis>(*diagnosis);
         onShow->parameters = onShow->found.rounded;
         m_panel->setDiagnosis(onShow);
         QVERIFY(!child<QPushButton>(*m_panel, QStringLiteral("takeOverButton"))->isEnabled()); // it is taken over
+    }
+
+    void offersOnlyWhatStandsToBeTakenOver()
+    {
+        const auto reference = referenceOf(kFile);
+        m_panel->setReference(reference);
+        const auto diagnosis = diagnosisOf(reference);
+        diagnosis->found.identification.outcome = Identification::Outcome::Ambiguous;
+        m_panel->setDiagnosis(diagnosis);
+        QCOMPARE(child<QPushButton>(*m_panel, QStringLiteral("takeOverButton"))->text(),
+                 QStringLiteral("Take the first over"));
+        const auto nearest = std::make_shared<ReferenceDiagnosis>(*diagnosis);
+        nearest->found.identification.outcome = Identification::Outcome::Nearest;
+        m_panel->setDiagnosis(nearest);
+        QVERIFY(child<QLabel>(*m_panel, QStringLiteral("identificationLabel"))->text().contains("What comes nearest"));
+        QVERIFY(!m_panel->findChild<QPushButton *>(QStringLiteral("takeOverButton")));
     }
 
     void aDiagnosisOfAnotherFileIsNotShown()

@@ -363,7 +363,8 @@ private slots:
         m_window->openReference(kSample); // b = 60, on show is 65
         auto *bar = m_window->findChild<MessageBar *>();
         AWAIT(bar->isVisible());
-        const QString sentence = QStringLiteral("This error looks like b: 60.000 instead of 65 mm explains 99.9999 %");
+        const QString sentence =
+            QStringLiteral("This error looks like b = 60 instead of 65 mm, which explains 99.9999 %");
         QVERIFY2(bar->text().contains(sentence), qPrintable(bar->text()));
         QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("findingLabel"))->text().startsWith(sentence));
 
@@ -377,6 +378,25 @@ private slots:
         QCOMPARE(m_window->session().parameters(), Parameters());
         QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(std::abs(m_window->session().parameters().b - 60.0) < 1e-5);
+    }
+
+    void theBarSpeaksOfTheMechanismOnShow()
+    {
+        Session &session = m_window->session();
+        m_window->openReference(kSample); // b = 60, on show is 65
+        auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT(bar->isVisible());
+        session.setParameters(withCoupler(60.5));
+        QCOMPARE(bar->text(), QStringLiteral("inventor_sample.csv differs from this mechanism."));
+        AWAIT(bar->text().contains(QStringLiteral("b = 60 instead of 60.5 mm")));
+        QVERIFY(m_window->findChild<QAbstractButton *>(QStringLiteral("messageRemedy"))->isVisible());
+        session.setParameters(withCoupler(60.0));
+        QVERIFY(!bar->isVisible()); // it agrees
+
+        // Put away, it stays away.
+        session.undoStack().undo();
+        AWAIT(session.diagnosis()->parameters == session.parameters());
+        QVERIFY(!bar->isVisible());
     }
 
     void noSentenceIsCutOffInASmallWindow()
@@ -402,6 +422,15 @@ private slots:
         session.setParameters(withCoupler(-1.0)); // before the diagnosis is there
         AWAIT(session.diagnosis());
         QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("greater than 0")));
+    }
+
+    void aRefusedNumberIsForgottenWithTheNextOne()
+    {
+        const auto *bar = m_window->findChild<MessageBar *>();
+        m_window->session().setParameters(withCoupler(-1.0));
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("greater than 0")));
+        m_window->session().setParameters(withCoupler(64.0));
+        QVERIFY(!bar->isVisible());
     }
 
     void saysNothingOfAFileThatAgrees()

@@ -28,14 +28,11 @@
 //     one of two columns negated, or the other: the derivative
 //     a crossed mechanism's angles negated, or its mirror image's less a whole turn: the latter
 //
-// A finding makes the error at least twenty times smaller, and leaves the file's rounding or at most 1 % of how much
-// the column varies. A derivative is none when it is farther off than that from the motion that all other columns agree
-// on. Columns other than the six plotted ones are read along, and prove nothing.
+// What proves a finding stands in hypotheses.h.
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/channel.h"
 #include "core/reading/reference_data.h"
 
-#include <stop_token>
 #include <vector>
 
 namespace slidercrank
@@ -49,6 +46,7 @@ struct Convention {
         Sign,           ///< the axis, or the sense of rotation, is the opposite one: multiplied by amount = -1
         HalfTurn,       ///< the textbook's θ_3, seen from B: made continuous, and amount = ±180°, … is added
         WholeTurns,     ///< made continuous where it jumps by a turn, and amount = 0, ±360°, … is added
+        ZeroPoint,      ///< one column, counted from another origin: amount (in the author's unit) is added
         SwappedColumns, ///< the two channels stand under each other's names
         Branch,         ///< the motion of the other assembly: the model changes, not the data
         TimeShift,      ///< the clock of the file started early or late: amount (s) is added to its instants
@@ -76,10 +74,5 @@ struct ConventionFinding {
     double before = 0.0;
     double after = 0.0;
 };
-
-/// What explains the data, in the order in which it is to be applied; empty where the data need no other reading.
-/// Compared with `mechanism` first; where that cannot be it, with whatever mechanism fits the data best.
-std::vector<ConventionFinding> findConventions(const ReferenceData &data, const Mechanism &mechanism,
-                                               std::stop_token stop = {});
 
 } // namespace slidercrank

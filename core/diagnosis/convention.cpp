@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/diagnosis/convention.h"
+
+#include "core/diagnosis/column_reading.h"
+#include "core/diagnosis/explanation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Kind = Convention::Kind;
+
+void multiply(ReferenceSeries &series, double factor)
+{
+    for (double &value : series.values) {
+        value *= factor;
+    }
+    series.rounding.unitFactor *= std::abs(factor);
+}
+
+/// A column that is to be shifted keeps its decimals, but not its significant digits.
+void keepDecimals(ReferenceSeries &series)
+{
+    Rounding &rounding = series.rounding;
+    if (rounding.rule == Rounding::Rule::SignificantDigits) {
+        const double step = rounding.stepAt(rangeOf(series.values).size()) / rounding.unitFactor;
+        rounding.rule = Rounding::Rule::Decimals;
+        rounding.digits = -static_cast<int>(std::lround(std::log10(step)));
+    }
+}
+
+void shift(ReferenceSeries &series, double amount)
+{
+    keepDecimals(series);
+    for (double &value : series.values) {
+        value += amount;
+    }
+}
+
+} // namespace
+
+ReferenceData applied(const Convention &convention, ReferenceData data)
+{
+    for (ReferenceSeries &series : data.series) {
+        if (!concerns(convention, series.channel)) {
+            continue;
+        }
+        switch (convention.kind) {
+        case Kind::AngleUnit:
+        case Kind::LengthUnit:
+        case Kind::Sign: multiply(series, convention.amount); break;
+        case Kind::TimeUnit: multiply(series, powerOf(1.0 / convention.amount, series.channel)); break;
+        case Kind::HalfTurn:
+        case Kind::WholeTurns:
+            keepDecimals(series);
+            makeContinuous(series.values);
+            shift(series, convention.amount);
+            break;
+        case Kind::ZeroPoint: shift(series, convention.amount); break;
+        case Kind::SwappedColumns:
+            series.channel = convention.channels[series.channel == convention.channels[0] ? 1 : 0];
+            break;
+        case Kind::Branch:
+        case Kind::TimeShift:
+        case Kind::NotDerivative: break;
+        }
+    }
+    switch (convention.kind) {
+    case Kind::TimeUnit:
+        for (double &instant : data.time) {
+            instant *= convention.amount;
+        }
+        data.timeRounding.unitFactor *= std::abs(convention.amount);
+        break;
+    case Kind::TimeShift:
+        for (double &instant : data.time) {
+            instant += convention.amount;
+        }
+        break;
+    case Kind::NotDerivative:
+        std::erase_if(data.series, [&](const ReferenceSeries &series) { return concerns(convention, series.channel); });
+        break;
+    case Kind::AngleUnit:
+    case Kind::LengthUnit:
+    case Kind::Sign:
+    case Kind::HalfTurn:
+    case Kind::WholeTurns:
+    case Kind::ZeroPoint:
+    case Kind::SwappedColumns:
+    case Kind::Branch: break;
+    }
+    return data;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,547 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/diagnosis/diagnosis.h"
+
+#include "core/diagnosis/explanation.h"
+#include "core/diagnosis/hypotheses.h"
+#include "core/identification/decision.h"
+#include "core/identification/file_search.h"
+#include "core/identification/motion_start.h"
+#include "core/identification/round_numbers.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Outcome = Identification::Outcome;
+
+/// A hypothesis, and what became of it.
+struct Tried {
+    Hypothesis hypothesis;
+    Candidate candidate;
+};
+
+bool isBetter(const Tried &x, const Tried &y)
+{
+    return x.candidate.standing.stands != y.candidate.standing.stands ? x.candidate.standing.stands
+                                                                      : x.candidate.score() < y.candidate.score();
+}
+
+/// With no other unit, sense or origin than it says.
+bool isAsWritten(const Tried &tried)
+{
+    return tried.hypothesis.isPlain() && std::ranges::none_of(tried.hypothesis.columns, &ColumnHypothesis::isZeroFree);
+}
+
+bool anyStands(const std::vector<Tried> &tried)
+{
+    return std::ranges::any_of(tried, [](const Tried &one) { return one.candidate.standing.stands; });
+}
+
+/// Another origin may take up what is another fault: it has to compete.
+bool anyStandsAsWritten(const std::vector<Tried> &tried)
+{
+    return std::ranges::any_of(tried,
+                               [](const Tried &one) { return one.candidate.standing.stands && isAsWritten(one); });
+}
+
+/// As the candidate's reading has it: constants that turned out to be idle are gone.
+void takeZerosFrom(const Candidate &candidate, Hypothesis &hypothesis)
+{
+    for (std::size_t i = 0; i < hypothesis.columns.size(); ++i) {
+        hypothesis.columns[i].isZeroFree = candidate.reading[i].isZeroFree;
+    }
+}
+
+Tried triedOn(const SearchRows &rows, Hypothesis hypothesis, const std::stop_token &stop)
+{
+    Candidate candidate =
+        candidateFrom(rows, hypothesis.reading(), hypothesis.price(rows.all), hypothesis.start, stop);
+    candidate = withoutIdleZeros(rows, std::move(candidate), stop);
+    takeZerosFrom(candidate, hypothesis);
+    return {std::move(hypothesis), std::move(candidate)};
+}
+
+/// Never more than half of the columns are left out.
+bool mayLeaveOut(const Hypothesis &hypothesis, std::size_t more)
+{
+    const auto left = static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnHypothesis::isUsed));
+    return 2 * (left + more) <= hypothesis.columns.size();
+}
+
+/// The columns that do not stand, where they are derivatives all of them.
+std::vector<std::size_t> failingDerivatives(const Observations &observations, const Tried &tried)
+{
+    std::vector<std::size_t> failing;
+    const FitProblem problem = problemOf(observations, tried.candidate.reading);
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        if (tried.candidate.standing.columnStands[k]) {
+            continue;
+        }
+        if (problem.columns[k].channel.order == Order::Position || !isPlotted(problem.columns[k].channel)) {
+            return {};
+        }
+        failing.push_back(k);
+    }
+    return failing;
+}
+
+/// Largest σ of some columns as part of their spread.
+double offBy(const Observations &observations, const Tried &tried, const std::vector<std::size_t> &columns)
+{
+    const FitProblem problem = problemOf(observations, tried.candidate.reading);
+    double most = 0.0;
+    for (const std::size_t k : columns) {
+        most = std::max(most, std::sqrt(tried.candidate.fit.noise[k]) / problem.columns[k].spread);
+    }
+    return most;
+}
+
+/// A derivative that is a little off and smooth, as differences are, is left out of the fit and is no finding.
+constexpr double kALittleOff = 0.03;
+
+/// The same without the derivatives that do not stand.
+std::optional<Tried> withoutFailing(const SearchRows &rows, const Tried &tried, const std::stop_token &stop)
+{
+    const std::vector<std::size_t> failing = failingDerivatives(rows.all, tried);
+    const bool isLittle = !failing.empty() && offBy(rows.all, tried, failing) <= kALittleOff;
+    if (failing.empty() || (!isLittle && !mayLeaveOut(tried.hypothesis, failing.size()))) {
+        return std::nullopt;
+    }
+    const FitProblem problem = problemOf(rows.all, tried.candidate.reading);
+    Hypothesis fewer = tried.hypothesis;
+    for (const std::size_t k : failing) {
+        fewer.columns[problem.columns[k].source] = {rows.all.columns[problem.columns[k].source].channel};
+        fewer.columns[problem.columns[k].source].isUsed = false;
+    }
+    fewer.start = tried.candidate.fit.parameters;
+    return triedOn(rows, fewer, stop);
+}
+
+/// Half a turn rather than a zero point of 180°.
+void tryHalfTurn(const SearchRows &rows, std::vector<Tried> &tried, const std::stop_token &stop)
+{
+    constexpr double kNearHalfATurn = 0.05; // radians
+    const std::size_t count = tried.size();
+    for (std::size_t n = 0; n < count; ++n) {
+        const FitProblem problem = problemOf(rows.all, tried[n].candidate.reading);
+        for (const FitColumn &column : problem.columns) {
+            if (column.zero < 0 || column.channel.coordinate != Theta3) {
+                continue;
+            }
+            const double zero = tried[n].candidate.fit.zeros[static_cast<std::size_t>(column.zero)];
+            if (std::abs(std::remainder(zero - std::numbers::pi, 2.0 * std::numbers::pi)) < kNearHalfATurn) {
+                Hypothesis turned = tried[n].hypothesis;
+                turned.columns[column.source].isZeroFree = false;
+                turned.columns[column.source].isTurned = !turned.columns[column.source].isTurned;
+                turned.start = tried[n].candidate.fit.parameters;
+                tried.push_back(triedOn(rows, turned, stop));
+            }
+        }
+    }
+}
+
+/// The file as it says, and with origins elsewhere.
+std::vector<Tried> plainly(const SearchRows &rows, std::span<const Parameters> starts, const std::stop_token &stop)
+{
+    std::vector<Tried> tried;
+    for (Candidate &candidate : plainCandidates(rows, starts, stop)) {
+        Hypothesis hypothesis = plainHypothesis(rows.all);
+        takeZerosFrom(candidate, hypothesis);
+        tried.push_back({std::move(hypothesis), std::move(candidate)});
+    }
+    tryHalfTurn(rows, tried, stop);
+    return tried;
+}
+
+/// Where all columns are off by little only, the derivatives may be differences: the lowest orders have to stand
+/// without them, and then those of them that agree are taken in again.
+void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, const std::stop_token &stop)
+{
+    if (tried.empty() || !tried.front().candidate.fit.exists()) {
+        return;
+    }
+    const Tried &nearest = tried.front();
+    const FitProblem problem = problemOf(rows.all, nearest.candidate.reading);
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        if (std::sqrt(nearest.candidate.fit.noise[k]) > kALittleOff * problem.columns[k].spread) {
+            return;
+        }
+    }
+    Hypothesis lowest = plainHypothesis(rows.all);
+    lowest.start = nearest.candidate.fit.parameters;
+    bool any = false;
+    for (ColumnHypothesis &column : lowest.columns) {
+        column.isUsed = !isPlotted(column.channel) || std::ranges::none_of(lowest.columns, [&](const ColumnHypothesis &other) {
+            return other.channel.coordinate == column.channel.coordinate && other.channel.order < column.channel.order;
+        });
+        any = any || !column.isUsed;
+    }
+    if (!any) {
+        return;
+    }
+    Tried stood = triedOn(rows, lowest, stop);
+    if (!stood.candidate.standing.stands) {
+        return;
+    }
+    constexpr FreeParameters kNoneFree{};
+    const FitProblem whole = problemOf(rows.all, asWritten(rows.all));
+    const Fit against = fit(whole, stood.candidate.fit.parameters, kNoneFree, 1, stop);
+    Hypothesis more = lowest;
+    more.start = stood.candidate.fit.parameters;
+    for (std::size_t k = 0; against.exists() && k < whole.columns.size(); ++k) {
+        more.columns[k].isUsed = lowest.columns[k].isUsed || against.noise[k] == 0.0;
+    }
+    if (more.columns != lowest.columns) {
+        Tried again = triedOn(rows, more, stop);
+        if (again.candidate.standing.stands) {
+            stood = std::move(again);
+        }
+    }
+    tried.push_back(std::move(stood));
+}
+
+void tryReadings(const SearchRows &rows, std::span<const Parameters> starts, std::vector<Tried> &tried,
+                 const std::stop_token &stop)
+{
+    constexpr std::size_t kMostTried = 4;
+    constexpr int kScreeningRounds = 5;
+    std::vector<std::pair<double, Hypothesis>> screened;
+    for (Hypothesis &hypothesis : hypothesesFrom(rows.few, starts, stop)) {
+        const FitProblem few = problemOf(rows.few, hypothesis.reading());
+        const Fit found = fit(few, hypothesis.start, rows.isFree, kScreeningRounds, stop);
+        if (found.exists()) {
+            hypothesis.start = found.parameters;
+            screened.emplace_back(found.score + hypothesis.price(rows.few), std::move(hypothesis));
+        }
+    }
+    std::ranges::stable_sort(screened, {}, [](const auto &one) { return one.first; });
+    for (std::size_t i = 0; i < std::min(screened.size(), kMostTried) && !stop.stop_requested(); ++i) {
+        Tried one = triedOn(rows, screened[i].second, stop);
+        if (!one.candidate.fit.exists()) {
+            continue;
+        }
+        if (!one.candidate.standing.stands) {
+            if (std::optional<Tried> fewer = withoutFailing(rows, one, stop)) {
+                tried.push_back(std::move(*fewer));
+            }
+        }
+        tried.push_back(std::move(one));
+    }
+    tryHalfTurn(rows, tried, stop);
+}
+
+bool leavesOut(const Tried &tried)
+{
+    return std::ranges::any_of(tried.hypothesis.columns, [](const ColumnHypothesis &column) { return !column.isUsed; });
+}
+
+void dump(const SearchRows&rows,const Tried&t,const char*what){
+  auto p=rows.all.units.fromFit(t.candidate.fit.parameters);
+  std::fprintf(stderr,"%s stands %d score %.1f (fit %.1f chi2 %.1f) a %.6g b %.6g c %.6g w %.6g ph %.6g %d :",what,t.candidate.standing.stands,t.candidate.score(),t.candidate.fit.score,t.candidate.fit.chiSquared,p.a,p.b,p.c,p.omega2,p.theta20,(int)p.branch);
+  auto pr=problemOf(rows.all,t.candidate.reading);
+  for(auto&c:pr.columns){ size_t k=&c-pr.columns.data(); auto&h=t.hypothesis.columns[c.source]; std::fprintf(stderr," [%s%s u%.3g s%g%s%s sig %.2g %s]",std::string(nameOf(c.channel)).c_str(),c.zero>=0?" zero":"",h.unit,h.sign,h.isPerSecond?" perS":"",h.isTurned?" turned":"",k<t.candidate.fit.noise.size()?std::sqrt(t.candidate.fit.noise[k])/c.spread:-1, k<t.candidate.standing.columnStands.size()&&t.candidate.standing.columnStands[k]?"ok":"BAD");}
+  std::fprintf(stderr,"\n");
+}
+/// Every way to read the file, as far as it takes until one stands; the best first.
+std::vector<Tried> allWays(const SearchRows &rows, const Mechanism &atHand, const std::stop_token &stop)
+{
+    const FitProblem problem = problemOf(rows.all, asWritten(rows.all));
+    std::vector<Parameters> starts = startsOf(problem, speedsOf(problem, stop), rows.given.a, stop);
+    starts.push_back(rows.given);
+    std::vector<Tried> tried = plainly(rows, starts, stop);
+    if (!anyStands(tried)) {
+        tryWithoutDifferences(rows, tried, stop);
+    }
+    if (std::getenv("DBG")) for (auto&t:tried) dump(rows,t,"plain");
+    if (!anyStandsAsWritten(tried)) {
+        tryReadings(rows, starts, tried, stop);
+    if (std::getenv("DBG")) for (auto&t:tried) dump(rows,t,"readings");
+        std::ranges::stable_sort(tried, isBetter);
+        if (tried.empty() || !tried.front().candidate.standing.stands || leavesOut(tried.front())) {
+            tryReadings(rows, startsFromParts(rows.all, rows.given.a, stop), tried, stop);
+        }
+    }
+    static_cast<void>(atHand);
+    std::ranges::stable_sort(tried, isBetter);
+    return tried;
+}
+
+bool isAnyDifferent(const std::vector<ChannelComparison> &channels)
+{
+    return std::ranges::find(channels, Verdict::Differs, &ChannelComparison::verdict) != channels.end();
+}
+
+/// The crank's speed at the first and last rows, where θ2 does not advance evenly.
+std::optional<CrankSpeedChange> unevenCrankOf(const SearchRows &rows)
+{
+    const Observations &all = rows.all;
+    const auto columnAt = [&](Order order) -> const ObservedColumn * {
+        const auto found = std::ranges::find(all.columns, Channel{Theta2, order}, &ObservedColumn::channel);
+        return found == all.columns.end() ? nullptr : &*found;
+    };
+    constexpr std::size_t kFewestRows = 8;
+    const ObservedColumn *angle = columnAt(Order::Position);
+    const ObservedColumn *speed = columnAt(Order::Velocity);
+    std::vector<double> times;
+    std::vector<double> values; // degrees a second, or degrees
+    const ObservedColumn *column = angle ? angle : speed;
+    if (!column || column->count < kFewestRows) {
+        return std::nullopt;
+    }
+    const FitProblem problem = problemOf(all, asWritten(all));
+    CrankCourse course;
+    crankCourseOf(problem, course);
+    const double unit = all.units.factor(column->channel);
+    double last = kNone;
+    for (std::size_t row = 0; row < all.time.size(); ++row) {
+        double value = unit * column->values[row];
+        if (std::isnan(value)) {
+            continue;
+        }
+        if (angle && std::isfinite(last)) {
+            const double expected = course.speed * (all.time[row] - times.back());
+            value = last + expected + withoutTurns(value - last - expected);
+        }
+        last = value;
+        times.push_back(all.time[row]);
+        values.push_back(value);
+    }
+    // A line through the angle, a constant through the speed: what is left must be rounding, or look like noise.
+    const std::size_t n = times.size();
+    const auto slopeOver = [&](std::size_t from, std::size_t to) {
+        double t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
+        const auto count = static_cast<double>(to - from);
+        for (std::size_t i = from; i < to; ++i) {
+            t += times[i] / count;
+            y += values[i] / count;
+        }
+        for (std::size_t i = from; i < to; ++i) {
+            tt += (times[i] - t) * (times[i] - t);
+            ty += (times[i] - t) * (values[i] - y);
+        }
+        return std::pair(angle ? ty / tt : y, angle ? y - ty / tt * t : y);
+    };
+    const auto [slope, origin] = slopeOver(0, n);
+    double squares = 0.0;
+    double products = 0.0;
+    double before = 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double residual = values[i] - (angle ? origin + slope * times[i] : origin);
+        squares += residual * residual;
+        products += i > 0 ? residual * before : 0.0;
+        before = residual;
+        largest = std::max(largest, std::abs(residual));
+    }
+    const double step = unit * column->step;
+    const double late = angle ? std::abs(slope) * all.printedClockStep : 0.0;
+    constexpr double kSmall = 1e-4; // of a radian, or of the speed: nobody would call that uneven
+    const double small = kSmall * (angle ? 1.0 : std::abs(slope));
+    const bool isRounding = largest <= 2.0 * (step + late) + small;
+    const bool isNoise = products <= 3.0 / std::sqrt(static_cast<double>(n)) * squares;
+    if (isRounding || isNoise) {
+        return std::nullopt;
+    }
+    // At the ends by a parabola through the nearest tenth of the rows, of the angle; of the speed as it stands there.
+    const double scale = 1.0 / all.units.second;
+    if (!angle) {
+        return CrankSpeedChange{scale * values.front(), scale * values.back()};
+    }
+    const auto part = static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(n / 10, 4, n));
+    const auto speedAtFirst = [&](auto time, auto value) {
+        Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        const double first = *time;
+        for (std::ptrdiff_t i = 0; i < part; ++i, ++time, ++value) {
+            const double t = *time - first;
+            const Eigen::Vector3d basis(1.0, t, t * t);
+            sums += basis * basis.transpose();
+            right += *value * basis;
+        }
+        return Eigen::Vector3d(sums.ldlt().solve(right))[1];
+    };
+    return CrankSpeedChange{scale * speedAtFirst(times.begin(), values.begin()),
+                            scale * speedAtFirst(times.rbegin(), values.rbegin())};
+}
+
+/// A length is not beyond a hundredth and a hundred times the others.
+bool isSensible(const ParameterChange &change, Parameters parameters)
+{
+    constexpr double kBeyond = 100.0;
+    valueOf(parameters, change.parameter) = change.value;
+    const auto [shorter, longer] = std::minmax(parameters.a, parameters.b);
+    return longer <= kBeyond * shorter && std::abs(parameters.c) <= kBeyond * longer;
+}
+
+std::optional<ParameterChange> changeFor(const ReferenceData &data, const Mechanism &mechanism,
+                                         const Parameters &found, const std::stop_token &stop)
+{
+    constexpr double kNearlyAll = 0.99; // of the squares: what is left is a tenth of the error
+    const std::vector<ParameterChange> changes = parameterChanges(data, mechanism, found, stop);
+    const bool isChange = !changes.empty() && changes.front().explained >= kNearlyAll &&
+                          isSensible(changes.front(), mechanism.parameters());
+    return isChange ? std::optional(changes.front()) : std::nullopt;
+}
+
+/// The same shape in any size, whichever way it is assembled and turns: then the file may be the mechanism at hand,
+/// read otherwise.
+bool isSimilar(const Parameters &found, const Parameters &given)
+{
+    constexpr double kSame = 0.02;
+    return std::abs(found.b / found.a - given.b / given.a) <= kSame * given.b / given.a &&
+           std::abs(std::abs(found.c) / found.a - std::abs(given.c) / given.a) <=
+               kSame * std::max(std::abs(given.c) / given.a, 1.0);
+}
+
+/// What is silently left out of a fit: derivatives that are a little off.
+bool isSilent(const SearchRows &rows, const Tried &best, const std::vector<Convention> &conventions)
+{
+    const auto none = std::ranges::find(conventions, Convention::Kind::NotDerivative, &Convention::kind);
+    if (none == conventions.end()) {
+        return false;
+    }
+    // Against the mechanism that was found, all as written.
+    Hypothesis whole = best.hypothesis;
+    for (ColumnHypothesis &column : whole.columns) {
+        column.isUsed = true;
+    }
+    const FitProblem problem = problemOf(rows.all, whole.reading());
+    Fit at = best.candidate.fit;
+    FitResiduals left;
+    if (!residualsOf(problem, at, left)) {
+        return false;
+    }
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        const FitColumn &column = problem.columns[k];
+        if (best.hypothesis.columns[column.source].isUsed) {
+            continue;
+        }
+        double squares = 0.0;
+        for (const double residual : left.residuals[k]) {
+            squares += std::isnan(residual) ? 0.0 : residual * residual;
+        }
+        if (std::sqrt(squares / static_cast<double>(column.count)) > kALittleOff * column.spread) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void inSeconds(double timeUnit, Identification &found)
+{
+    constexpr std::size_t kSpeed = indexOf(Parameter::Omega2);
+    found.parameters.omega2 /= timeUnit;
+    found.standardError[kSpeed] /= timeUnit;
+    for (Identification::Alternative &alternative : found.alternatives) {
+        alternative.parameters.omega2 /= timeUnit;
+    }
+}
+
+} // namespace
+
+Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
+{
+    const Parameters &given = mechanism.parameters();
+    Diagnosis result;
+    Identification &found = result.identification;
+    found.parameters = given;
+    found.standardError.fill(kNone);
+    result.rounded = given;
+    result.isOfMechanismAtHand = !data.series.empty() && !isAnyDifferent(compareExactly(mechanism, data, stop).channels);
+    const std::optional<FileSearch> search = searchIn(data, given);
+    if (!search) {
+        found.outcome = Outcome::Insufficient;
+        found.lack = Identification::Lack::FewInstants;
+        return result;
+    }
+    if (const auto lack = lackOf(search->window.all)) {
+        found.outcome = Outcome::Insufficient;
+        found.lack = *lack;
+        return result;
+    }
+    result.unevenCrank = unevenCrankOf(search->window);
+
+    std::vector<Tried> tried = allWays(search->window, mechanism, stop);
+    const SearchRows whole = wholeOf(data, *search, given);
+    for (Tried &one : tried) {
+        if (one.candidate.standing.stands) {
+            one.candidate = grown(data, *search, whole, one.candidate, stop);
+        }
+    }
+    std::ranges::stable_sort(tried, isBetter);
+
+    // The mechanism at hand, if the file may be read to be its motion.
+    const bool isPlain = !tried.empty() && tried.front().candidate.standing.stands &&
+                         tried.front().hypothesis.isPlain() &&
+                         std::ranges::count(tried.front().hypothesis.columns, true, &ColumnHypothesis::isZeroFree) == 0;
+    std::optional<Explanation> atHand;
+    if (!result.isOfMechanismAtHand &&
+        (!isPlain || isSimilar(tried.front().candidate.fit.parameters, whole.given))) {
+        atHand = explainedAtHand(data, given, stop);
+    }
+    if (atHand && !atHand->conventions.empty()) {
+        result.conventions = findingsOf(data, *atHand);
+        const ReferenceData read = allApplied(atHand->conventions, data);
+        const Mechanism model(atHand->parameters);
+        found = identify(read, model, stop);
+        result.isOfMechanismAtHand = true;
+        result.identified = compareExactly(Mechanism(found.parameters), read, stop).channels;
+        result.rounded = found.outcome == Outcome::Identified ? inRoundNumbers(found, read, result.identified)
+                                                              : found.parameters;
+        found.stopped = stop.stop_requested();
+        return result;
+    }
+
+    std::vector<Candidate> candidates;
+    for (const Tried &one : tried) {
+        candidates.push_back(one.candidate);
+    }
+    found = decisionOn(whole, candidates, given, stop);
+    if (found.stopped) {
+        return result;
+    }
+    result.rounded = found.parameters;
+    const bool isClaimed = found.outcome == Outcome::Identified || found.outcome == Outcome::Ambiguous;
+    if (!isClaimed) {
+        if (found.outcome == Outcome::Nearest && !findFault(found.parameters)) {
+            result.identified = compareExactly(Mechanism(found.parameters), data, stop).channels;
+        }
+        return result;
+    }
+    const Tried &best = tried.front();
+    std::vector<Convention> conventions = conventionsOf(whole.all, best.hypothesis, best.candidate);
+    if (isSilent(whole, best, conventions)) {
+        std::erase_if(conventions, [](const Convention &one) { return one.kind == Convention::Kind::NotDerivative; });
+    }
+    inSeconds(best.hypothesis.timeUnit, found);
+    std::optional<ReferenceData> converted; // a file may be large: copied only where it reads otherwise
+    for (const Convention &convention : conventions) {
+        converted = applied(convention, converted ? std::move(*converted) : data);
+    }
+    const ReferenceData &reading = converted ? *converted : data;
+    result.conventions = findingsOf(data, {found.parameters, conventions, best.hypothesis.timeUnit});
+    result.identified = compareExactly(Mechanism(found.parameters), reading, stop).channels;
+    if (found.outcome == Outcome::Identified) {
+        result.rounded = inRoundNumbers(found, reading, result.identified);
+    }
+    if (converted) {
+        result.isOfMechanismAtHand = !isAnyDifferent(compareExactly(mechanism, reading, stop).channels);
+    }
+    if (!result.isOfMechanismAtHand) {
+        result.change = changeFor(reading, mechanism, found.parameters, stop);
+    }
+    found.stopped = stop.stop_requested();
+    return result;
+}
+
+} // namespace slidercrank

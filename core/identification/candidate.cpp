@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/candidate.h"
+
+#include "core/identification/motion_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::size_t kFewRows = 72;
+constexpr int kRounds = 12;
+constexpr int kScreeningRounds = 5;
+
+bool hasLengths(const Observations &observations)
+{
+    return std::ranges::any_of(observations.columns, [](const ObservedColumn &column) {
+        return !isAngle(column.channel.coordinate) && column.channel.coordinate != R4y && column.varies;
+    });
+}
+
+double priceOf(const Candidate &candidate)
+{
+    return candidate.fit.parameters.branch == Branch::Crossed ? kPriceOfCrossed : 0.0;
+}
+
+} // namespace
+
+SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span<const std::size_t> rows,
+                        const Parameters &given)
+{
+    const FitUnits units = unitsFor(data, rows, given.a);
+    SearchRows result{observe(data, clock, units, rows), {}, units.toFit(given), kAllFree};
+    result.few = rows.size() > kFewRows ? observe(data, clock, units, thinned(rows, kFewRows)) : result.all;
+    if (result.few.columns.size() != result.all.columns.size()) { // gaps everywhere: few rows miss a column
+        result.few = result.all;
+    }
+    result.isFree[indexOf(Parameter::A)] = hasLengths(result.all);
+    return result;
+}
+
+Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, double penalty, const Parameters &start,
+                        const std::stop_token &stop)
+{
+    Candidate candidate{reading, penalty, false, rows.isFree, {}, {}};
+    FitProblem problem = problemOf(rows.all, reading);
+    candidate.fit = fit(problem, start, rows.isFree, kRounds, stop);
+    candidate.standing = standingOf(problem, candidate.fit);
+    if (problem.clockStep > 0.0) {
+        problem.clockStep = 0.0;
+        Candidate exact = candidate;
+        exact.isClockExact = true;
+        exact.fit = fit(problem, candidate.fit.exists() ? candidate.fit.parameters : start, rows.isFree, kRounds, stop);
+        exact.standing = standingOf(problem, exact.fit);
+        const bool isBetter = exact.standing.stands == candidate.standing.stands
+                                  ? exact.fit.score < candidate.fit.score
+                                  : exact.standing.stands;
+        if (isBetter) {
+            candidate = exact;
+        }
+    }
+    candidate.penalty += priceOf(candidate);
+    return candidate;
+}
+
+std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading &reading, double penalty,
+                                      std::span<const Parameters> starts, const std::stop_token &stop)
+{
+    constexpr std::size_t kMostFits = 6;
+    constexpr std::size_t kMostFullFits = 3;
+    constexpr double kNear = 60.0; // of score on few rows: no rival comes from farther away
+    const FitProblem few = problemOf(rows.few, reading);
+    if (few.columns.empty()) {
+        return {};
+    }
+    struct Ranked {
+        double misfit;
+        Parameters parameters;
+    };
+    std::vector<Ranked> ranked;
+    for (const Parameters &start : distinct(starts)) {
+        for (Parameters image : imagesOf(start)) {
+            lengthenCoupler(few, image);
+            const double misfit = misfitOf(few, image);
+            if (std::isfinite(misfit)) {
+                ranked.push_back({misfit, image});
+            }
+        }
+    }
+    std::ranges::stable_sort(ranked, {}, &Ranked::misfit);
+
+    struct Fitted {
+        Fit fit;
+        bool isExact;
+    };
+    std::vector<Fitted> fitted;
+    std::size_t fits = 0;
+    for (std::size_t i = 0; i < ranked.size() && fits < kMostFits && !stop.stop_requested(); ++i) {
+        // The same place again, from another route?
+        const bool isKnown = std::any_of(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(i), [&](const Ranked &other) {
+            return isSameMechanism(other.parameters, ranked[i].parameters) &&
+                   std::abs(other.misfit - ranked[i].misfit) < 1e-3 * std::abs(ranked[i].misfit);
+        });
+        if (isKnown) {
+            continue;
+        }
+        ++fits;
+        const Fit found = fit(few, ranked[i].parameters, rows.isFree, kScreeningRounds, stop);
+        if (!found.exists()) {
+            continue;
+        }
+        const bool isDouble = std::ranges::any_of(fitted, [&](const Fitted &other) {
+            return isSameMechanism(other.fit.parameters, found.parameters) &&
+                   std::abs(other.fit.score - found.score) < 1.0;
+        });
+        if (isDouble) {
+            continue;
+        }
+        const bool isExact = std::ranges::all_of(found.noise, [](double noise) { return noise == 0.0; });
+        fitted.push_back({found, isExact});
+        constexpr double kTwoDigits = -9.0; // a value, in the score
+        if (isExact && found.score < kTwoDigits * static_cast<double>(few.valueCount)) {
+            break; // no other mechanism meets all of them as well
+        }
+    }
+    std::ranges::stable_sort(fitted, {}, [](const Fitted &one) { return one.fit.score; });
+    std::vector<Candidate> candidates;
+    for (const Fitted &one : fitted) {
+        if (candidates.size() == kMostFullFits || one.fit.score > fitted.front().fit.score + kNear) {
+            break;
+        }
+        candidates.push_back(candidateFrom(rows, reading, penalty, one.fit.parameters, stop));
+    }
+    std::ranges::stable_sort(candidates, {}, &Candidate::score);
+    return candidates;
+}
+
+FileReading withFreeZeros(const Observations &observations, FileReading reading)
+{
+    for (std::size_t i = 0; i < reading.size(); ++i) {
+        const Channel channel = reading[i].channel;
+        const bool isOrigin = channel.order == Order::Position && (channel.coordinate == R4x || channel.coordinate == R4y ||
+                                                                   channel.coordinate == Theta2 || channel.coordinate == Theta3);
+        // A constant R4y is c, whatever it is counted from, unless something else tells c; and what is alone has no
+        // other origin to differ from.
+        if (isOrigin && observations.columns[i].count > 1) {
+            reading[i].isZeroFree = true;
+        }
+    }
+    return reading;
+}
+
+Candidate withoutIdleZeros(const SearchRows &rows, Candidate candidate, const std::stop_token &stop)
+{
+    for (;;) {
+        std::optional<Candidate> best;
+        for (std::size_t i = 0; i < candidate.reading.size(); ++i) {
+            if (!candidate.reading[i].isZeroFree || stop.stop_requested()) {
+                continue;
+            }
+            FileReading reading = candidate.reading;
+            reading[i].isZeroFree = false;
+            const double penalty = candidate.penalty - priceOf(candidate) - kPriceOfZero;
+            Candidate without = candidateFrom(rows, reading, penalty, candidate.fit.parameters, stop);
+            const bool isAllowed = without.standing.stands || !candidate.standing.stands;
+            if (isAllowed && without.score() < candidate.score() && (!best || without.score() < best->score())) {
+                best = std::move(without);
+            }
+        }
+        if (!best) {
+            return candidate;
+        }
+        candidate = std::move(*best);
+    }
+}
+
+std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const Parameters> starts,
+                                       const std::stop_token &stop)
+{
+    const FileReading plain = asWritten(rows.all);
+    std::vector<Candidate> candidates = bestCandidates(rows, plain, 0.0, starts, stop);
+    const FileReading shifted = withFreeZeros(rows.all, plain);
+    const auto zeros = static_cast<double>(std::ranges::count(shifted, true, &ColumnReading::isZeroFree));
+    const double spent = zeros * kPriceOfZero;
+    // Where rounding explains all, a free constant has nothing to gain but what it costs.
+    const bool isDone =
+        !candidates.empty() && candidates.front().standing.isExact && candidates.front().standing.stands &&
+        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + kPriceOfZero;
+    if (zeros > 0.0 && !isDone) {
+        std::vector<Candidate> others = bestCandidates(rows, shifted, spent, starts, stop);
+        for (Candidate &other : others) {
+            const bool isFirst = &other == &others.front();
+            if (isFirst || other.standing.stands) {
+                candidates.push_back(withoutIdleZeros(rows, std::move(other), stop));
+            }
+        }
+    }
+    std::ranges::stable_sort(candidates, [](const Candidate &x, const Candidate &y) {
+        return x.standing.stands != y.standing.stands ? x.standing.stands : x.score() < y.score();
+    });
+    return candidates;
+}
+
+bool isSameMechanism(const Parameters &x, const Parameters &y)
+{
+    constexpr double kSame = 1e-3;
+    const double length = kSame * x.a;
+    if (std::abs(x.a - y.a) > length || std::abs(x.b - y.b) > kSame * x.b ||
+        std::abs(std::abs(x.c) - std::abs(y.c)) > std::max(length, kSame * std::abs(x.c)) ||
+        std::abs(std::abs(x.omega2) - std::abs(y.omega2)) > kSame * std::abs(x.omega2)) {
+        return false;
+    }
+    for (const Parameters &image : imagesOf(y)) {
+        constexpr double kSameAngle = 1e-2;
+        if (std::abs(x.c - image.c) <= std::max(length, kSame * std::abs(x.c)) && x.omega2 * image.omega2 > 0.0 &&
+            std::abs(std::remainder(x.theta20 - image.theta20, 2.0 * std::numbers::pi)) <= kSameAngle) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<Parameters> distinct(std::span<const Parameters> mechanisms)
+{
+    std::vector<Parameters> some;
+    for (const Parameters &one : mechanisms) {
+        if (std::ranges::none_of(some, [&](const Parameters &other) { return isSameMechanism(other, one); })) {
+            some.push_back(one);
+        }
+    }
+    return some;
+}
+
+} // namespace slidercrank

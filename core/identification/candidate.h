@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A way to read a file together with the mechanism that fits it so: what competes for being the explanation.
+
+#include "core/identification/standing.h"
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace slidercrank
+{
+
+struct Candidate {
+    FileReading reading;
+    double penalty = 0.0;     ///< of the reading, see diagnosis
+    bool isClockExact = false; ///< the instants are taken as they are printed
+    FreeParameters isFree = kAllFree;
+    Fit fit;
+    Standing standing;
+
+    double score() const { return fit.score + penalty; }
+};
+
+/// What a free constant costs besides its score, e^-10 against the plain reading; and the crossed assembly, to break
+/// ties.
+inline constexpr double kPriceOfZero = 20.0;
+inline constexpr double kPriceOfCrossed = 6.0;
+
+/// Rows of a file, in two densities: a search looks at few of them first.
+struct SearchRows {
+    Observations all;
+    Observations few;
+    Parameters given;          ///< the mechanism at hand, in FitUnits
+    FreeParameters isFree = kAllFree;
+};
+
+/// `rows`: at most some hundreds.
+SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span<const std::size_t> rows,
+                        const Parameters &given);
+
+/// From that start, with all rows; rounded instants are also taken as exact, and what scores better stays.
+Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, double penalty, const Parameters &start,
+                        const std::stop_token &stop);
+
+/// The best of many starts, each with all its images: screened, fitted to few rows, the best of those to all. More than
+/// one where others come near; the best first.
+std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading &reading, double penalty,
+                                      std::span<const Parameters> starts, const std::stop_token &stop);
+
+/// The reading with every position's origin free.
+FileReading withFreeZeros(const Observations &observations, FileReading reading);
+
+/// Without the free constants that do not pay for themselves.
+Candidate withoutIdleZeros(const SearchRows &rows, Candidate candidate, const std::stop_token &stop);
+
+/// What all starts lead to, the file read as it says, or with origins elsewhere; the best first.
+std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const Parameters> starts,
+                                       const std::stop_token &stop);
+
+/// Whether they are one mechanism, images apart: within 1e-3.
+bool isSameMechanism(const Parameters &x, const Parameters &y);
+
+/// Each of them once, images apart.
+std::vector<Parameters> distinct(std::span<const Parameters> mechanisms);
+
+} // namespace slidercrank
