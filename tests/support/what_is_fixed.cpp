@@ -44,6 +44,7 @@ public:
         for (const ClaimColumn &each : file.columns) {
             if (each.isMotion && canBeFitted(each.shown)) {
                 m_columns.push_back(&each);
+                m_leastSteps.push_back(leastStepOf(each));
                 hasLength = hasLength || !isAngle(each.shown.coordinate);
                 if (each.zero != 0.0) {
                     m_zeros.push_back(m_columns.size() - 1);
@@ -85,7 +86,7 @@ public:
             const auto at = static_cast<Index>(j);
             double variance = covariance(at, at);
             if (m_unknowns[j] == Parameter::Theta20) { // back to t = 0; before it stands ω
-                const double lever = m_middle * m_truth.omega2;
+                const double lever = m_middle * std::abs(m_truth.omega2);
                 variance += lever * lever * covariance(at - 1, at - 1) - 2.0 * lever * covariance(at, at - 1);
             }
             fixed.part[indexOf(m_unknowns[j])] = std::sqrt(std::max(variance, 0.0));
@@ -132,8 +133,10 @@ private:
             if (m_unknowns[j] == Parameter::Omega2 || m_unknowns[j] == Parameter::Theta20) {
                 for (std::size_t k = 0; k < kChannelCount; ++k) { // ω^n g(ω (t - middle) + θ20)
                     const long double byTime = (after[k] - before[k]) / (2.0L * late);
-                    const auto order = static_cast<long double>(channelAt(k).order);
-                    derivatives[j][k] = m_unknowns[j] == Parameter::Omega2 ? order * here[k] + (t - m_middle) * byTime
+                    const long double byOmega =
+                        (static_cast<long double>(channelAt(k).order) * here[k] + (t - m_middle) * byTime) /
+                        m_truth.omega2;
+                    derivatives[j][k] = m_unknowns[j] == Parameter::Omega2 ? byOmega * std::abs(m_truth.omega2)
                                                                            : byTime / m_truth.omega2;
                 }
                 continue;
@@ -153,7 +156,7 @@ private:
                 continue;
             }
             const std::size_t channel = indexOf(each.shown);
-            const double step = each.form.stepAt(each.values[row]);
+            const double step = std::max(each.form.stepAt(each.values[row]), m_leastSteps[k]);
             const double rate = each.factor * static_cast<double>((after[channel] - before[channel]) / (2.0L * late));
             const double blur = std::isfinite(rate) ? rate * m_file.timeStep : 0.0;
             const double error = std::sqrt((step * step + blur * blur) / 12.0 + each.noise * each.noise);
@@ -171,6 +174,17 @@ private:
                 m_logs += std::log(spread / (std::sqrt(kTurn * std::numbers::e) * error));
             }
         }
+    }
+
+    /// A value that happens to be next to nothing must not decide alone.
+    static double leastStepOf(const ClaimColumn &column)
+    {
+        constexpr double kPart = 0.01;
+        double largest = 0.0;
+        for (const double value : column.values) {
+            largest = std::isfinite(value) ? std::max(largest, column.form.stepAt(value)) : largest;
+        }
+        return kPart * largest;
     }
 
     static double spreadOf(const ClaimColumn &column)
@@ -226,6 +240,7 @@ private:
     const std::size_t m_stride;
     const double m_middle;
     std::vector<const ClaimColumn *> m_columns;
+    std::vector<double> m_leastSteps; ///< of each column
     std::vector<std::size_t> m_zeros; ///< columns whose zero is free
     std::vector<Parameter> m_unknowns;
     std::vector<VectorXd> m_gradients; ///< by unknown in its size, and by zero, in errors
