@@ -47,7 +47,7 @@ public:
 
     void moveTo(const Vector12 &q)
     {
-        m_C = constraints(m_mechanism, q, m_t);
+        m_C = slidercrank::constraints(m_mechanism, q, m_t);
         m_cosTheta3 = std::cos(q[Theta3]);
     }
 
@@ -61,6 +61,8 @@ public:
         }
         return scaled.norm();
     }
+
+    const Vector12 &constraints() const { return m_C; }
 
     Vector12 next(const Vector12 &q) const { return q + constraintJacobian(m_mechanism, q).partialPivLu().solve(-m_C); }
 
@@ -91,6 +93,10 @@ double theta3Of(const StructuredSystem::Coordinates &q)
     return q.theta3;
 }
 
+/// Below this (mm) squares of what is left of a length would be 0; then lengths are taken so many times as long.
+constexpr double kLeastReach = 1e-100;
+constexpr double kUnitsOfTiny = 0x1p660;
+
 enum class Ending { Converged, IterationLimit, LeftBranch };
 
 void record(NewtonResult &result, double residual)
@@ -101,34 +107,65 @@ void record(NewtonResult &result, double residual)
     result.residuals[static_cast<std::size_t>(result.residualCount - 1)] = residual; // the last place is the newest's
 }
 
+/// How much of a ω²/b is left of θ̈3 where nothing is steep, or where a run comes near a toggle. By
+///     b³ cos³ θ3 θ̈3 = a ω² (sin θ2 (b² - a² - c²) + a c (1 + sin² θ2))
+/// that is next to nothing where a ≈ b and c ≈ 0: there θ3 keeps pace with the crank, but for the toggle. A run of a
+/// hundred steps a turn comes within φ = π/100 of it, and sees 1/φ³ of the rest.
+double partLeftOfAcceleration(const Mechanism &mechanism)
+{
+    constexpr double kGrowth = 3e4;
+    const double near = 3.0 / kGrowth * mechanism.b();
+    const double excess = mechanism.b() - mechanism.a();
+    if (std::abs(excess) > near || std::abs(mechanism.c()) > near) {
+        return 1.0;
+    }
+    const double a = mechanism.a() / mechanism.b();
+    const double c = mechanism.c() / mechanism.b();
+    const double left = std::abs(excess / mechanism.b() * (1.0 + a) - c * c) + std::abs(a * c);
+    return left > 0.0 ? std::min(kGrowth * left, 1.0) : 1.0; // a = b and c = 0: θ̈3 is 0 throughout
+}
+
 /// Iterates from q, counting into result, until an ending. Leaves `system` at the last q.
 template <class System>
 Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
                typename System::Coordinates &q, NewtonResult &result)
 {
-    const double lengths = reachOf(mechanism.parameters());
-    const double perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / lengths : 1.0;
-    constexpr double kRoundings =
-        32.0; // rounding alone: each row sums a few terms of a length's size, or of an angle's
-    const double rounding = kRoundings * std::numeric_limits<double>::epsilon() * (perLength * lengths + 1.0);
+    const double reach = reachOf(mechanism.parameters());
+    const bool isTiny = reach < kLeastReach;
+    const double unit = isTiny ? kUnitsOfTiny : 1.0;
+    const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
+    const double perLength = isRelative ? 1.0 / (unit * reach) : isTiny ? 1.0 / kUnitsOfTiny : 1.0;
+    const auto measured = [&](double length) { return perLength * (unit * length); };
+    const auto residualHere = [&] {
+        return isTiny ? residualInUnits(system.constraints(), perLength, unit) : system.residual(perLength);
+    };
+
+    // Rounding alone: each row of lengths sums a few terms of their size; those of angles come out exact.
+    constexpr double kRoundings = 32.0;
+    const double rounding = kRoundings * std::max(std::numeric_limits<double>::epsilon() * measured(reach),
+                                                  measured(std::numeric_limits<double>::denorm_min()));
 
     // A residual that satisfies the tolerance may leave no digit of the motion; then it goes on. The terms of θ̈3 cancel
     // beside an exact toggle until a third of cos θ3 is left of them.
-    const double resolvedLengths = kResolvedPart * perLength;
-    const double tolerance = std::min(options.tolerance, std::max(resolvedLengths * mechanism.a(), rounding));
-    const double perCosineCubed = resolvedLengths * mechanism.b() / 3.0;
+    const double resolved = kResolvedPart * measured(mechanism.a());
+    const double tolerance = std::min(options.tolerance, std::max(resolved, rounding));
+    const double perCosineCubed = kResolvedPart * measured(mechanism.b()) * partLeftOfAcceleration(mechanism) / 3.0;
     const auto isResolved = [&](double residual) {
         const double cosine = std::abs(system.cosTheta3());
         return residual <= perCosineCubed * (cosine * cosine * cosine) || residual <= rounding;
     };
 
+    // The rounding of a long coupler's rows may hide all of a short crank's, which two or three steps solve.
     const bool testsFirst = options.warmStart == WarmStart::Taylor && tolerance > 0.0;
     result.residualCount = 0;
     system.moveTo(q);
-    double residual = system.residual(perLength);
+    double residual = residualHere();
     record(result, residual);
+    if (rounding > kResolvedPart * measured(mechanism.b())) {
+        return Ending::IterationLimit; // of lengths of a few bits, or of a coupler next to nothing, θ3 is never known
+    }
     for (int iteration = 0; iteration < maxIterations; ++iteration) {
-        if (testsFirst && residual <= tolerance && isResolved(residual)) {
+        if (testsFirst && residual <= std::min(tolerance, resolved) && isResolved(residual)) {
             return Ending::Converged;
         }
         const typename System::Coordinates next = system.next(q);
@@ -143,8 +180,9 @@ Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &
         } else {
             system.moveTo(next);
         }
-        const double nextResidual = system.residual(perLength);
-        if (tolerance == 0.0 && !(nextResidual < residual) && residual <= rounding) {
+        const double nextResidual = residualHere();
+        const bool isHidden = residual > resolved && iteration < 2;
+        if (tolerance == 0.0 && !(nextResidual < residual) && residual <= rounding && !isHidden) {
             system.moveTo(q); // the q before is no worse
             return Ending::Converged;
         }
@@ -155,7 +193,10 @@ Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &
             return Ending::Converged;
         }
     }
-    return residual <= tolerance ? Ending::Converged : Ending::IterationLimit;
+    // Out of iterations beside a toggle: the position is still known, to 2 √(r/b).
+    const bool isLocated =
+        residual <= std::max(4.0 * kResolvedPart * kResolvedPart * measured(mechanism.b()), rounding);
+    return residual <= tolerance && isLocated ? Ending::Converged : Ending::IterationLimit;
 }
 
 void conclude(NewtonResult &result, Ending ending)
@@ -170,13 +211,14 @@ void conclude(NewtonResult &result, Ending ending)
 /// Whether there is anything to iterate for; otherwise says in `result` why not.
 bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
 {
+    const bool isKnown = std::abs(mechanism.omega2() * t) + std::abs(mechanism.theta20()) <= kLargestDrive;
     // Rounding is monotone: where this holds of the rounded difference, it does of the exact one.
     const bool turnsRound = mechanism.b() - mechanism.a() > std::abs(mechanism.c());
-    if (turnsRound && std::abs(t) <= kLargestParameter) {
+    if (turnsRound && isKnown) {
         return true; // the ordinary case, without looking at the angle
     }
     const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
-    if (!std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
+    if (!isKnown || !std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
         result.status = Status::NotFinite;
     } else if (!Clearance(mechanism).at(angle).assemblable()) {
         result.status = Status::NotAssemblable;
@@ -220,17 +262,33 @@ void setNothing(State &state)
 /// Velocity and acceleration at the q of `system`, whose residual is given in mm. For kResolvedPart, what θ̈3 is made of
 ///     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
 /// is set beside what is left of it (beside an exact toggle the two all but cancel), or would be where nothing is
-/// steep.
+/// steep. Of sin θ3 are uncertain: what the residual tells, a rounding, and what θ2 lost when ω t and θ20 were rounded,
+/// δ: (a/b) cos θ2 δ, and the same part of cos θ2 itself.
 template <class System>
 void differentiateHere(const System &system, const Mechanism &mechanism, double residual, State &state)
 {
     const bool finite = system.differentiate(state);
     const double cosine = std::abs(system.cosTheta3());
-    const double uncertainty = std::max(residual / mechanism.b(), std::numeric_limits<double>::epsilon());
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+    constexpr double kSmallest = 4.0 * std::numeric_limits<double>::denorm_min(); // what sums of a few lengths lose
+    const double rounding = kEpsilon * std::max(mechanism.b(), mechanism.a() + std::abs(mechanism.c())) + kSmallest;
+    double uncertainty = std::max(residual, rounding) / mechanism.b();
+    constexpr double kManyAngles = 1000.0; // rad: below, it is less than the rounding wherever that counts
+    const double angles = std::abs(state.q[Theta2] - mechanism.theta20()) + std::abs(state.q[Theta2]);
+    if (angles > kManyAngles && mechanism.omega2() != 0.0) {
+        const double delta = 0.5 * kEpsilon * angles;
+        const double pace = std::abs(state.qDot[Theta3] / mechanism.omega2());
+        uncertainty += delta * cosine * (pace + mechanism.a() / mechanism.b());
+    }
     const double crankTerm = mechanism.a() * mechanism.omega2() * mechanism.omega2();
     const double couplerTerm = mechanism.b() * state.qDot[Theta3] * state.qDot[Theta3];
-    const double left = cosine * std::max(crankTerm, mechanism.b() * std::abs(state.qDDot[Theta3]));
-    const bool exists = finite && uncertainty * (crankTerm + couplerTerm) <= kResolvedPart * (cosine * cosine) * left;
+    const double uncertain = uncertainty * (crankTerm + couplerTerm);
+    const double resolved = kResolvedPart * (cosine * cosine) * cosine;
+    // Beside the accelerations of a coupler that whirls the crank's own are lost to rounding.
+    const bool isCrankThere = kEpsilon * couplerTerm <= kResolvedPart * kResolvedPart * crankTerm;
+    const bool exists = finite && isCrankThere &&
+                        (uncertain <= resolved * (mechanism.b() * std::abs(state.qDDot[Theta3])) ||
+                         uncertain <= resolved * (crankTerm * partLeftOfAcceleration(mechanism)));
     state.status = exists ? Status::Solved : Status::Singular;
     if (!exists) {
         setNothing(state);

@@ -20,13 +20,19 @@
 namespace slidercrank
 {
 
+/// q holds θ2 in one double, which knows the angle to 0.001 rad up to this |ω2 t| + |θ20| (rad), and beyond it no motion:
+/// NotFinite.
+inline constexpr double kLargestDrive = 8e12;
+
 /// A start from afar needs up to 13 iterations, 29 at an exact toggle, so assemble() has a cap of its own.
 inline constexpr int kAssemblyIterations = 60;
 
 struct NewtonResult {
     Vector12 q;                        ///< θ3 within the branch's half turn; the last iterate where not converged
     int iterations = 0;                ///< linear systems solved, the abandoned warm start's included
-    Status status = Status::NotFinite; ///< Solved: residual ≤ tolerance (or, for 0, no longer falling)
+    /// Solved: residual ≤ tolerance (or, for 0, no longer falling). IterationLimit at once where rounding alone leaves
+    /// θ3 unknown: lengths of a few bits, a coupler of 1e-11 a.
+    Status status = Status::NotFinite;
     bool startedAfar = false;          ///< the start was not (or not any more) the warm one
 
     /// The residual before each iteration, then that of the answer; the first kHistory of the last start.
@@ -77,8 +83,11 @@ void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const
 ///     velocity and acceleration, which go with 1/cos θ3 to 1/cos³ θ3, by δ/cos θ3 to three times that: 0.2 % to 0.6 %.
 ///
 /// Where r is 0, rounding leaves θ3 uncertain all the same, by up to what r/b = 5e-16 would (as measured beside random
-/// toggles), and 2.2e-16 stands for it. Iteration goes on past the tolerance until r is small enough for that, and at
-/// most this part of a, or is no more than rounding.
+/// toggles), and 2.2e-16 stands for it; θ2 is uncertain by what was rounded of ω2 t and θ20. Iteration goes on past the
+/// tolerance until r is small enough for that, and at most this part of a, or is no more than rounding.
+///
+/// Where a ≈ b and c ≈ 0, the terms of θ̈3 cancel everywhere but at the toggle; then it is given where it has digits
+/// beside what a run of a hundred steps a turn sees of it.
 inline constexpr double kResolvedPart = 1.0 / 1024.0;
 
 } // namespace slidercrank

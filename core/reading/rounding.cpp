@@ -72,13 +72,10 @@ int decadeOf(const Powers &powers, double magnitude)
 constexpr int kDigitsOfAChosenNumber = 4;
 
 /// The place where the one number of a column was rounded, as far as that can be told. Zeros behind the point may be
-/// its own: so many digits as a person chooses are taken for known.
+/// its own: so many digits as a person chooses are taken for known. 3.07587e+07 was not rounded to a whole number.
 int placeOfOneValue(const PrintedPlaces &places)
 {
-    if (places.printed > 0) {
-        return places.printed; // an exponent says that the digits before the point end there
-    }
-    const int place = std::min(places.last, 0);
+    const int place = std::min(places.last, std::max(places.printed, 0));
     const int known = std::max(places.first - kDigitsOfAChosenNumber + 1, places.printed);
     return places.printed < 0 ? std::min(place, known) : place;
 }

@@ -45,7 +45,9 @@ AllChannels manyDigits(const Parameters &parameters, double t)
         const Channel channel = channelAt(k);
         const bool exists =
             state.status == Status::Solved || (state.status == Status::Singular && channel.order == Order::Position);
-        all[k] = exists ? inAuthorUnit(channel, static_cast<double>(state.values[k])) : kNone;
+        const double value = static_cast<double>(state.values[k]);
+        const bool isZero = std::abs(value) <= kExactZero * naturalSize(parameters, channel);
+        all[k] = exists ? inAuthorUnit(channel, isZero ? 0.0 : value) : kNone;
     }
     return all;
 }
@@ -151,8 +153,7 @@ ClaimFile equalLengths(Dice &dice)
     p.c = dice.chance(0.5) ? 0.0 : p.a * dice.uniform(-0.3, 0.3);
     ClaimFile file = mechanismWith(dice, p, plottedColumns());
     file.mayBeMissed = true;
-    finish(file, dice);
-    return file;
+    return finishedExactly(std::move(file), dice);
 }
 
 ClaimFile farClock(Dice &dice)

@@ -50,7 +50,7 @@ Judged judgedFile(const ClaimKind &kind, int n)
     const auto outcome = readReferenceData(file.text);
     if (const ReferenceData *data = std::get_if<ReferenceData>(&outcome)) {
         result.judgement = judged(file, *data);
-    } else {
+    } else if (file.text.find('\n') + 1 < file.text.size()) { // some mechanism has no pose at all
         result.unread = "is not read";
     }
     return result;

@@ -153,6 +153,8 @@ private slots:
             << column([](int) { return QString("0.10000000000000001"); }) << decimals << 4;
         QTest::newRow("6 rad/s in degrees throughout")
             << column([](int) { return QString("343.775000"); }) << decimals << 3;
+        QTest::newRow("a long coupler's throughout, with an exponent")
+            << column([](int) { return QString("3.07587e+07"); }) << decimals << -2;
     }
 
     void infersTheRule()
