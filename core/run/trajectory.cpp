@@ -4,9 +4,11 @@
 #include "core/closed_form/batch.h"
 #include "core/closed_form/state_at.h"
 #include "core/mechanism/in_parallel.h"
+#include "core/mechanism/turn.h"
 #include "core/newton/newton.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace slidercrank
@@ -120,6 +122,11 @@ std::vector<double> Sampling::instants() const
         instants[static_cast<std::size_t>(i)] = instant(i);
     }
     return instants;
+}
+
+double instantsPerTurn(const Mechanism &mechanism, const Sampling &sampling)
+{
+    return kTurn * sampling.steps / std::abs(mechanism.omega2() * sampling.duration);
 }
 
 std::size_t Trajectory::count(Status wanted) const

@@ -29,6 +29,12 @@ struct Sampling {
     friend bool operator==(const Sampling &, const Sampling &) = default;
 };
 
+/// How many instants there are to a turn of the crank; infinite where it stands still.
+double instantsPerTurn(const Mechanism &mechanism, const Sampling &sampling);
+
+/// With fewer to a turn, a line through them is another motion.
+inline constexpr double kFewestPerTurn = 20.0;
+
 struct SolverSettings {
     Method method = Method::Newton;
     NewtonOptions newton;

@@ -355,6 +355,18 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
     return list.facts();
 }
 
+QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run)
+{
+    constexpr double kRounding = 1e-9;
+    const double perTurn = instantsPerTurn(mechanism, run);
+    const double wanted = run.steps * kFewestPerTurn / perTurn * (1.0 - kRounding);
+    if (wanted <= run.steps) {
+        return {};
+    }
+    return MotionFacts::tr("Newton-Raphson's samples, %1 a turn, are too few for a curve: %2 steps would do.")
+        .arg(numberText(perTurn, 2), countText(static_cast<std::size_t>(nextRoundNumber(wanted))));
+}
+
 QString crankAngleText(double radians)
 {
     double hundredths = std::round(100.0 * kDegreesPerRadian * radians);
