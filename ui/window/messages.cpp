@@ -4,6 +4,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/document/session.h"
 #include "ui/window/scene_file.h"
+#include "ui/words/written_number.h"
 
 #include <QDir>
 #include <QSettings>
@@ -17,6 +18,19 @@ Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
     , m_bar(bar)
 {
     connect(session, &Session::problemFound, this, &Messages::tellProblem);
+    connect(session, &Session::runFollows, this,
+            [this](const std::shared_ptr<const Reference> &reference, const Sampling &run) {
+                m_runOf = reference;
+                m_run = run;
+            });
+    connect(session, &Session::settingsChanged, this, [this](const Sampling &run) {
+        if (m_runOf && (run.start != m_run.start || run.duration != m_run.duration)) {
+            if (m_bar->text().startsWith(runSentence())) {
+                m_bar->hide();
+            }
+            m_runOf = nullptr;
+        }
+    });
     connect(session, &Session::referenceRefused, this, &Messages::tellRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::announceReading);
     connect(session, &Session::diagnosisChanged, this, &Messages::announceDiagnosis);
@@ -79,6 +93,14 @@ void Messages::tellRefused(const QString &path, const QString &sentence)
     }
 }
 
+/// Empty where the run is not the file's.
+QString Messages::runSentence() const
+{
+    return m_runOf ? tr("The run is now that of %1: %2 s to %3 s.")
+                         .arg(m_runOf->name, numberText(m_run.start), numberText(m_run.start + m_run.duration))
+                   : QString();
+}
+
 /// Of a file, another reading of it, or none.
 void Messages::announceReading()
 {
@@ -86,11 +108,17 @@ void Messages::announceReading()
     const bool guessed = reference && !reference->asPrinted && reference->data.layout.isGuessed();
     m_announcesDiagnosis = reference && !guessed; // with wrong columns it would be another mechanism's
     m_bar->hide();
+    if (m_runOf != reference) {
+        m_runOf = nullptr;
+    }
+    if (m_runOf) {
+        tell(runSentence());
+    }
     if (guessed) {
-        m_bar->showMessage(
-            MessageBar::Kind::Hint,
-            tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name),
-            tr("Choose columns…"), [this] { emit columnsRequested(m_session->reference()->path); });
+        const QString sentence =
+            tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name);
+        m_bar->showMessage(MessageBar::Kind::Hint, (runSentence() + u' ' + sentence).trimmed(), tr("Choose columns…"),
+                           [this] { emit columnsRequested(m_session->reference()->path); });
     }
 }
 
@@ -103,7 +131,7 @@ void Messages::announceDiagnosis()
         return;
     }
     m_announcesDiagnosis = false;
-    if (!m_bar->isHidden()) {
+    if (!m_bar->isHidden() && m_bar->text() != runSentence()) {
         return; // opening the file cleared it: what it says is newer
     }
     const std::vector<Finding> findings = findingsOf(result, diagnosis.get());
@@ -111,7 +139,8 @@ void Messages::announceDiagnosis()
         return; // it agrees
     }
     const Finding &first = findings.front();
-    const QString sentence = tr("%1 differs from this mechanism. %2").arg(result.reference->name, first.sentence);
+    const QString differs = tr("%1 differs from this mechanism. %2").arg(result.reference->name, first.sentence);
+    const QString sentence = (runSentence() + u' ' + differs).trimmed();
     if (findings.size() == 1 && first.remedy != Finding::Remedy::None) {
         m_bar->showMessage(MessageBar::Kind::Problem, sentence, first.remedyText, [this, first] { remedy(first); });
     } else {

@@ -44,11 +44,14 @@ private:
     void announceReading();
     void announceDiagnosis();
     void tellRefused(const QString &path, const QString &sentence);
+    QString runSentence() const;
 
     Session *m_session;
     MessageBar *m_bar;
-    QString m_greeting;                ///< as it was said; empty: it was not
-    bool m_announcesDiagnosis = false; ///< the next one is the first of a newly loaded file
+    QString m_greeting;                       ///< as it was said; empty: it was not
+    std::shared_ptr<const Reference> m_runOf; ///< the file whose run the session's became; null: it is another
+    Sampling m_run;                           ///< that
+    bool m_announcesDiagnosis = false;        ///< the next one is the first of a newly loaded file
 };
 
 } // namespace slidercrank

@@ -434,6 +434,35 @@ private slots:
         QVERIFY(!ghost->isEnabled());
     }
 
+    /// The largest error of a file longer than the run was out of reach, without a word.
+    void aFileLongerThanTheRunBringsItsOwnAndSaysSo()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("ten.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time,R4_x\n");
+        for (int i = 0; i <= 200; ++i) { // as it moves, but for one instant
+            const double t = 0.05 * i;
+            const Pose pose = poseAt({}, t);
+            file.write(QByteArray::number(t) + ',' + QByteArray::number(pose.sliderX + (i == 53 ? 5.0 : 0.0), 'g', 9) +
+                       '\n');
+        }
+        file.close();
+        m_window->openReference(path);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT(bar->isVisible() && bar->text().contains(QLatin1String("The run is now that of ten.csv: 0 s to 10 s.")));
+        AWAIT(m_window->session().diagnosis());
+        QVERIFY(bar->text().contains(QLatin1String("The run is now")));
+        Session &session = m_window->session();
+        session.setTime(session.result()->comparison[0].timeOfMaxAbs);
+        QVERIFY(std::abs(session.time() - 2.65) < 1e-9);
+
+        // It is not said of another run.
+        session.setSampling({0.0, 3.0, 200});
+        QVERIFY(!bar->isVisible() || !bar->text().contains(QLatin1String("The run is now")));
+    }
+
     void aBadFileIsToldAndNothingIsLost()
     {
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
