@@ -63,9 +63,12 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
             return;
         }
         advance(mechanism, trajectory.time[i], last, options);
-        trajectory.iterations += last.iterations;
-        trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
         if (last.positionStatus == Status::Solved) {
+            trajectory.iterations += last.iterations;
+            trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
+            if (!last.startedAfar) {
+                trajectory.mostFromBefore = std::max(trajectory.mostFromBefore, last.iterations);
+            }
             trajectory.largestResidual = std::max(trajectory.largestResidual, last.residual);
         }
         trajectory.status[i] = last.state.status;
@@ -142,6 +145,7 @@ void RunSummary::add(const Trajectory &piece)
     }
     iterations += piece.iterations;
     mostIterations = std::max(mostIterations, piece.mostIterations);
+    mostFromBefore = std::max(mostFromBefore, piece.mostFromBefore);
     largestResidual = std::max(largestResidual, piece.largestResidual);
 }
 

@@ -367,6 +367,20 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run)
         .arg(numberText(perTurn, 2), countText(static_cast<std::size_t>(nextRoundNumber(wanted))));
 }
 
+QString iterationsText(const RunSummary &run, const NewtonOptions &options)
+{
+    if (run.found() == 0) {
+        return dash();
+    }
+    const QLocale locale;
+    const QString all = locale.toString(run.iterations);
+    const QString most = locale.toString(run.mostIterations);
+    return run.mostIterations <= options.maxIterations
+               ? MotionFacts::tr("%1 in all, at most %2 an instant").arg(all, most)
+               : MotionFacts::tr("%1 in all, at most %2 from one instant to the next, %3 where it started from afar")
+                     .arg(all, locale.toString(run.mostFromBefore), most);
+}
+
 QString crankAngleText(double radians)
 {
     double hundredths = std::round(100.0 * kDegreesPerRadian * radians);

@@ -434,6 +434,36 @@ private slots:
         QVERIFY(!ghost->isEnabled());
     }
 
+    /// "1,000,001 samples in 0.0076 ms": none of them had been computed.
+    void tellsNoTimeThatWasNotMeasured()
+    {
+        const QStatusBar *status = m_window->statusBar();
+        m_window->session().setSampling({0.0, 1.0, 1'000'000});
+        QVERIFY2(!status->currentMessage().contains(QLatin1String(" ms")), qPrintable(status->currentMessage()));
+        m_window->session().setSampling({0.0, 1.0, 200});
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        m_window->session().setSolver(solver);
+        QVERIFY2(status->currentMessage().contains(QLatin1String("201 samples in ")),
+                 qPrintable(status->currentMessage()));
+        QVERIFY(m_window->session().result()->sampleSeconds.value() > 0.0);
+    }
+
+    /// "At most 60 iterations, residual 0" was said of a run without an answer.
+    void tellsHowManyInstantsHaveNoAnswer()
+    {
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        solver.newton.maxIterations = 2;
+        m_window->session().setSolver(solver);
+        const RunSummary &run = m_window->session().result()->summary;
+        const std::size_t unsolved = run.count(Status::IterationLimit);
+        QVERIFY(unsolved > 0);
+        const QString said = m_window->statusBar()->currentMessage();
+        QVERIFY2(said.contains(QStringLiteral("%1 of 201 instants not solved").arg(unsolved)), qPrintable(said));
+        QVERIFY2(!said.contains(QLatin1String("60")), qPrintable(said));
+    }
+
     /// The largest error of a file longer than the run was out of reach, without a word.
     void aFileLongerThanTheRunBringsItsOwnAndSaysSo()
     {
