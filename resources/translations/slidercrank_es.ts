@@ -2735,6 +2735,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>Show the errors</source>
         <translation>Mostrar los errores</translation>
     </message>
+    <message>
+        <source>The run is now that of %1: %2 s to %3 s.</source>
+        <translation>El recorrido es ahora el de %1: de %2 s a %3 s.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MotionCsvText</name>
@@ -2924,6 +2928,18 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>Towards the crank&apos;s limit slider and coupler get ever faster</source>
         <translation>Hacia el límite de la manivela, corredera y biela van cada vez más rápido</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson&apos;s samples, %1 a turn, are too few for a curve: %2 steps would do.</source>
+        <translation>Las muestras de Newton-Raphson, %1 por vuelta, son pocas para una curva: bastarían %2 pasos.</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 an instant</source>
+        <translation>%1 en total, máx. %2 por instante</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 from one instant to the next, %3 where it started from afar</source>
+        <translation>%1 en total, máx. %2 de un instante al siguiente, %3 donde empezó de lejos</translation>
     </message>
 </context>
 <context>
@@ -4045,6 +4061,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <source>Motion</source>
         <translation>Movimiento</translation>
     </message>
+    <message>
+        <source>It took %1 iterations in all, %2 from one instant to the next at most, %3 where it started from afar; the largest residual is %4.</source>
+        <translation>Necesitó %1 iteraciones en total, %2 de un instante al siguiente como máximo, %3 donde empezó de lejos; el residuo máximo es %4.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4313,14 +4333,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Instantes</translation>
     </message>
     <message>
-        <source>Of the answers, as the tolerance measures it. It bounds the residual, not the error.</source>
-        <translation>De las soluciones, tal como lo mide la tolerancia. Acota el residuo, no el error.</translation>
-    </message>
-    <message>
-        <source>%1 in all, at most %2 an instant</source>
-        <translation>%1 en total, máx. %2 por instante</translation>
-    </message>
-    <message>
         <source>none: the closed form needs none</source>
         <translation>ninguna: la forma cerrada no las necesita</translation>
     </message>
@@ -4355,6 +4367,10 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
     <message>
         <source>⚠ %1</source>
         <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>Of the instants that were found, as the tolerance measures it. It bounds the residual, not the error.</source>
+        <translation>De los instantes hallados, como lo mide la tolerancia. Acota el residuo, no el error.</translation>
     </message>
 </context>
 <context>
@@ -4400,12 +4416,24 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>forma cerrada (exacta)</translation>
     </message>
     <message>
-        <source>Newton-Raphson, at most %1 iterations, residual %2</source>
-        <translation>Newton-Raphson, como máximo %1 iteraciones, residuo %2</translation>
-    </message>
-    <message>
         <source>%1 samples in %2 ms</source>
         <translation>%1 muestras en %2 ms</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson</source>
+        <translation>Newton-Raphson</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants not solved</source>
+        <translation>%1 de %2 instantes sin resolver</translation>
+    </message>
+    <message>
+        <source>iterations: %1</source>
+        <translation>iteraciones: %1</translation>
+    </message>
+    <message>
+        <source>residual %1</source>
+        <translation>residuo %1</translation>
     </message>
 </context>
 <context>
