@@ -384,7 +384,9 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     }
     picture.curves[0].points = shown.model.points(index, picture.time, columns);
     picture.curves[0].isOfSamples = !shown.model.isMotion();
-    picture.curves[0].isJoined = fewSamples().isEmpty();
+    // Where every pixel column has its samples, what joins them stays within it.
+    const bool areDense = 2 * picture.curves[0].points.size() >= 3 * columns;
+    picture.curves[0].isJoined = areDense || fewSamples().isEmpty();
     picture.curves[1].isOfSamples = true;
     if (!channel.reference.empty()) {
         picture.curves[1].points =

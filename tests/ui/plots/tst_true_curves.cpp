@@ -409,6 +409,11 @@ private slots:
 
         shown.show(resultOf(p, {0.0, 1.0, 1000}, Method::Newton), {});
         QVERIFY(shown.plot(0)->graph(0)->dataCount() > 0);
+
+        // So many turns that 1000 samples are few again: in every pixel column they are as good as a band.
+        p.omega2 *= 100.0;
+        shown.show(resultOf(p, {0.0, 1.0, 1000}, Method::Newton), {});
+        QVERIFY(shown.plot(0)->graph(0)->dataCount() > 0);
     }
 
     void fewSamplesAreSaidWithTheNumberThatWouldDo()
