@@ -2930,16 +2930,20 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Hacia el límite de la manivela, corredera y biela van cada vez más rápido</translation>
     </message>
     <message>
-        <source>Newton-Raphson&apos;s samples, %1 a turn, are too few for a curve: %2 steps would do.</source>
-        <translation>Las muestras de Newton-Raphson, %1 por vuelta, son pocas para una curva: bastarían %2 pasos.</translation>
-    </message>
-    <message>
         <source>%1 in all, at most %2 an instant</source>
         <translation>%1 en total, máx. %2 por instante</translation>
     </message>
     <message>
         <source>%1 in all, at most %2 from one instant to the next, %3 where it started from afar</source>
         <translation>%1 en total, máx. %2 de un instante al siguiente, %3 donde empezó de lejos</translation>
+    </message>
+    <message>
+        <source>%1 samples a turn are too few for a curve: %2 steps would do.</source>
+        <translation>%1 muestras por vuelta son pocas para una curva: bastarían %2 pasos.</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 where it started from afar</source>
+        <translation>%1 en total, máx. %2 donde empezó de lejos</translation>
     </message>
 </context>
 <context>
@@ -4062,8 +4066,8 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>Movimiento</translation>
     </message>
     <message>
-        <source>It took %1 iterations in all, %2 from one instant to the next at most, %3 where it started from afar; the largest residual is %4.</source>
-        <translation>Necesitó %1 iteraciones en total, %2 de un instante al siguiente como máximo, %3 donde empezó de lejos; el residuo máximo es %4.</translation>
+        <source>Iterations: %1; the largest residual is %2.</source>
+        <translation>Iteraciones: %1; el residuo máximo es %2.</translation>
     </message>
 </context>
 <context>

@@ -148,17 +148,13 @@ QString methodText(const Result &result)
                        .arg(until, QString::number(newton.maxIterations)) +
                    instants + u' ';
     const RunSummary &summary = result.summary;
-    if (summary.found() > 0) {
-        const QString all = QLocale().toString(summary.iterations);
-        const QString residual = numberText(summary.largestResidual, 2);
-        const bool isWithin = summary.mostIterations <= newton.maxIterations;
-        text += isWithin
-                    ? Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
-                          .arg(all, QString::number(summary.mostIterations), residual)
-                    : Report::tr("It took %1 iterations in all, %2 from one instant to the next at most, %3 where "
-                                 "it started from afar; the largest residual is %4.")
-                          .arg(all, QString::number(summary.mostFromBefore), QString::number(summary.mostIterations),
-                               residual);
+    const QString residual = numberText(summary.largestResidual, 2);
+    if (summary.found() > 0 && summary.mostIterations <= newton.maxIterations) {
+        text += Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
+                    .arg(QLocale().toString(summary.iterations), QString::number(summary.mostIterations), residual);
+    } else if (summary.found() > 0) {
+        text +=
+            Report::tr("Iterations: %1; the largest residual is %2.").arg(iterationsText(summary, newton), residual);
     }
     const std::size_t solved = summary.count(Status::Solved);
     if (solved < summary.instants) {

@@ -486,7 +486,7 @@ std::vector<LegendEntry> PlotFigure::legend(std::optional<std::size_t> only) con
     if (hasModel) {
         const QString few = fewSamples();
         entries.push_back(few.isEmpty() ? LegendEntry{Sample::Solid, Ink::Model, tr("model")}
-                                        : LegendEntry{Sample::Dots, Ink::Model, few, true});
+                                        : LegendEntry{Sample::Dots, Ink::Model, few});
     }
     if (!result || !result->reference) {
         return entries;

@@ -363,7 +363,7 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run)
     if (wanted <= run.steps) {
         return {};
     }
-    return MotionFacts::tr("Newton-Raphson's samples, %1 a turn, are too few for a curve: %2 steps would do.")
+    return MotionFacts::tr("%1 samples a turn are too few for a curve: %2 steps would do.")
         .arg(numberText(perTurn, 2), countText(static_cast<std::size_t>(nextRoundNumber(wanted))));
 }
 
@@ -375,8 +375,11 @@ QString iterationsText(const RunSummary &run, const NewtonOptions &options)
     const QLocale locale;
     const QString all = locale.toString(run.iterations);
     const QString most = locale.toString(run.mostIterations);
-    return run.mostIterations <= options.maxIterations
-               ? MotionFacts::tr("%1 in all, at most %2 an instant").arg(all, most)
+    if (run.mostIterations <= options.maxIterations) {
+        return MotionFacts::tr("%1 in all, at most %2 an instant").arg(all, most);
+    }
+    return run.mostFromBefore == 0
+               ? MotionFacts::tr("%1 in all, at most %2 where it started from afar").arg(all, most)
                : MotionFacts::tr("%1 in all, at most %2 from one instant to the next, %3 where it started from afar")
                      .arg(all, locale.toString(run.mostFromBefore), most);
 }
