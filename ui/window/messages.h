@@ -4,10 +4,13 @@
 // What the window says in its message bar: what a file says about itself, with the remedy at hand, what went wrong, and
 // the first time ever what there is to do.
 
+#include "ui/document/result.h"
 #include "ui/reference/findings.h"
 
 #include <QObject>
 #include <QString>
+
+#include <memory>
 
 namespace slidercrank
 {

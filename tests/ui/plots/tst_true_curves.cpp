@@ -78,6 +78,10 @@ public:
         const double speed = std::abs(result.mechanism.omega2());
         const Sampling &run = result.sampling;
         const double runEnd = run.start + run.duration;
+        // Beside a toggle what happens is as narrow as the root of what the coupler has to spare.
+        const Parameters &p = result.mechanism.parameters();
+        const double width = std::sqrt(2.0 * std::abs(p.b - p.a - std::abs(p.c)) / p.a);
+        const double looksPerRadian = 30.0 / std::clamp(width, 0.01, 0.3);
         Passed ofATurn;
         const auto rowOf = [&plot](double value) {
             return std::isinf(value) ? -1e9 * value : std::clamp(plot.yAxis->coordToPixel(value), -1e9, 1e9);
@@ -95,7 +99,7 @@ public:
                 m_passed[i] = ofATurn;
                 continue;
             }
-            const int looks = holdsTurns ? 20'000 : 12 + static_cast<int>(300.0 * speed * (to - from));
+            const int looks = holdsTurns ? 20'000 : 12 + static_cast<int>(looksPerRadian * speed * (to - from));
             const double end = holdsTurns ? from + kTurnAngle / speed : to;
             double before = valueAt(motion, channel, from);
             for (int look = 1; look <= looks; ++look) {
