@@ -4,9 +4,11 @@
 #include "core/closed_form/batch.h"
 #include "core/closed_form/state_at.h"
 #include "core/mechanism/in_parallel.h"
+#include "core/mechanism/turn.h"
 #include "core/newton/newton.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace slidercrank
@@ -61,9 +63,12 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
             return;
         }
         advance(mechanism, trajectory.time[i], last, options);
-        trajectory.iterations += last.iterations;
-        trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
         if (last.positionStatus == Status::Solved) {
+            trajectory.iterations += last.iterations;
+            trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
+            if (!last.startedAfar) {
+                trajectory.mostFromBefore = std::max(trajectory.mostFromBefore, last.iterations);
+            }
             trajectory.largestResidual = std::max(trajectory.largestResidual, last.residual);
         }
         trajectory.status[i] = last.state.status;
@@ -122,6 +127,11 @@ std::vector<double> Sampling::instants() const
     return instants;
 }
 
+double instantsPerTurn(const Mechanism &mechanism, const Sampling &sampling)
+{
+    return kTurn * sampling.steps / std::abs(mechanism.omega2() * sampling.duration);
+}
+
 std::size_t Trajectory::count(Status wanted) const
 {
     return static_cast<std::size_t>(std::count(status.begin(), status.end(), wanted));
@@ -135,6 +145,7 @@ void RunSummary::add(const Trajectory &piece)
     }
     iterations += piece.iterations;
     mostIterations = std::max(mostIterations, piece.mostIterations);
+    mostFromBefore = std::max(mostFromBefore, piece.mostFromBefore);
     largestResidual = std::max(largestResidual, piece.largestResidual);
 }
 

@@ -29,6 +29,12 @@ struct Sampling {
     friend bool operator==(const Sampling &, const Sampling &) = default;
 };
 
+/// How many instants there are to a turn of the crank; infinite where it stands still.
+double instantsPerTurn(const Mechanism &mechanism, const Sampling &sampling);
+
+/// With fewer to a turn, a line through them is another motion.
+inline constexpr double kFewestPerTurn = 20.0;
+
 struct SolverSettings {
     Method method = Method::Newton;
     NewtonOptions newton;
@@ -46,10 +52,11 @@ struct Trajectory {
 
     std::vector<Status> status; ///< one an instant
 
-    // Of Newton-Raphson; 0 for the closed form.
+    // Of Newton-Raphson, at the instants whose position it found; 0 for the closed form.
     long long iterations = 0;     ///< in all
     int mostIterations = 0;       ///< at one instant
-    double largestResidual = 0.0; ///< of the answers, in the measure of the options
+    int mostFromBefore = 0;       ///< at one that started from the instant before: never above the options' most
+    double largestResidual = 0.0; ///< in the measure of the options
 
     bool complete = true; ///< false when stopped before the end: then the arrays are not to be used
 
@@ -67,9 +74,13 @@ struct RunSummary {
     // Of Newton-Raphson, as in Trajectory.
     long long iterations = 0;
     int mostIterations = 0;
+    int mostFromBefore = 0;
     double largestResidual = 0.0;
 
     std::size_t count(Status status) const { return endedWith[static_cast<std::size_t>(status)]; }
+
+    /// Instants that have a position.
+    std::size_t found() const { return count(Status::Solved) + count(Status::Singular); }
 
     /// The next piece of the run.
     void add(const Trajectory &piece);

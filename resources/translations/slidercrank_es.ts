@@ -2949,6 +2949,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1 comes close to this mechanism.</source>
         <translation>%1 se acerca a este mecanismo.</translation>
     </message>
+    <message>
+        <source>The run is now that of %1: %2 s to %3 s.</source>
+        <translation>El recorrido es ahora el de %1: de %2 s a %3 s.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MotionCsvText</name>
@@ -3138,6 +3142,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Towards the crank&apos;s limit slider and coupler get ever faster</source>
         <translation>Hacia el límite de la manivela, corredera y biela van cada vez más rápido</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 an instant</source>
+        <translation>%1 en total, máx. %2 por instante</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 from one instant to the next, %3 where it started from afar</source>
+        <translation>%1 en total, máx. %2 de un instante al siguiente, %3 donde empezó de lejos</translation>
+    </message>
+    <message>
+        <source>%1 samples a turn are too few for a curve: %2 steps would do.</source>
+        <translation>%1 muestras por vuelta son pocas para una curva: bastarían %2 pasos.</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 where it started from afar</source>
+        <translation>%1 en total, máx. %2 donde empezó de lejos</translation>
     </message>
 </context>
 <context>
@@ -4271,6 +4291,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (evenly spaced instants count as exact), none beyond %2 times that bound, nor by more than %4 % of half the motion&apos;s range. Close: none beyond %3 times, nor by more than %5 %.</source>
         <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4 % de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5 %.</translation>
     </message>
+    <message>
+        <source>Iterations: %1; the largest residual is %2.</source>
+        <translation>Iteraciones: %1; el residuo máximo es %2.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4539,14 +4563,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Instantes</translation>
     </message>
     <message>
-        <source>Of the answers, as the tolerance measures it. It bounds the residual, not the error.</source>
-        <translation>De las soluciones, tal como lo mide la tolerancia. Acota el residuo, no el error.</translation>
-    </message>
-    <message>
-        <source>%1 in all, at most %2 an instant</source>
-        <translation>%1 en total, máx. %2 por instante</translation>
-    </message>
-    <message>
         <source>none: the closed form needs none</source>
         <translation>ninguna: la forma cerrada no las necesita</translation>
     </message>
@@ -4581,6 +4597,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>⚠ %1</source>
         <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>Of the instants that were found, as the tolerance measures it. It bounds the residual, not the error.</source>
+        <translation>De los instantes hallados, como lo mide la tolerancia. Acota el residuo, no el error.</translation>
     </message>
 </context>
 <context>
@@ -4626,12 +4646,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>forma cerrada (exacta)</translation>
     </message>
     <message>
-        <source>Newton-Raphson, at most %1 iterations, residual %2</source>
-        <translation>Newton-Raphson, como máximo %1 iteraciones, residuo %2</translation>
-    </message>
-    <message>
         <source>%1 samples in %2 ms</source>
         <translation>%1 muestras en %2 ms</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson</source>
+        <translation>Newton-Raphson</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants not solved</source>
+        <translation>%1 de %2 instantes sin resolver</translation>
+    </message>
+    <message>
+        <source>iterations: %1</source>
+        <translation>iteraciones: %1</translation>
+    </message>
+    <message>
+        <source>residual %1</source>
+        <translation>residuo %1</translation>
     </message>
 </context>
 <context>

@@ -64,8 +64,6 @@ Pose poseAt(const Parameters &parameters, double seconds)
 
 std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop)
 {
-    QElapsedTimer clock;
-    clock.start();
     auto result = std::make_shared<Result>();
     result->mechanism = request.mechanism;
     result->sampling = request.sampling;
@@ -76,8 +74,13 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
         result->summary = summaryOf(request, stop);
         result->trajectory.complete = !stop.stop_requested();
     } else {
+        QElapsedTimer clock;
+        clock.start();
         result->trajectory =
             sample(request.mechanism, request.sampling.instants(), plottedChannels(), request.solver, stop);
+        if (request.solver.method == Method::Newton) {
+            result->sampleSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+        }
         result->summary.add(result->trajectory);
     }
     if (request.reference && result->trajectory.complete) {
@@ -90,7 +93,6 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
     if (!result->trajectory.complete || !result->atReference.complete) {
         return nullptr;
     }
-    result->computeSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include "ui/document/reference_file.h"
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -43,7 +44,8 @@ struct Result {
     Trajectory atReference;
     std::vector<ChannelComparison> comparison;
 
-    double computeSeconds = 0.0;
+    /// What Newton-Raphson took for the trajectory. None in closed form: what is on show is not the trajectory then.
+    std::optional<double> sampleSeconds;
 
     /// A long run in closed form is not: it takes less time to compute than to store.
     bool isKept() const { return trajectory.time.size() == summary.instants; }

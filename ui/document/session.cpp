@@ -25,6 +25,26 @@ Choices choicesOf(const Result &result)
     return {result.mechanism.parameters(), result.sampling, result.solver, result.reference};
 }
 
+/// From the first of these instants to the last; the same run where that is none.
+Sampling runOf(const std::vector<double> &instants, const Sampling &run)
+{
+    if (instants.empty()) {
+        return run;
+    }
+    const double first = instants.front();
+    const double span = instants.back() - first;
+    const bool isUsable = std::abs(first) <= kLargestParameter && span <= kLargestParameter;
+    return isUsable ? Sampling{first, span > 0.0 ? span : run.duration, run.steps} : run;
+}
+
+bool holds(const Sampling &run, const std::vector<double> &instants)
+{
+    const double end = run.start + run.duration;
+    const double room = 1e-9 * std::abs(run.duration); // of rounding
+    return instants.empty() ||
+           (instants.front() >= std::min(run.start, end) - room && instants.back() <= std::max(run.start, end) + room);
+}
+
 /// Null when stopped. Takes longer than a moment.
 std::shared_ptr<const ReferenceDiagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference,
                                                       const Mechanism &mechanism, std::stop_token stop)
@@ -242,7 +262,7 @@ void Session::loadReference(const QString &path, const std::shared_ptr<const Ref
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             emit referenceRefused(path, *sentence);
         } else {
-            setReference(std::get<std::shared_ptr<const Reference>>(outcome));
+            follow(std::get<std::shared_ptr<const Reference>>(outcome));
         }
     });
 }
@@ -281,6 +301,23 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
     edit(with(m_choices, &Choices::reference, reference));
 }
 
+void Session::follow(const std::shared_ptr<const Reference> &reference)
+{
+    Choices choices = with(m_choices, &Choices::reference, reference);
+    const std::shared_ptr<const Reference> &before = m_choices.reference;
+    const bool hasFollowed =
+        before && before->path == reference->path && m_choices.sampling == runOf(before->data.time, m_choices.sampling);
+    if (hasFollowed || !holds(m_choices.sampling, reference->data.time)) {
+        choices.sampling = runOf(reference->data.time, m_choices.sampling);
+    }
+    if (choices.sampling != m_choices.sampling) {
+        emit runFollows(reference, choices.sampling);
+    }
+    m_reading.drop();
+    m_edits.beginStep();
+    edit(choices);
+}
+
 void Session::takeOver()
 {
     if (m_diagnosis && m_diagnosis->found.identification.stands()) {
@@ -293,14 +330,14 @@ void Session::apply(const Convention &convention)
     if (convention.kind == Convention::Kind::Branch) {
         setParameters(with(parameters(), &Parameters::branch, otherThan(parameters().branch)));
     } else if (m_choices.reference) {
-        setReference(applied(convention, m_choices.reference));
+        follow(applied(convention, m_choices.reference));
     }
 }
 
 void Session::readAsPrinted()
 {
     if (m_choices.reference && m_choices.reference->asPrinted) {
-        setReference(m_choices.reference->asPrinted);
+        follow(m_choices.reference->asPrinted);
     }
 }
 

@@ -63,14 +63,14 @@ public slots:
     void setTime(double seconds);
 
     /// Reads the file off the GUI thread, its columns as a person once chose them; referenceLoaded or referenceRefused
-    /// follows. What is on show stays until then.
+    /// follows. What is on show stays until then. Where its instants lie outside the run, the run becomes the file's.
     void loadReference(const QString &path);
 
     /// The same for the file on show, whose columns a person chose anew; conventions applied stay as far as their
     /// columns do.
     void readColumnsAnew(const QString &path);
 
-    /// Takes one that is already read, at once; null: none.
+    /// Takes one that is already read, at once; null: none. The run stays as it is.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
     /// The mechanism that was found for the file becomes the model, in round numbers; nothing where none was found.
@@ -100,6 +100,10 @@ signals:
 
     /// Another file, another reading of it, or none.
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);
+
+    /// The run is about to become that of the reference, which is about to be loaded.
+    void runFollows(const std::shared_ptr<const slidercrank::Reference> &reference,
+                    const slidercrank::Sampling &sampling);
     void referenceRefused(const QString &path, const QString &sentence); ///< what is on show stays
     void opened(const QString &problem);        ///< by open(); not empty: why it is without its reference
     void readingProgressed(double part);        ///< 0 … 1 of the file being read
@@ -111,6 +115,9 @@ private:
     /// difference.
     void edit(const Choices &choices, const QString &text = {});
     void putInForce(const Choices &choices);
+
+    /// With the run that holds all of it, in one step.
+    void follow(const std::shared_ptr<const Reference> &reference);
 
     /// Runs read(), which reads a file, off the GUI thread, then done(outcome) in this one, unless another file was
     /// asked for by then, or none.

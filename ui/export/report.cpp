@@ -5,6 +5,7 @@
 #include "ui/words/column_text.h"
 #include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/motion_facts.h"
 #include "ui/words/read_fault_text.h"
 #include "ui/words/written_number.h"
 
@@ -145,16 +146,24 @@ QString methodText(const Result &result)
         : newton.toleranceKind == ToleranceKind::Absolute
             ? Report::tr("until ‖C‖ ≤ %1 (absolute, mm and rad as they are)").arg(numberText(newton.tolerance))
             : Report::tr("until ‖C‖ ≤ %1 (relative, lengths divided by a + b + |c|)").arg(numberText(newton.tolerance));
-    QString text =
-        Report::tr("Newton-Raphson in the 12 absolute coordinates, %1, at most %2 iterations an instant. ")
-            .arg(until, QString::number(newton.maxIterations)) +
-        instants + u' ' +
-        Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
-            .arg(QLocale().toString(result.summary.iterations), QString::number(result.summary.mostIterations),
-                 numberText(result.summary.largestResidual, 2));
-    const std::size_t solved = result.summary.count(Status::Solved);
-    if (solved < result.summary.instants) {
-        text += Report::tr(" %1 of %2 instants are solved.").arg(countText(solved), countText(result.summary.instants));
+    QString text = Report::tr("Newton-Raphson in the 12 absolute coordinates, %1, at most %2 iterations an instant. ")
+                       .arg(until, QString::number(newton.maxIterations)) +
+                   instants + u' ';
+    const RunSummary &summary = result.summary;
+    const QString residual = numberText(summary.largestResidual, 2);
+    if (summary.found() > 0 && summary.mostIterations <= newton.maxIterations) {
+        text += Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
+                    .arg(QLocale().toString(summary.iterations), QString::number(summary.mostIterations), residual);
+    } else if (summary.found() > 0) {
+        text +=
+            Report::tr("Iterations: %1; the largest residual is %2.").arg(iterationsText(summary, newton), residual);
+    }
+    const std::size_t solved = summary.count(Status::Solved);
+    if (solved < summary.instants) {
+        text += Report::tr(" %1 of %2 instants are solved.").arg(countText(solved), countText(summary.instants));
+    }
+    if (const QString few = fewSamplesSentence(result.mechanism, run); !few.isEmpty()) {
+        text += u' ' + few;
     }
     return text;
 }

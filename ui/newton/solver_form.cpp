@@ -5,6 +5,7 @@
 #include "ui/controls/number_box.h"
 #include "ui/document/with.h"
 #include "ui/words/axis_scale.h"
+#include "ui/words/motion_facts.h"
 #include "ui/words/theme.h"
 #include "ui/words/written_number.h"
 
@@ -130,7 +131,8 @@ SolverForm::SolverForm(QWidget *parent)
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         label->setWordWrap(true);
     }
-    m_residual->setToolTip(tr("Of the answers, as the tolerance measures it. It bounds the residual, not the error."));
+    m_residual->setToolTip(
+        tr("Of the instants that were found, as the tolerance measures it. It bounds the residual, not the error."));
 
     m_beside = new QHBoxLayout;
     m_beside->addLayout(settings);
@@ -161,9 +163,8 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
     const std::size_t instants = run.instants;
     const bool newton = result->solver.method == Method::Newton;
     if (newton) {
-        m_iterationsDone->setText(tr("%1 in all, at most %2 an instant")
-                                      .arg(locale.toString(run.iterations), locale.toString(run.mostIterations)));
-        m_residual->setText(shortNumber(run.largestResidual, 3));
+        m_iterationsDone->setText(iterationsText(run, result->solver.newton));
+        m_residual->setText(run.found() > 0 ? shortNumber(run.largestResidual, 3) : dash());
     } else {
         m_iterationsDone->setText(tr("none: the closed form needs none"));
         m_residual->setText(dash());
@@ -193,6 +194,10 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
          tr("At %1 of %2 instants the coupler stands square to the slider's line: the position exists, "
             "velocity and acceleration do not."));
     tell(Status::NotFinite, tr("%1 of %2 instants gave no finite number: the numbers are too large."));
+    if (const QString few = newton ? fewSamplesSentence(result->mechanism, result->sampling) : QString();
+        !few.isEmpty()) {
+        sentences << few;
+    }
     m_explanation->setText(sentences.isEmpty() ? QString() : tr("⚠ %1").arg(sentences.join(QLatin1Char(' '))));
     m_explanation->setVisible(!sentences.isEmpty());
 }

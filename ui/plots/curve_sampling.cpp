@@ -5,7 +5,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <ranges>
 
 namespace slidercrank
 {
@@ -114,24 +113,16 @@ void appendBrokenRun(std::vector<CurvePoint> &points, std::span<const double> ti
 
 PixelColumns pixelColumns(std::span<const double> time, const Interval &range, std::size_t columns)
 {
-    return pixelColumns(
-        time.size(), [time](std::size_t i) { return time[i]; }, range, columns);
-}
-
-PixelColumns pixelColumns(std::size_t count, const std::function<double(std::size_t)> &instantAt, const Interval &range,
-                          std::size_t columns)
-{
     assert(columns > 0);
-    const std::ranges::iota_view<std::size_t, std::size_t> indices(0, count);
     PixelColumns result;
-    const auto firstInside = std::ranges::lower_bound(indices, range.lower, {}, instantAt);
-    const auto endInside = std::ranges::upper_bound(firstInside, indices.end(), range.upper, {}, instantAt);
-    result.first = static_cast<std::size_t>(firstInside - indices.begin());
-    result.end = static_cast<std::size_t>(endInside - indices.begin());
+    const auto firstInside = std::lower_bound(time.begin(), time.end(), range.lower);
+    const auto endInside = std::upper_bound(firstInside, time.end(), range.upper);
+    result.first = static_cast<std::size_t>(firstInside - time.begin());
+    result.end = static_cast<std::size_t>(endInside - time.begin());
     if (result.first > 0) {
         --result.first;
     }
-    if (result.end < count) {
+    if (result.end < time.size()) {
         ++result.end;
     }
     if (result.end - result.first <= 2 * columns) {
@@ -142,19 +133,18 @@ PixelColumns pixelColumns(std::size_t count, const std::function<double(std::siz
     auto from = firstInside;
     for (std::size_t column = 1; column < columns; ++column) {
         const double edge = range.lower + range.length() * static_cast<double>(column) / static_cast<double>(columns);
-        from = std::ranges::lower_bound(from, endInside, edge, {}, instantAt);
-        result.starts.push_back(static_cast<std::size_t>(from - indices.begin()));
+        from = std::lower_bound(from, endInside, edge);
+        result.starts.push_back(static_cast<std::size_t>(from - time.begin()));
     }
     result.starts.push_back(result.end);
     return result;
 }
 
-std::size_t nearestIndex(std::size_t count, const std::function<double(std::size_t)> &instantAt, double t)
+std::size_t nearestIndex(std::span<const double> time, double t)
 {
-    assert(count > 0);
-    const std::ranges::iota_view<std::size_t, std::size_t> indices(0, count);
-    const auto index = static_cast<std::size_t>(std::ranges::lower_bound(indices, t, {}, instantAt) - indices.begin());
-    if (index == count || (index > 0 && t - instantAt(index - 1) < instantAt(index) - t)) {
+    assert(!time.empty());
+    const auto index = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+    if (index == time.size() || (index > 0 && t - time[index - 1] < time[index] - t)) {
         return index - 1;
     }
     return index;
@@ -295,15 +285,21 @@ std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval 
             leave = std::min(leave, std::max(a, b));
             return enter <= leave;
         };
+        // From farther away than that no digit of the axes would be left.
+        constexpr double kFar = 1e6;
+        const auto brought = [&values](double value) {
+            return std::clamp(value, values.lower - kFar * values.length(), values.upper + kFar * values.length());
+        };
+        const double fromValue = brought(from.value);
         const double dt = to.t - from.t;
-        const double dv = to.value - from.value;
-        if (!cut(from.t, dt, time) || !cut(from.value, dv, values)) {
+        const double dv = brought(to.value) - fromValue;
+        if (!cut(from.t, dt, time) || !cut(fromValue, dv, values)) {
             breakOff(from.t);
             continue;
         }
         const auto at = [&](double part) {
             return CurvePoint{std::clamp(from.t + part * dt, time.lower, time.upper),
-                              std::clamp(from.value + part * dv, values.lower, values.upper)};
+                              std::clamp(fromValue + part * dv, values.lower, values.upper)};
         };
         if (enter > 0.0) {
             const CurvePoint entry = at(enter);

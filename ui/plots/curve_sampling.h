@@ -8,7 +8,6 @@
 #include "ui/words/interval.h"
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -37,12 +36,8 @@ struct PixelColumns {
 /// `time`: ascending. `columns`: at least 1.
 PixelColumns pixelColumns(std::span<const double> time, const Interval &range, std::size_t columns);
 
-/// The same for instants that are nowhere in memory: instantAt(i), i < count.
-PixelColumns pixelColumns(std::size_t count, const std::function<double(std::size_t)> &instantAt, const Interval &range,
-                          std::size_t columns);
-
 /// Which of the ascending instants is nearest to t; there must be one.
-std::size_t nearestIndex(std::size_t count, const std::function<double(std::size_t)> &instantAt, double t);
+std::size_t nearestIndex(std::span<const double> time, double t);
 
 /// `values`: one for each of `time`.
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 
 namespace slidercrank
 {
@@ -148,7 +149,8 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
         case LegendEntry::Sample::Mark: return kMark;
         case LegendEntry::Sample::Band: return kBand;
         case LegendEntry::Sample::Solid:
-        case LegendEntry::Sample::Dashed: return lineSample;
+        case LegendEntry::Sample::Dashed:
+        case LegendEntry::Sample::Dots: return lineSample;
         }
         return lineSample;
     };
@@ -178,6 +180,13 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
         shown.erase(std::prev(last.base()));
         excess = excessOf(shown);
     }
+    for (LegendEntry &entry : std::views::reverse(shown)) {
+        const double length = metrics.horizontalAdvance(entry.text);
+        if (entry.mayBeElided && excess > 0.0 && length > kShortest) {
+            entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, std::max(kShortest, length - excess));
+            excess -= length - metrics.horizontalAdvance(entry.text);
+        }
+    }
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(typography.title);
@@ -192,6 +201,13 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
         case LegendEntry::Sample::Band:
             painter.fillRect(QRectF(x, middle - 0.5 * kMarkSize, kBand, kMarkSize), bandColourOf(entry.ink, colours));
             break;
+        case LegendEntry::Sample::Dots:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colourOf(entry.ink, colours));
+            for (const double part : {0.1, 0.5, 0.9}) {
+                painter.drawEllipse(QPointF(x + part * lineSample, middle), 0.5 * kDotSize, 0.5 * kDotSize);
+            }
+            break;
         case LegendEntry::Sample::Solid:
             painter.setPen(penOf(entry.ink, colours));
             painter.drawLine(QPointF(x, middle), QPointF(x + lineSample, middle));
@@ -203,15 +219,10 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
             }
             break;
         }
-        QString text = entry.text;
-        if (entry.mayBeElided && excess > 0.0) {
-            text = metrics.elidedText(text, Qt::ElideMiddle,
-                                      std::max(kShortest, metrics.horizontalAdvance(text) - excess));
-        }
         x += sampleWidth(entry) + kGap;
         painter.setPen(colours.text);
-        painter.drawText(QPointF(x, baseline), text);
-        x += metrics.horizontalAdvance(text) + kBetween;
+        painter.drawText(QPointF(x, baseline), entry.text);
+        x += metrics.horizontalAdvance(entry.text) + kBetween;
     }
     painter.restore();
 }

@@ -61,6 +61,8 @@ QPen penOf(Ink ink, const SeriesColours &colours);
 /// The same, faint, for what lies under curves.
 QColor bandColourOf(Ink ink, const SeriesColours &colours);
 
+inline constexpr double kDotSize = 4.0; // px, of a sample
+
 /// The sign for a percentage that does not exist: a triangle pointing up to its tip.
 void drawMark(QPainter &painter, const QPointF &tip, const QColor &colour);
 

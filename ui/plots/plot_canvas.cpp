@@ -13,13 +13,6 @@
 namespace slidercrank
 {
 
-namespace
-{
-
-constexpr qreal kDotSize = 4.0;
-
-} // namespace
-
 PlotCanvas::PlotCanvas(QWidget *parent)
     : QCustomPlot(parent)
     , m_timeTicker(new Ticker)

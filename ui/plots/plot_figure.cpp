@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_figure.h"
 
+#include "ui/words/motion_facts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -106,21 +108,25 @@ void finishCurve(PlotPicture::Curve &curve, const Interval &time, const Interval
 {
     const DashPattern pattern{kDash, kDashGap, axes.width() / time.length(), axes.height() / values.length()};
     constexpr double kInvisible = 0.1; // px
-    const double tolerance = kInvisible / pattern.perValue;
-    curve.points = clip(curve.points, time, values);
-    if (curve.ink != Ink::Reference) {
-        curve.dots = isolatedPoints(curve.points);
-        curve.points = withoutNeedlessPoints(curve.points, tolerance);
+    constexpr double kPixelsPerDot = 12.0;
+    const bool areFew = static_cast<double>(curve.points.size()) * kPixelsPerDot < axes.width();
+    if (!curve.isJoined || (curve.isOfSamples && areFew)) {
+        std::ranges::copy_if(curve.points, std::back_inserter(curve.dots), [&](const CurvePoint &point) {
+            return time.contains(point.t) && values.contains(point.value);
+        });
+    }
+    if (!curve.isJoined) {
+        curve.points.clear();
         return;
     }
-    constexpr double kPixelsPerDot = 12.0;
-    if (static_cast<double>(curve.points.size()) * kPixelsPerDot >= axes.width()) {
+    curve.points = clip(curve.points, time, values);
+    if (curve.dots.empty()) {
         curve.dots = isolatedPoints(curve.points);
-    } else {
-        std::copy_if(curve.points.begin(), curve.points.end(), std::back_inserter(curve.dots),
-                     [](const CurvePoint &point) { return !std::isnan(point.value); });
     }
-    curve.points = cutIntoDashes(withoutNeedlessPoints(curve.points, tolerance), pattern);
+    curve.points = withoutNeedlessPoints(curve.points, kInvisible / pattern.perValue);
+    if (curve.ink == Ink::Reference) {
+        curve.points = cutIntoDashes(curve.points, pattern);
+    }
 }
 
 std::optional<Interval> extremesWithin(const Interval &range, std::span<const double> instants,
@@ -215,7 +221,15 @@ ShownData &PlotFigure::data()
 double PlotFigure::nearestInstant(double t)
 {
     const ModelCurves &model = data().model;
-    return model.empty() ? t : model.instant(model.nearest(t));
+    return model.empty() ? t : model.instantNear(t);
+}
+
+double PlotFigure::pointedInstant(double t) const
+{
+    constexpr double kPart = 1e-4; // of the range: less than a pixel
+    const double place = std::pow(10.0, std::floor(std::log10(kPart * timeRange().length())));
+    const double rounded = std::round(t / place) * place;
+    return std::isfinite(rounded) ? rounded : t;
 }
 
 void PlotFigure::setResult(const std::shared_ptr<const Result> &newResult)
@@ -368,7 +382,12 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     if (!result) {
         return;
     }
-    picture.curves[0].points = shown.model.decimated(index, picture.time, columns);
+    picture.curves[0].points = shown.model.points(index, picture.time, columns);
+    picture.curves[0].isOfSamples = !shown.model.isMotion();
+    // Where every pixel column has its samples, what joins them stays within it.
+    const bool areDense = 2 * picture.curves[0].points.size() >= 3 * columns;
+    picture.curves[0].isJoined = areDense || fewSamples().isEmpty();
+    picture.curves[1].isOfSamples = true;
     if (!channel.reference.empty()) {
         picture.curves[1].points =
             decimate(shown.referenceTime, channel.reference, pixelColumns(shown.referenceTime, picture.time, columns));
@@ -376,10 +395,9 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
         picture.remarks = picture.shortRemarks = {{tr("not in the file"), Ink::Reference}};
     }
     // The axis of values stays that of the whole run while one looks at a part of it.
-    const std::optional<Interval> model =
-        picture.time == wholeRange() ? extremes(picture.curves[0].points) : shown.model.extremes(index);
     const std::optional<Interval> values =
-        united(model, extremesWithin(united(wholeRange(), picture.time), shown.referenceTime, channel.reference));
+        united(shown.model.extremes(index),
+               extremesWithin(united(wholeRange(), picture.time), shown.referenceTime, channel.reference));
     picture.hasValues = values.has_value();
     if (values) {
         picture.values = roundedOutwards(*values);
@@ -453,6 +471,12 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
     }
 }
 
+QString PlotFigure::fewSamples() const
+{
+    return result && result->solver.method == Method::Newton ? fewSamplesSentence(result->mechanism, result->sampling)
+                                                             : QString();
+}
+
 std::vector<LegendEntry> PlotFigure::legend(std::optional<std::size_t> only) const
 {
     const bool hasModel = !only || !isErrorPlot(*only);
@@ -460,7 +484,9 @@ std::vector<LegendEntry> PlotFigure::legend(std::optional<std::size_t> only) con
     using Sample = LegendEntry::Sample;
     std::vector<LegendEntry> entries;
     if (hasModel) {
-        entries.push_back({Sample::Solid, Ink::Model, tr("model")});
+        const QString few = fewSamples();
+        entries.push_back(few.isEmpty() ? LegendEntry{Sample::Solid, Ink::Model, tr("model")}
+                                        : LegendEntry{Sample::Dots, Ink::Model, few});
     }
     if (!result || !result->reference) {
         return entries;

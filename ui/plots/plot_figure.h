@@ -51,6 +51,8 @@ struct PlotPicture {
 
     struct Curve {
         std::vector<CurvePoint> points; ///< within the axes; the reference cut into dashes
+        bool isOfSamples = false;       ///< with nothing between them
+        bool isJoined = true;           ///< by lines
         std::vector<double> marks;      ///< instants where the curve has no value because it is infinite
         Ink ink = Ink::Model;
         std::vector<CurvePoint> dots; ///< points to be seen each: no line reaches them, or there are few
@@ -79,7 +81,7 @@ struct PlotPicture {
 };
 
 struct LegendEntry {
-    enum class Sample { Solid, Dashed, Mark, Band };
+    enum class Sample { Solid, Dashed, Dots, Mark, Band };
     Sample sample = Sample::Solid;
     Ink ink = Ink::Model;
     QString text;
@@ -144,8 +146,11 @@ public:
     /// Of all nine plots, or of one only.
     std::vector<LegendEntry> legend(std::optional<std::size_t> only) const;
 
-    /// The sampled instant next to t (s); t itself where there is none.
+    /// What can be read next to t (s): that instant of the motion, or the nearest sample; t itself where there is none.
     double nearestInstant(double t);
+
+    /// t in as many places as a pointer can tell apart, so that what is read is true of the instant written beside it.
+    double pointedInstant(double t) const;
 
     /// What the figure shows of the result; computed when somebody looks.
     ShownData &data();
@@ -160,6 +165,7 @@ public:
 private:
     PlotPicture::TimeLabels timeLabels(double width, double digitWidth) const;
     void fillModelPicture(PlotPicture &picture, std::size_t channel, std::size_t columns);
+    QString fewSamples() const; ///< empty where no samples are on show, or enough
     void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns);
 
     PlotSettings m_settings;

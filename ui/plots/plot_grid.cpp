@@ -284,8 +284,8 @@ void PlotGrid::setMeasuring(bool measuring)
         if (measuring) {
             const Interval range = m_figure.timeRange();
             const double third = range.length() / 3.0;
-            m_read.measured = {m_figure.nearestInstant(range.lower + third),
-                               m_figure.nearestInstant(range.upper - third)};
+            m_read.measured = {m_figure.nearestInstant(m_figure.pointedInstant(range.lower + third)),
+                               m_figure.nearestInstant(m_figure.pointedInstant(range.upper - third))};
         }
         updateOverlays();
     }
@@ -439,7 +439,7 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
     case QEvent::MouseMove: {
         const auto *mouse = static_cast<QMouseEvent *>(event);
         const QPoint to = mouse->pos();
-        const double time = plot.xAxis->pixelToCoord(to.x());
+        const double time = m_figure.pointedInstant(plot.xAxis->pixelToCoord(to.x()));
         if (m_drag) {
             m_drag->hasMoved =
                 m_drag->hasMoved || (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_readings.h"
 
+#include "ui/words/written_number.h"
+
 #include <QFontMetrics>
 
 #include <cmath>
-#include <span>
 
 namespace slidercrank
 {
@@ -33,22 +34,15 @@ QString channelText(double value, std::size_t channel, Wording wording)
 }
 
 /// "t = 0.25 s"; the crank angle first where that is the abscissa.
-QString instantText(const PlotFigure &figure, double seconds)
+QString instantText(const PlotFigure &figure, double seconds, int digits = kDigits)
 {
-    const QString time = QStringLiteral("t = %1").arg(valueText(seconds, QStringLiteral("s")));
+    const QString time = QStringLiteral("t = %1 s").arg(numberText(seconds, digits));
     if (figure.settings().abscissa == Abscissa::Time || !figure.result) {
         return time;
     }
     const Mechanism &mechanism = figure.result->mechanism;
     const double angle = (mechanism.theta20() + mechanism.omega2() * seconds) * kDegreesPerRadian;
     return QStringLiteral("θ₂ = %1, %2").arg(valueText(angle, QStringLiteral("°")), time);
-}
-
-/// Which of them is nearest; there must be one.
-std::size_t nearest(std::span<const double> instants, double t)
-{
-    return nearestIndex(
-        instants.size(), [instants](std::size_t i) { return instants[i]; }, t);
 }
 
 QString errorText(const PlotFigure &figure, const ShownData &data, std::size_t index, std::size_t atReference)
@@ -77,17 +71,17 @@ std::vector<InkedText> valuesAt(PlotFigure &figure, std::size_t plot, double t, 
     if (!isErrorPlot(plot)) {
         const std::size_t index = channelOf(plot);
         const ShownChannel &channel = data.channels[index];
-        values.push_back({channelText(data.model.value(index, data.model.nearest(t)), index, wording), Ink::Model});
+        values.push_back({channelText(data.model.value(index, data.model.instantNear(t)), index, wording), Ink::Model});
         if (!channel.reference.empty()) {
             values.push_back(
-                {channelText(channel.reference[nearest(data.referenceTime, t)], index, wording), Ink::Reference});
+                {channelText(channel.reference[nearestIndex(data.referenceTime, t)], index, wording), Ink::Reference});
         }
         return values;
     }
     for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
         const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
         if (!data.channels[index].reference.empty()) {
-            values.push_back({errorText(figure, data, index, nearest(data.referenceTime, t)),
+            values.push_back({errorText(figure, data, index, nearestIndex(data.referenceTime, t)),
                               i == 0 ? Ink::Error : Ink::ErrorOther});
         }
     }
@@ -105,11 +99,11 @@ std::vector<InkedText> changesBetween(PlotFigure &figure, std::size_t plot, doub
     const std::size_t index = channelOf(plot);
     const ShownChannel &channel = data.channels[index];
     const double ofModel =
-        data.model.value(index, data.model.nearest(to)) - data.model.value(index, data.model.nearest(from));
+        data.model.value(index, data.model.instantNear(to)) - data.model.value(index, data.model.instantNear(from));
     changes.push_back({channelText(ofModel, index, wording), Ink::Model});
     if (!channel.reference.empty()) {
-        const double inFile =
-            channel.reference[nearest(data.referenceTime, to)] - channel.reference[nearest(data.referenceTime, from)];
+        const double inFile = channel.reference[nearestIndex(data.referenceTime, to)] -
+                              channel.reference[nearestIndex(data.referenceTime, from)];
         changes.push_back({channelText(inFile, index, wording), Ink::Reference});
     }
     return changes;
@@ -125,7 +119,7 @@ std::vector<InkedRow> readout(PlotFigure &figure, std::size_t plot, double t, Wo
     }
     const auto addRow = [&rows](const QString &text, Ink ink = Ink::Text) { rows.push_back({{text, ink}}); };
     if (isErrorPlot(plot)) {
-        const std::size_t k = nearest(data.referenceTime, t);
+        const std::size_t k = nearestIndex(data.referenceTime, t);
         addRow(instantText(figure, data.referenceTime[k]));
         for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
             const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
@@ -139,9 +133,10 @@ std::vector<InkedRow> readout(PlotFigure &figure, std::size_t plot, double t, Wo
     const std::size_t index = channelOf(plot);
     const ShownChannel &channel = data.channels[index];
     const QString unit = channelUnit(index);
-    const std::size_t k = data.model.nearest(t);
-    const double value = data.model.value(index, k);
-    addRow(instantText(figure, data.model.instant(k)));
+    const double now = data.model.instantNear(t);
+    const double value = data.model.value(index, now);
+    constexpr int kAllDigits = 15; // the value is that of this very instant
+    addRow(instantText(figure, now, data.model.isMotion() ? kAllDigits : kDigits));
     addRow(PlotFigure::tr("%1 = %2").arg(quantity(index), valueText(value, unit)), Ink::Model);
     if (kPlottedChannels[index] == Channel{Theta3, Order::Position} && std::isfinite(value)) {
         constexpr double kHalfTurn = 180.0;
@@ -150,10 +145,10 @@ std::vector<InkedRow> readout(PlotFigure &figure, std::size_t plot, double t, Wo
         addRow(textbook.arg(valueText(value + kHalfTurn, unit)));
     }
     if (!channel.reference.empty()) {
-        const std::size_t r = nearest(data.referenceTime, t);
+        const std::size_t r = nearestIndex(data.referenceTime, t);
         const double instant = data.referenceTime[r];
         const double inFile = channel.reference[r];
-        if (instant == data.model.instant(k)) {
+        if (instant == now) {
             addRow(PlotFigure::tr("reference: %1").arg(valueText(inFile, unit)), Ink::Reference);
         } else {
             const QString when = wording == Wording::Full ? instantText(figure, instant)

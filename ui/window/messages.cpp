@@ -4,6 +4,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/document/session.h"
 #include "ui/window/scene_file.h"
+#include "ui/words/written_number.h"
 
 #include <QDir>
 #include <QSettings>
@@ -19,6 +20,19 @@ Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
     , m_bar(bar)
 {
     connect(session, &Session::problemFound, this, &Messages::tellRefusal);
+    connect(session, &Session::runFollows, this,
+            [this](const std::shared_ptr<const Reference> &reference, const Sampling &run) {
+                m_runOf = reference;
+                m_run = run;
+            });
+    connect(session, &Session::settingsChanged, this, [this](const Sampling &run) {
+        if (m_runOf && (run.start != m_run.start || run.duration != m_run.duration)) {
+            if (m_bar->text().startsWith(runSentence())) {
+                m_bar->hide();
+            }
+            m_runOf = nullptr;
+        }
+    });
     connect(session, &Session::referenceRefused, this, &Messages::tellRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::announceReading);
     connect(session, &Session::diagnosisChanged, this, &Messages::announceDiagnosis);
@@ -89,6 +103,14 @@ void Messages::tellRefused(const QString &path, const QString &sentence)
     }
 }
 
+/// Empty where the run is not the file's.
+QString Messages::runSentence() const
+{
+    return m_runOf ? tr("The run is now that of %1: %2 s to %3 s.")
+                         .arg(m_runOf->name, numberText(m_run.start), numberText(m_run.start + m_run.duration))
+                   : QString();
+}
+
 /// Of a file, another reading of it, or none.
 void Messages::announceReading()
 {
@@ -96,11 +118,17 @@ void Messages::announceReading()
     const bool guessed = reference && !reference->asPrinted && reference->data.layout.isGuessed();
     m_announcesDiagnosis = reference && !guessed; // with wrong columns it would be another mechanism's
     m_bar->hide();
+    if (m_runOf != reference) {
+        m_runOf = nullptr;
+    }
+    if (m_runOf) {
+        tell(runSentence());
+    }
     if (guessed) {
-        m_bar->showMessage(
-            MessageBar::Kind::Hint,
-            tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name),
-            tr("Choose columns…"), [this] { emit columnsRequested(m_session->reference()->path); });
+        const QString sentence =
+            tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name);
+        m_bar->showMessage(MessageBar::Kind::Hint, (runSentence() + u' ' + sentence).trimmed(), tr("Choose columns…"),
+                           [this] { emit columnsRequested(m_session->reference()->path); });
     }
 }
 
@@ -113,7 +141,7 @@ void Messages::announceDiagnosis()
         return;
     }
     m_announcesDiagnosis = false;
-    if (m_bar->isHidden()) { // else what it says is newer than the file
+    if (m_bar->isHidden() || m_bar->text() == runSentence()) { // else what it says is newer than the file
         tellDifference();
     }
 }
@@ -152,12 +180,15 @@ void Messages::tellDifference()
     }
     m_difference.clear();
     if (!is(Verdict::Differs) && findings.empty()) {
-        m_bar->hide();
+        if (m_bar->text() != runSentence()) {
+            m_bar->hide();
+        }
         return;
     }
-    m_difference =
+    const QString difference =
         (is(Verdict::Differs) ? tr("%1 differs from this mechanism.") : tr("%1 comes close to this mechanism."))
             .arg(result.reference->name);
+    m_difference = (runSentence() + u' ' + difference).trimmed();
     if (findings.empty()) {
         if (m_bar->isHidden() || m_bar->text() != m_difference) { // else it is said while a slider is dragged
             m_bar->showMessage(MessageBar::Kind::Problem, m_difference);

@@ -4,10 +4,13 @@
 // What the window says in its message bar: what a file says about itself, with the remedy at hand, what went wrong, and
 // the first time ever what there is to do.
 
+#include "ui/document/result.h"
 #include "ui/reference/findings.h"
 
 #include <QObject>
 #include <QString>
+
+#include <memory>
 
 namespace slidercrank
 {
@@ -48,13 +51,16 @@ private:
     void followResult();
     void tellRefusal(const QString &sentence);
     void tellRefused(const QString &path, const QString &sentence);
+    QString runSentence() const;
 
     Session *m_session;
     MessageBar *m_bar;
-    QString m_greeting;                ///< as it was said; empty: it was not
-    QString m_difference;              ///< likewise, of the file
-    QString m_refusal;                 ///< likewise, of an edit
-    bool m_announcesDiagnosis = false; ///< the next one is the first of a newly loaded file
+    QString m_greeting;                       ///< as it was said; empty: it was not
+    QString m_difference;                     ///< likewise, of the file
+    QString m_refusal;                        ///< likewise, of an edit
+    std::shared_ptr<const Reference> m_runOf; ///< the file whose run the session's became; null: it is another
+    Sampling m_run;                           ///< that
+    bool m_announcesDiagnosis = false;        ///< the next one is the first of a newly loaded file
 };
 
 } // namespace slidercrank

@@ -3,6 +3,7 @@
 
 #include "ui/document/result.h"
 #include "ui/words/axis_scale.h"
+#include "ui/words/motion_facts.h"
 #include "ui/words/written_number.h"
 
 #include <QLocale>
@@ -65,14 +66,25 @@ void StatusBar::showRun(const Result &result)
     if (missing > 0 && result.limits.mobility != Mobility::Impossible) {
         assembly += tr(", no pose at %1 of %2 instants").arg(missing).arg(samples);
     }
-    QString method = tr("closed form (exact)");
+    QStringList parts{assembly};
     if (result.solver.method == Method::Newton) {
-        method = tr("Newton-Raphson, at most %1 iterations, residual %2")
-                     .arg(QString::number(run.mostIterations), QLocale().toString(run.largestResidual, 'g', 2));
+        parts << tr("Newton-Raphson");
+        const std::size_t unsolved = run.count(Status::IterationLimit) + run.count(Status::NotFinite);
+        if (unsolved > 0) {
+            parts << tr("%1 of %2 instants not solved").arg(countText(unsolved), countText(samples));
+        }
+        if (run.found() > 0) {
+            parts << tr("iterations: %1").arg(iterationsText(run, result.solver.newton))
+                  << tr("residual %1").arg(QLocale().toString(run.largestResidual, 'g', 2));
+        }
+    } else {
+        parts << tr("closed form (exact)");
     }
-    const QString cost = tr("%1 samples in %2 ms").arg(countText(samples), shortNumber(result.computeSeconds * 1e3, 2));
+    if (result.sampleSeconds) {
+        parts << tr("%1 samples in %2 ms").arg(countText(samples), shortNumber(*result.sampleSeconds * 1e3, 2));
+    }
     // A message, not labels: those would lay the whole window out anew with every move of a slider.
-    showMessage(QStringLiteral("%1  ·  %2  ·  %3").arg(assembly, method, cost));
+    showMessage(parts.join(QStringLiteral("  ·  ")));
 }
 
 void StatusBar::setBusy(bool busy)

@@ -355,6 +355,35 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
     return list.facts();
 }
 
+QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run)
+{
+    constexpr double kRounding = 1e-9;
+    const double perTurn = instantsPerTurn(mechanism, run);
+    const double wanted = run.steps * kFewestPerTurn / perTurn * (1.0 - kRounding);
+    if (wanted <= run.steps) {
+        return {};
+    }
+    return MotionFacts::tr("%1 samples a turn are too few for a curve: %2 steps would do.")
+        .arg(numberText(perTurn, 2), countText(static_cast<std::size_t>(nextRoundNumber(wanted))));
+}
+
+QString iterationsText(const RunSummary &run, const NewtonOptions &options)
+{
+    if (run.found() == 0) {
+        return dash();
+    }
+    const QLocale locale;
+    const QString all = locale.toString(run.iterations);
+    const QString most = locale.toString(run.mostIterations);
+    if (run.mostIterations <= options.maxIterations) {
+        return MotionFacts::tr("%1 in all, at most %2 an instant").arg(all, most);
+    }
+    return run.mostFromBefore == 0
+               ? MotionFacts::tr("%1 in all, at most %2 where it started from afar").arg(all, most)
+               : MotionFacts::tr("%1 in all, at most %2 from one instant to the next, %3 where it started from afar")
+                     .arg(all, locale.toString(run.mostFromBefore), most);
+}
+
 QString crankAngleText(double radians)
 {
     double hundredths = std::round(100.0 * kDegreesPerRadian * radians);

@@ -35,6 +35,13 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
 std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits,
                                   const std::vector<Peak> &peaks, const Sampling &run);
 
+/// That the samples are too few for a line through them to be the motion, and how many steps would do; empty where they
+/// are not.
+QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run);
+
+/// "95 in all, at most 4 an instant", over the instants that Newton-Raphson found; a dash where it found none.
+QString iterationsText(const RunSummary &run, const NewtonOptions &options);
+
 /// Within [0, 360), in degrees, without the unit.
 QString crankAngleText(double radians);
 

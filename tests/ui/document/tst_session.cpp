@@ -141,6 +141,57 @@ private slots:
         QCOMPARE(results.count(), 0);
     }
 
+    /// What lies outside the run would not be shown, and could not be gone to.
+    void theRunBecomesThatOfAFileThatLiesOutsideOfIt()
+    {
+        QTemporaryDir folder;
+        const QString path = writeFile(folder, QStringLiteral("ten.csv"), "time,R4_x\n0.5,80\n4,70\n8,60\n10.5,75\n");
+        Session session;
+        session.setSampling({0.0, 1.0, 500});
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy follows(&session, &Session::runFollows);
+        session.loadReference(path);
+        QVERIFY(loaded.wait(kPatience));
+        QCOMPARE(session.sampling(), (Sampling{0.5, 10.0, 500}));
+        QCOMPARE(follows.count(), 1);
+        QCOMPARE(session.time(), 0.5);
+        session.setTime(8.0);
+        QCOMPARE(session.time(), 8.0);
+        session.undoStack().undo();
+        QVERIFY(!session.reference());
+        QCOMPARE(session.sampling(), (Sampling{0.0, 1.0, 500}));
+        session.undoStack().redo();
+        QVERIFY(session.reference());
+        QCOMPARE(session.sampling(), (Sampling{0.5, 10.0, 500}));
+    }
+
+    void theRunStaysWhereItHoldsTheFile()
+    {
+        QTemporaryDir folder;
+        Session session;
+        session.setSampling({-1.0, 20.0, 500});
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy follows(&session, &Session::runFollows);
+        session.loadReference(writeFile(folder, QStringLiteral("short.csv"), kSmallFile));
+        QVERIFY(loaded.wait(kPatience));
+        QCOMPARE(session.sampling(), (Sampling{-1.0, 20.0, 500}));
+        QCOMPARE(follows.count(), 0);
+    }
+
+    void aSceneWithARunAndAFileStaysAsSaved()
+    {
+        QTemporaryDir folder;
+        const QString path = writeFile(folder, QStringLiteral("ten.csv"), "time,R4_x\n0,80\n5,70\n10,75\n");
+        Session session;
+        Choices saved;
+        saved.sampling = {0.0, 2.0, 40};
+        QSignalSpy opened(&session, &Session::opened);
+        session.open(saved, 1.0, ReferenceSource{path, {}, {}});
+        QVERIFY(opened.wait(kPatience));
+        QVERIFY(session.reference());
+        QCOMPARE(session.sampling(), saved.sampling);
+    }
+
     void readsAFileAsideAndCompares()
     {
         QTemporaryDir folder;

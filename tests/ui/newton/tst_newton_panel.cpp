@@ -203,6 +203,38 @@ private slots:
         QCOMPARE(child<QLabel>(panel, "residualLabel")->text(), QString("–"));
     }
 
+    /// "At most 60 an instant, largest residual 0" was said of 106 instants without an answer, with a limit of 10.
+    void countsOnlyWhatWasFound()
+    {
+        for (const int most : {1, 2, 3, 10}) {
+            Session session;
+            session.setSampling({0.0, 1.0, 20});
+            session.setSolver({Method::Newton, {most, 1e-8}});
+            NewtonPanel panel;
+            panel.setResult(session.result());
+            const Trajectory &run = session.result()->trajectory;
+            const auto failed = run.count(Status::IterationLimit);
+            const QString iterations = child<QLabel>(panel, "iterationsLabel")->text();
+            const QString instants = child<QLabel>(panel, "instantsLabel")->text();
+            QVERIFY2(run.mostFromBefore <= most, qPrintable(iterations));
+            QVERIFY2(!iterations.contains("60"), qPrintable(iterations));
+            QVERIFY2(instants.startsWith(failed == 0 ? QString("all 21") : QString("%1 of 21").arg(21 - failed)),
+                     qPrintable(instants));
+            if (failed == 21) {
+                QCOMPARE(iterations, QString("–"));
+                QCOMPARE(child<QLabel>(panel, "residualLabel")->text(), QString("–"));
+            } else {
+                const bool isWithin = run.mostIterations <= most;
+                const int said = isWithin || run.mostFromBefore == 0 ? run.mostIterations : run.mostFromBefore;
+                QVERIFY2(iterations.contains(QString("at most %1 ").arg(said)), qPrintable(iterations));
+                QCOMPARE(iterations.contains("from afar"), !isWithin);
+            }
+            if (most == 2) {
+                QVERIFY(failed > 0);
+            }
+        }
+    }
+
     void explainsWhatFailed()
     {
         Session session;

@@ -463,6 +463,65 @@ private slots:
         QVERIFY(!ghost->isEnabled());
     }
 
+    /// "1,000,001 samples in 0.0076 ms": none of them had been computed.
+    void tellsNoTimeThatWasNotMeasured()
+    {
+        const QStatusBar *status = m_window->statusBar();
+        m_window->session().setSampling({0.0, 1.0, 1'000'000});
+        QVERIFY2(!status->currentMessage().contains(QLatin1String(" ms")), qPrintable(status->currentMessage()));
+        m_window->session().setSampling({0.0, 1.0, 200});
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        m_window->session().setSolver(solver);
+        QVERIFY2(status->currentMessage().contains(QLatin1String("201 samples in ")),
+                 qPrintable(status->currentMessage()));
+        QVERIFY(m_window->session().result()->sampleSeconds.value() > 0.0);
+    }
+
+    /// "At most 60 iterations, residual 0" was said of a run without an answer.
+    void tellsHowManyInstantsHaveNoAnswer()
+    {
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        solver.newton.maxIterations = 2;
+        m_window->session().setSolver(solver);
+        const RunSummary &run = m_window->session().result()->summary;
+        const std::size_t unsolved = run.count(Status::IterationLimit);
+        QVERIFY(unsolved > 0);
+        const QString said = m_window->statusBar()->currentMessage();
+        QVERIFY2(said.contains(QStringLiteral("%1 of 201 instants not solved").arg(unsolved)), qPrintable(said));
+        QVERIFY2(!said.contains(QLatin1String("60")), qPrintable(said));
+    }
+
+    /// The largest error of a file longer than the run was out of reach, without a word.
+    void aFileLongerThanTheRunBringsItsOwnAndSaysSo()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("ten.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time,R4_x\n");
+        for (int i = 0; i <= 200; ++i) { // as it moves, but for one instant
+            const double t = 0.05 * i;
+            const Pose pose = poseAt({}, t);
+            file.write(QByteArray::number(t) + ',' + QByteArray::number(pose.sliderX + (i == 53 ? 5.0 : 0.0), 'g', 9) +
+                       '\n');
+        }
+        file.close();
+        m_window->openReference(path);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT(bar->isVisible() && bar->text().contains(QLatin1String("The run is now that of ten.csv: 0 s to 10 s.")));
+        AWAIT(m_window->session().diagnosis());
+        QVERIFY(bar->text().contains(QLatin1String("The run is now")));
+        Session &session = m_window->session();
+        session.setTime(session.result()->comparison[0].timeOfMaxAbs);
+        QVERIFY(std::abs(session.time() - 2.65) < 1e-9);
+
+        // It is not said of another run.
+        session.setSampling({0.0, 3.0, 200});
+        QVERIFY(!bar->isVisible() || !bar->text().contains(QLatin1String("The run is now")));
+    }
+
     void aBadFileIsToldAndNothingIsLost()
     {
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
