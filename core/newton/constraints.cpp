@@ -111,4 +111,15 @@ Vector12 quadraticVelocityTerm(const Mechanism &mechanism, const Vector12 &q, co
     return Qd;
 }
 
+double residualInUnits(const Vector12 &C, double perLength, double unit)
+{
+    Vector12 lengths = unit * C;
+    Vector12 angles = Vector12::Zero();
+    for (const Constraint row : {GroundAngle, SliderAngle, CrankDrive}) {
+        lengths[row] = 0.0;
+        angles[row] = C[row];
+    }
+    return std::hypot(perLength * lengths.norm(), angles.norm());
+}
+
 } // namespace slidercrank

@@ -24,4 +24,8 @@ Vector12 constraintTimeDerivative(const Mechanism &mechanism);
 /// Q_d = -(C_q q̇)_q q̇ - 2 C_qt q̇ - C_tt: the right-hand side of C_q q̈ = Q_d.
 Vector12 quadraticVelocityTerm(const Mechanism &mechanism, const Vector12 &q, const Vector12 &qDot);
 
+/// ‖C‖ with the length rows multiplied by `unit` before they are squared, and then by `perLength`: of lengths whose
+/// squares would be 0.
+double residualInUnits(const Vector12 &C, double perLength, double unit);
+
 } // namespace slidercrank

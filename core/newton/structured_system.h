@@ -21,19 +21,6 @@
 namespace slidercrank
 {
 
-/// ‖C‖ with the length rows multiplied by `unit` before they are squared, and then by `perLength`: of lengths whose
-/// squares would be 0.
-inline double residualInUnits(const Vector12 &C, double perLength, double unit)
-{
-    Vector12 lengths = unit * C;
-    Vector12 angles = Vector12::Zero();
-    for (const Constraint row : {GroundAngle, SliderAngle, CrankDrive}) {
-        lengths[row] = 0.0;
-        angles[row] = C[row];
-    }
-    return std::hypot(perLength * lengths.norm(), angles.norm());
-}
-
 /// One Newton step, and velocity and acceleration, at one q at a time. Sines and cosines are taken once for each q
 /// moved to.
 class StructuredSystem
