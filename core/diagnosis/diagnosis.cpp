@@ -62,8 +62,7 @@ void takeZerosFrom(const Candidate &candidate, Hypothesis &hypothesis)
 
 Tried triedOn(const SearchRows &rows, Hypothesis hypothesis, const std::stop_token &stop)
 {
-    Candidate candidate =
-        candidateFrom(rows, hypothesis.reading(), hypothesis.price(rows.all), hypothesis.start, stop);
+    Candidate candidate = candidateFrom(rows, hypothesis.reading(), hypothesis.price(rows.all), hypothesis.start, stop);
     candidate = withoutIdleZeros(rows, std::move(candidate), stop);
     takeZerosFrom(candidate, hypothesis);
     return {std::move(hypothesis), std::move(candidate)};
@@ -72,7 +71,8 @@ Tried triedOn(const SearchRows &rows, Hypothesis hypothesis, const std::stop_tok
 /// Never more than half of the columns are left out.
 bool mayLeaveOut(const Hypothesis &hypothesis, std::size_t more)
 {
-    const auto left = static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnHypothesis::isUsed));
+    const auto left =
+        static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnHypothesis::isUsed));
     return 2 * (left + more) <= hypothesis.columns.size();
 }
 
@@ -179,9 +179,11 @@ void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, co
     lowest.start = nearest.candidate.fit.parameters;
     bool any = false;
     for (ColumnHypothesis &column : lowest.columns) {
-        column.isUsed = !isPlotted(column.channel) || std::ranges::none_of(lowest.columns, [&](const ColumnHypothesis &other) {
-            return other.channel.coordinate == column.channel.coordinate && other.channel.order < column.channel.order;
-        });
+        column.isUsed =
+            !isPlotted(column.channel) || std::ranges::none_of(lowest.columns, [&](const ColumnHypothesis &other) {
+                return other.channel.coordinate == column.channel.coordinate &&
+                       other.channel.order < column.channel.order;
+            });
         any = any || !column.isUsed;
     }
     if (!any) {
@@ -355,8 +357,8 @@ std::optional<CrankSpeedChange> unevenCrankOf(const SearchRows &rows)
     if (isRounding || isNoise) {
         return std::nullopt;
     }
-    // At the ends: of the speed as it stands there, of the angle by a parabola through as few rows as their rounding lets
-    // tell the speed to about a hundredth.
+    // At the ends: of the speed as it stands there, of the angle by a parabola through as few rows as their rounding
+    // lets tell the speed to about a hundredth.
     const double scale = 1.0 / all.units.second;
     if (!angle) {
         return CrankSpeedChange{scale * values.front(), scale * values.back()};
@@ -392,8 +394,8 @@ bool isSensible(const ParameterChange &change, Parameters parameters)
     return longer <= kBeyond * shorter && std::abs(parameters.c) <= kBeyond * longer;
 }
 
-std::optional<ParameterChange> changeFor(const ReferenceData &data, const Mechanism &mechanism,
-                                         const Parameters &found, const std::stop_token &stop)
+std::optional<ParameterChange> changeFor(const ReferenceData &data, const Mechanism &mechanism, const Parameters &found,
+                                         const std::stop_token &stop)
 {
     constexpr double kNearlyAll = 0.99; // of the squares: what is left is a tenth of the error
     const std::vector<ParameterChange> changes = parameterChanges(data, mechanism, found, stop);
@@ -412,8 +414,9 @@ bool isSimilar(const Parameters &found, const Parameters &given)
                kSame * std::max(std::abs(given.c) / given.a, 1.0);
 }
 
-/// What is silently left out of a fit: derivatives that are a little off, as differences are, or no farther off than
-/// the mechanism that was found leaves room for, as near a toggle.
+/// What is silently left out of a fit: derivatives that are a little off, as differences are, or as much as noise that
+/// happens not to look quite like it, or no farther off than the mechanism that was found leaves room for, as near a
+/// toggle.
 bool isSilent(const SearchRows &rows, const Tried &best)
 {
     Hypothesis all = best.hypothesis;
@@ -457,12 +460,23 @@ bool isSilent(const SearchRows &rows, const Tried &best)
             within += residual * residual <= kFar * variance ? 1 : 0;
         }
         const auto n = static_cast<double>(column.count);
+        const double off = std::sqrt(squares / n) / column.spread;
         constexpr double kMost = 0.9;
-        if (std::sqrt(squares / n) > kALittleOff * column.spread && static_cast<double>(within) < kMost * n) {
+        constexpr double kHardlyNoise = 6.0;
+        const bool isNoise =
+            off <= kMostNoise && std::abs(correlationOf(left.residuals[k])) <= kHardlyNoise / std::sqrt(n);
+        if (off > kALittleOff && !isNoise && static_cast<double>(within) < kMost * n) {
             return false;
         }
     }
     return true;
+}
+
+/// A finding about what numbers count in, not about where they begin.
+bool isOfNumbers(const Convention &convention)
+{
+    return convention.kind != Convention::Kind::ZeroPoint && convention.kind != Convention::Kind::HalfTurn &&
+           convention.kind != Convention::Kind::WholeTurns;
 }
 
 void inSeconds(double timeUnit, Identification &found)
@@ -485,7 +499,8 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
     found.parameters = given;
     found.standardError.fill(kNone);
     result.rounded = given;
-    result.isOfMechanismAtHand = !data.series.empty() && !isAnyDifferent(compareExactly(mechanism, data, stop).channels);
+    result.isOfMechanismAtHand =
+        !data.series.empty() && !isAnyDifferent(compareExactly(mechanism, data, stop).channels);
     const std::optional<FileSearch> search = searchIn(data, given);
     if (!search) {
         found.outcome = Outcome::Insufficient;
@@ -513,8 +528,7 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
                          tried.front().hypothesis.isPlain() &&
                          std::ranges::count(tried.front().hypothesis.columns, true, &ColumnHypothesis::isZeroFree) == 0;
     std::optional<Explanation> atHand;
-    if (!result.isOfMechanismAtHand &&
-        (!isPlain || isSimilar(tried.front().candidate.fit.parameters, whole.given))) {
+    if (!result.isOfMechanismAtHand && (!isPlain || isSimilar(tried.front().candidate.fit.parameters, whole.given))) {
         atHand = explainedAtHand(data, given, stop);
     }
     if (atHand && !atHand->conventions.empty()) {
@@ -524,8 +538,8 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
         found = identify(read, model, stop);
         result.isOfMechanismAtHand = true;
         result.identified = compareExactly(Mechanism(found.parameters), read, stop).channels;
-        result.rounded = found.outcome == Outcome::Identified ? inRoundNumbers(found, read, result.identified)
-                                                              : found.parameters;
+        result.rounded =
+            found.outcome == Outcome::Identified ? inRoundNumbers(found, read, result.identified) : found.parameters;
         found.stopped = stop.stop_requested();
         return result;
     }
@@ -550,6 +564,17 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
     std::vector<Convention> conventions = conventionsOf(whole.all, best.hypothesis, best.candidate);
     if (leavesOut(best) && isSilent(whole, best)) {
         std::erase_if(conventions, [](const Convention &one) { return one.kind == Convention::Kind::NotDerivative; });
+    }
+    // Where next to nothing separates one motion from another, as at a toggle, no unit and no sense is proven.
+    constexpr double kNextToNothing = 1e5;
+    if (found.conditionNumber > kNextToNothing && std::ranges::any_of(conventions, isOfNumbers)) {
+        found.outcome = Outcome::Nearest;
+        found.standardError.fill(kNone);
+        found.identifiable.fill(false);
+        found.alternatives.clear();
+        found.noise.clear();
+        result.identified = compareExactly(Mechanism(found.parameters), data, stop).channels;
+        return result;
     }
     inSeconds(best.hypothesis.timeUnit, found);
     std::optional<ReferenceData> converted; // a file may be large: copied only where it reads otherwise

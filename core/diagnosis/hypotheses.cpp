@@ -28,7 +28,7 @@ constexpr double kPriceOfHalfTurn = 14.0; // half a turn must beat a free zero p
 
 constexpr std::array<double, 2> kAngleFactors{kDegreesPerRadian, 1.0 / kDegreesPerRadian};
 /// Ratios of mm, cm, m, in.
-constexpr std::array<double, 12> kLengthFactors{10.0,       1e3,        25.4,       1e2,       1e3 / 25.4, 2.54,
+constexpr std::array<double, 12> kLengthFactors{10.0,       1e3,       25.4,       1e2,       1e3 / 25.4, 2.54,
                                                 1.0 / 10.0, 1.0 / 1e3, 1.0 / 25.4, 1.0 / 1e2, 25.4 / 1e3, 1.0 / 2.54};
 
 /// A column that is farther off than that, as part of its spread, is not explained.
@@ -163,8 +163,7 @@ Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const doubl
     Ways ways;
     const bool canShift = hasOrigin(channel);
     const auto consider = [&](ColumnHypothesis one) {
-        const double factor =
-            one.sign * one.unit * (one.isPerSecond ? timeFactor(timeUnit, channel) : 1.0);
+        const double factor = one.sign * one.unit * (one.isPerSecond ? timeFactor(timeUnit, channel) : 1.0);
         Scored scored{one, match.score(factor, one.isTurned, one.isZeroFree), 0.0};
         const double perCause = kPriceOfCause + kPriceOfColumn;
         scored.price = (one.unit != 1.0 ? perCause : 0.0) + (one.sign < 0.0 ? perCause : 0.0) +
@@ -286,8 +285,8 @@ bool explainBy(const Observations &few, const Parameters &start, double timeUnit
     }
     const auto keep = [&](const std::vector<Scored> &columns) {
         // What is to stand must be near to most columns from the start.
-        const auto misled = std::ranges::count_if(
-            columns, [](const Scored &one) { return one.column.isUsed && one.score == 0.0; });
+        const auto misled =
+            std::ranges::count_if(columns, [](const Scored &one) { return one.column.isUsed && one.score == 0.0; });
         if (3 * static_cast<std::size_t>(misled) > columns.size()) {
             return;
         }
@@ -326,8 +325,8 @@ bool explainBy(const Observations &few, const Parameters &start, double timeUnit
     std::vector<Scored> swapped;
     for (std::size_t i = 0; i < best.size(); ++i) {
         for (std::size_t j = i + 1; j < best.size(); ++j) {
-            if (!isPlotted(few.columns[i].channel) || !isPlotted(few.columns[j].channel) ||
-                plain[i].score < 0.0 || plain[j].score < 0.0) {
+            if (!isPlotted(few.columns[i].channel) || !isPlotted(few.columns[j].channel) || plain[i].score < 0.0 ||
+                plain[j].score < 0.0) {
                 continue;
             }
             const Ways one = waysOf(few.columns[i], few.columns[j].channel, models[j], timeUnit, values);
@@ -372,8 +371,8 @@ std::vector<Parameters> sizesOf(const Observations &few, const Parameters &start
         }
         const double scale = std::abs(1.0 / match.bestFactorAboutMeans());
         constexpr double kSame = 1.003;
-        const bool isKnown = std::ranges::any_of(
-            scales, [&](double other) { return scale < kSame * other && other < kSame * scale; });
+        const bool isKnown =
+            std::ranges::any_of(scales, [&](double other) { return scale < kSame * other && other < kSame * scale; });
         if (std::isfinite(scale) && scale > 0.0 && !isKnown) {
             scales.push_back(scale);
             Parameters one = start;
@@ -542,8 +541,8 @@ std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const 
     std::ranges::stable_sort(screened, {}, &Screened::total);
     std::vector<Hypothesis> best;
     for (const Screened &one : screened) {
-        const auto alike = static_cast<std::size_t>(std::ranges::count_if(
-            best, [&](const Hypothesis &other) { return readsAlike(one.hypothesis, other); }));
+        const auto alike = static_cast<std::size_t>(
+            std::ranges::count_if(best, [&](const Hypothesis &other) { return readsAlike(one.hypothesis, other); }));
         const bool isKnown = std::ranges::any_of(best, [&](const Hypothesis &other) {
             return readsAlike(one.hypothesis, other) && isSameMechanism(one.hypothesis.start, other.start) &&
                    one.hypothesis.start.branch == other.start.branch &&
@@ -578,7 +577,8 @@ std::vector<Parameters> startsFromParts(const Observations &observations, double
         const double most = static_cast<double>(part.valueCount) * 2.0 * std::log(kExplained);
         constexpr std::size_t kMostOfAPart = 3;
         std::vector<std::pair<double, Parameters>> ranked;
-        for (const Parameters &start : distinct(startsOf(problemOf(observations, reading), known->second, size, stop))) {
+        for (const Parameters &start :
+             distinct(startsOf(problemOf(observations, reading), known->second, size, stop))) {
             const double misfit = misfitOf(part, start);
             if (misfit < most) {
                 ranked.emplace_back(misfit, start);
@@ -691,8 +691,8 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
         double first = kNone;
         for (std::size_t row = 0; row < problem.time.size(); ++row) {
             if (!std::isnan(column.values[row]) && motion.computeValues(candidate.fit.parameters, problem.time[row])) {
-                const double off = std::round((motion.valueOf(column.channel) + zero + turn - column.values[row]) /
-                                              std::numbers::pi);
+                const double off =
+                    std::round((motion.valueOf(column.channel) + zero + turn - column.values[row]) / std::numbers::pi);
                 first = std::isnan(first) ? off : first;
                 least = std::min(least, off);
                 most = std::max(most, off);

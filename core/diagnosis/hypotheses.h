@@ -18,7 +18,7 @@ namespace slidercrank
 /// How one column is read.
 struct ColumnHypothesis {
     Channel channel;
-    double unit = 1.0;       ///< of angle or length: multiplies
+    double unit = 1.0; ///< of angle or length: multiplies
     double sign = 1.0;
     bool isPerSecond = false; ///< a derivative in seconds, where the instants are in another unit
     bool isTurned = false;    ///< an angle, by half a turn

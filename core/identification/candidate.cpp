@@ -59,9 +59,8 @@ Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, doub
         exact.isClockExact = true;
         exact.fit = fit(problem, candidate.fit.exists() ? candidate.fit.parameters : start, rows.isFree, kRounds, stop);
         exact.standing = standingOf(problem, exact.fit);
-        const bool isBetter = exact.standing.stands == candidate.standing.stands
-                                  ? exact.fit.score < candidate.fit.score
-                                  : exact.standing.stands;
+        const bool isBetter = exact.standing.stands == candidate.standing.stands ? exact.fit.score < candidate.fit.score
+                                                                                 : exact.standing.stands;
         if (isBetter) {
             candidate = exact;
         }
@@ -104,10 +103,11 @@ std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading 
     std::size_t fits = 0;
     for (std::size_t i = 0; i < ranked.size() && fits < kMostFits && !stop.stop_requested(); ++i) {
         // The same place again, from another route?
-        const bool isKnown = std::any_of(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(i), [&](const Ranked &other) {
-            return isSameMechanism(other.parameters, ranked[i].parameters) &&
-                   std::abs(other.misfit - ranked[i].misfit) < 1e-3 * std::abs(ranked[i].misfit);
-        });
+        const bool isKnown =
+            std::any_of(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(i), [&](const Ranked &other) {
+                return isSameMechanism(other.parameters, ranked[i].parameters) &&
+                       std::abs(other.misfit - ranked[i].misfit) < 1e-3 * std::abs(ranked[i].misfit);
+            });
         if (isKnown) {
             continue;
         }
@@ -146,8 +146,9 @@ FileReading withFreeZeros(const Observations &observations, FileReading reading)
 {
     for (std::size_t i = 0; i < reading.size(); ++i) {
         const Channel channel = reading[i].channel;
-        const bool isOrigin = channel.order == Order::Position && (channel.coordinate == R4x || channel.coordinate == R4y ||
-                                                                   channel.coordinate == Theta2 || channel.coordinate == Theta3);
+        const bool isOrigin =
+            channel.order == Order::Position && (channel.coordinate == R4x || channel.coordinate == R4y ||
+                                                 channel.coordinate == Theta2 || channel.coordinate == Theta3);
         // A constant R4y is c, whatever it is counted from, unless something else tells c; and what is alone has no
         // other origin to differ from.
         if (isOrigin && observations.columns[i].count > 1) {
@@ -190,15 +191,18 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
     const auto zeros = static_cast<double>(std::ranges::count(shifted, true, &ColumnReading::isZeroFree));
     const double spent = zeros * kPriceOfZero;
     // Where rounding explains all, a free constant has nothing to gain but what it costs.
-    const bool isDone =
-        !candidates.empty() && candidates.front().standing.isExact && candidates.front().standing.stands &&
-        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + kPriceOfZero;
+    const bool isDone = !candidates.empty() && candidates.front().standing.isExact &&
+                        candidates.front().standing.stands &&
+                        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + kPriceOfZero;
     if (zeros > 0.0 && !isDone) {
         std::vector<Candidate> others = bestCandidates(rows, shifted, spent, starts, stop);
         for (Candidate &other : others) {
             const bool isFirst = &other == &others.front();
             if (isFirst || other.standing.stands) {
-                candidates.push_back(withoutIdleZeros(rows, std::move(other), stop));
+                candidates.push_back(withoutIdleZeros(rows, other, stop));
+            }
+            if (isFirst && other.standing.stands && candidates.back().reading != other.reading) {
+                candidates.push_back(std::move(other)); // dearer, but perhaps telling of another mechanism
             }
         }
     }

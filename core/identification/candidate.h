@@ -14,7 +14,7 @@ namespace slidercrank
 
 struct Candidate {
     FileReading reading;
-    double penalty = 0.0;     ///< of the reading, see diagnosis
+    double penalty = 0.0;      ///< of the reading, see diagnosis
     bool isClockExact = false; ///< the instants are taken as they are printed
     FreeParameters isFree = kAllFree;
     Fit fit;
@@ -32,7 +32,7 @@ inline constexpr double kPriceOfCrossed = 6.0;
 struct SearchRows {
     Observations all;
     Observations few;
-    Parameters given;          ///< the mechanism at hand, in FitUnits
+    Parameters given; ///< the mechanism at hand, in FitUnits
     FreeParameters isFree = kAllFree;
 };
 

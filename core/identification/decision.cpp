@@ -281,8 +281,13 @@ Identification decisionOn(const SearchRows &rows, std::span<const Candidate> can
     }
     result.outcome = Outcome::Identified;
     for (const Candidate &rival : candidates.subspan(1)) {
+        // The plain reading goes before the same with another origin, unless that tells of another mechanism and is
+        // met by more than chance the better.
+        constexpr double kMoreThanChance = 12.0;
         const bool isExtension = isSameButForZeros(rival.reading, best.reading) && rival.reading != best.reading;
-        if (rival.standing.stands && rival.score() < best.score() + kMargin && !isExtension &&
+        const bool isAsGood = isExtension ? rival.fit.deviance < best.fit.deviance - kMoreThanChance
+                                          : rival.score() < best.score() + kMargin;
+        if (rival.standing.stands && isAsGood &&
             isAnother(best.fit.parameters, uncertainty.standardError, rival.fit.parameters)) {
             result.outcome = Outcome::Ambiguous;
             result.alternatives.push_back({Why::AnotherMechanism, units.fromFit(rival.fit.parameters)});

@@ -92,10 +92,11 @@ Candidate grown(const ReferenceData &data, const FileSearch &search, const Searc
     FitUnits from = units;
     const double span = data.time[search.rows.end - 1] - first;
     for (reach *= kGrowth; reach < span && !stop.stop_requested(); reach *= kGrowth) {
-        const auto last = static_cast<std::size_t>(std::ranges::upper_bound(data.time, first + reach) - data.time.begin());
+        const auto last =
+            static_cast<std::size_t>(std::ranges::upper_bound(data.time, first + reach) - data.time.begin());
         const RowRange some = counted(data, search.rows.first, std::min(last, search.rows.end));
-        const SearchRows part = searchRowsOf(data, search.clock, spreadOver(data, some, kWindowRows),
-                                             from.fromFit(current.fit.parameters));
+        const SearchRows part =
+            searchRowsOf(data, search.clock, spreadOver(data, some, kWindowRows), from.fromFit(current.fit.parameters));
         if (part.all.columns.size() != current.reading.size()) {
             break;
         }

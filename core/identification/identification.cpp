@@ -30,7 +30,9 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
     const FitProblem problem = problemOf(search->window.all, plain);
     std::vector<Parameters> starts = startsOf(problem, speedsOf(problem, stop), search->window.given.a, stop);
     starts.push_back(search->window.given);
-    std::vector<Candidate> candidates = bestCandidates(search->window, plain, 0.0, starts, stop);
+    // Another origin may lead there, but the file is read as it says.
+    std::vector<Candidate> candidates = plainCandidates(search->window, starts, stop);
+    std::erase_if(candidates, [&](const Candidate &candidate) { return candidate.reading != plain; });
     const SearchRows whole = wholeOf(data, *search, given);
     for (Candidate &candidate : candidates) {
         candidate = grown(data, *search, whole, candidate, stop);

@@ -112,8 +112,9 @@ void descend(const FitProblem &problem, Fit &at, const FreeParameters &isFree, c
              const std::stop_token &stop)
 {
     constexpr double kRelativeGain = 1e-5;
-    constexpr double kGain = 1e-4;         // a hundredth of a standard error
-    constexpr double kNearlyGauss = 1e-3; // of damping: the step is nearly the whole one
+    constexpr double kGain = 1e-4; // a hundredth of a standard error
+    constexpr double kUndamped = 1e-13;
+    bool isSettled = false;
     Linearized here;
     linearize(problem, at, isFree, weights, here);
     at.chiSquared = here.chiSquared;
@@ -139,12 +140,21 @@ void descend(const FitProblem &problem, Fit &at, const FreeParameters &isFree, c
             trial.chiSquared = there.chiSquared;
             at = trial;
             here = there;
-            damping = std::max(0.1 * damping, 1e-12);
-            if (gain <= kRelativeGain * at.chiSquared + kGain && damping <= kNearlyGauss) {
-                break;
+            damping *= 0.1;
+            if (gain <= kRelativeGain * at.chiSquared + kGain) {
+                // What is damped may only creep: it has to be so without, too.
+                if (isSettled) {
+                    break;
+                }
+                isSettled = true;
+                damping = kUndamped;
+            } else {
+                isSettled = false;
             }
+        } else if (isSettled) {
+            break;
         } else {
-            damping *= damping < 1e-4 ? 100.0 : 10.0;
+            damping = std::max(1e-6, damping * (damping < 1e-4 ? 100.0 : 10.0));
             if (damping > 1e8) {
                 break;
             }
@@ -199,6 +209,13 @@ double noiseOf(std::span<const double> residuals, std::span<const double> varian
 
 } // namespace
 
+double arithmeticVariance(const FitProblem &problem, const FitColumn &column, double omega2)
+{
+    const double lost = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(omega2) * problem.farthest *
+                        static_cast<double>(1 + static_cast<int>(column.channel.order)) * column.spread;
+    return lost * lost;
+}
+
 bool isTurning(Channel channel)
 {
     return isAngle(channel.coordinate) && channel.order == Order::Position;
@@ -225,6 +242,7 @@ FitProblem problemOf(const Observations &observations, const FileReading &readin
     FitProblem problem;
     problem.time = observations.time;
     problem.clockStep = observations.clockStep;
+    problem.farthest = std::abs(observations.units.origin) / observations.units.second + 0.5;
     for (std::size_t i = 0; i < reading.size(); ++i) {
         const ObservedColumn &from = observations.columns[i];
         if (!reading[i].isUsed) {
@@ -268,6 +286,10 @@ bool residualsOf(const FitProblem &problem, const Fit &fit, FitResiduals &result
     result.variance.assign(problem.columns.size(), std::vector<double>(rows, kNone));
     InstantMotion motion;
     const bool hasRates = problem.clockStep > 0.0;
+    std::vector<double> lost;
+    for (const FitColumn &column : problem.columns) {
+        lost.push_back(arithmeticVariance(problem, column, fit.parameters.omega2));
+    }
     for (std::size_t row = 0; row < rows; ++row) {
         const double t = problem.time[row];
         if (!(hasRates ? motion.compute(fit.parameters, t) : motion.computeValues(fit.parameters, t))) {
@@ -281,7 +303,7 @@ bool residualsOf(const FitProblem &problem, const Fit &fit, FitResiduals &result
             const double zero = column.zero >= 0 ? fit.zeros[static_cast<std::size_t>(column.zero)] : 0.0;
             const double difference = column.values[row] - zero - motion.valueOf(column.channel);
             result.residuals[k][row] = isTurning(column.channel) ? withoutTurns(difference) : difference;
-            double variance = column.variance[row];
+            double variance = column.variance[row] + lost[k];
             if (hasRates) {
                 const double late = motion.rateOf(column.channel) * problem.clockStep;
                 variance += late * late / 12.0;
@@ -332,13 +354,15 @@ Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters
                 weight = 1.0 / (weight + noise);
             }
         }
-        const Parameters before = result.parameters;
+        if (isSame) {
+            break; // the same weights have the same minimum
+        }
         if (freeCount(problem, isFree) > 0) {
             descend(problem, result, isFree, weights, round == 0 ? kFirstSteps : kSteps, stop);
         } else {
             result.chiSquared = 0.0; // nothing to fit
         }
-        if (!result.exists() || (isSame && before == result.parameters) || (isSame && round > 1)) {
+        if (!result.exists()) {
             break;
         }
     }
@@ -370,7 +394,8 @@ Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters
         }
     }
     const double parameters = static_cast<double>(std::ranges::count(isFree, true));
-    result.score = result.chiSquared + logarithms + static_cast<double>(problem.leftOut) + parameters * perUnknown + constants;
+    result.deviance = result.chiSquared + logarithms + static_cast<double>(problem.leftOut);
+    result.score = result.deviance + parameters * perUnknown + constants;
     return result;
 }
 
@@ -389,7 +414,8 @@ ExactFitMatrix informationOf(const FitProblem &problem, const Fit &fit, const Fr
             if (std::isnan(column.values[row])) {
                 continue;
             }
-            double variance = column.variance[row] + fit.noise[k];
+            double variance =
+                column.variance[row] + fit.noise[k] + arithmeticVariance(problem, column, fit.parameters.omega2);
             if (problem.clockStep > 0.0) {
                 const double late = motion.rateOf(column.channel) * problem.clockStep;
                 variance += late * late / 12.0;

@@ -13,7 +13,8 @@
 //
 //     S = Σ r²/V + ln(V / z²) + k ln N        z the spread of the column, k free parameters, N values
 //
-// A free constant pays for what it might have been: ln(size² Σ 1/V) instead of ln N where that is more. A column that is left out counts as explained by its own spread.
+// A free constant pays for what it might have been: ln(size² Σ 1/V) instead of ln N where that is more. A column that
+// is left out counts as explained by its own spread.
 //
 // Sources: K. Levenberg 1944, D. W. Marquardt 1963; G. Schwarz, "Estimating the dimension of a model", 1978.
 
@@ -32,11 +33,11 @@ namespace slidercrank
 
 /// How one column of a file is read: as which channel, in which unit and sense, from where it is counted.
 struct ColumnReading {
-    Channel channel;           ///< may be another than the file says
-    double factor = 1.0;       ///< multiplies the file's number, which is then in the author's unit of the channel
-    double turn = 0.0;         ///< degrees, then added to an angle
-    bool isUsed = true;        ///< false: left out
-    bool isZeroFree = false;   ///< an unknown constant is added
+    Channel channel;         ///< may be another than the file says
+    double factor = 1.0;     ///< multiplies the file's number, which is then in the author's unit of the channel
+    double turn = 0.0;       ///< degrees, then added to an angle
+    bool isUsed = true;      ///< false: left out
+    bool isZeroFree = false; ///< an unknown constant is added
 
     friend bool operator==(const ColumnReading &, const ColumnReading &) = default;
 };
@@ -61,6 +62,7 @@ struct FitColumn {
 struct FitProblem {
     std::vector<double> time;
     double clockStep = 0.0;
+    double farthest = 0.0;          ///< largest distance of an instant from the file's t = 0
     std::vector<FitColumn> columns; ///< those in use
     Eigen::Index zeroCount = 0;
     std::size_t valueCount = 0;
@@ -68,6 +70,9 @@ struct FitProblem {
 };
 
 FitProblem problemOf(const Observations &observations, const FileReading &reading);
+
+/// What arithmetic makes of a column at that speed: after so many radians a double has lost so many digits.
+double arithmeticVariance(const FitProblem &problem, const FitColumn &column, double omega2);
 
 /// By enum Parameter.
 using FreeParameters = std::array<bool, kParameterCount>;
@@ -86,6 +91,7 @@ struct Fit {
     std::vector<double> noise; ///< σ² by column of the problem
     double chiSquared = std::numeric_limits<double>::infinity();
     double score = std::numeric_limits<double>::infinity();
+    double deviance = std::numeric_limits<double>::infinity(); ///< the score without what freedom costs
     int iterations = 0;
 
     bool exists() const { return chiSquared < std::numeric_limits<double>::infinity(); }

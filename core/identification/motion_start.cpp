@@ -391,10 +391,9 @@ Shape shapeOfBoth(const Positions &positions, bool isTurned, bool isShifted)
 
 Shape shapeOfTheta3(const Positions &positions, bool isTurned, double size)
 {
-    const double centre =
-        isTurned ? std::accumulate(positions.theta3.begin(), positions.theta3.end(), 0.0) /
-                       static_cast<double>(positions.theta3.size())
-                 : 0.0;
+    const double centre = isTurned ? std::accumulate(positions.theta3.begin(), positions.theta3.end(), 0.0) /
+                                         static_cast<double>(positions.theta3.size())
+                                   : 0.0;
     Equations equations(isTurned ? 4 : 3);
     double cosines = 0.0;
     for (std::size_t i = 0; i < positions.phase.size(); ++i) {
@@ -419,8 +418,8 @@ Shape shapeOfTheta3(const Positions &positions, bool isTurned, double size)
 
 Shape shapeOfR4x(const Positions &positions, bool isShifted)
 {
-    const double m = std::accumulate(positions.R4x.begin(), positions.R4x.end(), 0.0) /
-                     static_cast<double>(positions.R4x.size());
+    const double m =
+        std::accumulate(positions.R4x.begin(), positions.R4x.end(), 0.0) / static_cast<double>(positions.R4x.size());
     Equations equations(isShifted ? 6 : 5);
     for (std::size_t i = 0; i < positions.phase.size(); ++i) {
         const double cosine = std::cos(positions.phase[i]);
@@ -442,7 +441,10 @@ Shape shapeOfR4x(const Positions &positions, bool isShifted)
 }
 
 /// Every way in which the positions give a mechanism.
-using Route = std::function<Shape(const Positions &)>;
+struct Route {
+    std::function<Shape(const Positions &)> shape;
+    bool isOfTheta3 = false; ///< only: then the crank may as well turn the other way
+};
 
 std::vector<Route> routesFor(const Positions &positions, double size)
 {
@@ -454,13 +456,13 @@ std::vector<Route> routesFor(const Positions &positions, double size)
             const bool isTheta3Known = isTurned || positions.isTheta3Whole;
             const bool isR4xKnown = isShifted || positions.isR4xWhole;
             if (hasTheta3 && hasR4x && isTheta3Known && isR4xKnown) {
-                routes.emplace_back([=](const Positions &some) { return shapeOfBoth(some, isTurned, isShifted); });
+                routes.push_back({[=](const Positions &some) { return shapeOfBoth(some, isTurned, isShifted); }});
             }
             if (hasR4x && isR4xKnown && !isTurned) {
-                routes.emplace_back([=](const Positions &some) { return shapeOfR4x(some, isShifted); });
+                routes.push_back({[=](const Positions &some) { return shapeOfR4x(some, isShifted); }});
             }
             if (hasTheta3 && isTheta3Known && !isShifted) {
-                routes.emplace_back([=](const Positions &some) { return shapeOfTheta3(some, isTurned, size); });
+                routes.push_back({[=](const Positions &some) { return shapeOfTheta3(some, isTurned, size); }, true});
             }
         }
     }
@@ -719,9 +721,8 @@ double misfitOf(const FitProblem &problem, const Parameters &parameters)
 std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &stop)
 {
     CrankCourse crank;
-    return crankCourseOf(problem, crank) && crank.speed != 0.0
-               ? std::vector<double>{std::abs(crank.speed)}
-               : speedsByHarmonics(problem, familiesOf(problem), stop);
+    return crankCourseOf(problem, crank) && crank.speed != 0.0 ? std::vector<double>{std::abs(crank.speed)}
+                                                               : speedsByHarmonics(problem, familiesOf(problem), stop);
 }
 
 std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<double> &speeds, double size,
@@ -730,13 +731,20 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
     constexpr std::size_t kRowMinima = 2;
     constexpr int kRowRefinements = 10;
     std::vector<Parameters> starts;
-    const auto add = [&](Shape shape, double speed) {
+    const auto add = [&](const Route &route, const Positions &positions, double speed) {
+        Shape shape = route.shape(positions);
         shape.parameters.omega2 = speed;
         const Parameters &p = shape.parameters;
         if (std::isfinite(p.a) && std::isfinite(p.b) && std::isfinite(p.c) && std::isfinite(p.theta20) && p.a > 0.0) {
             lengthenCoupler(problem, shape.parameters);
-            scaleToFit(problem, shape.parameters); // angles alone know no size
+            // Angles alone know no size, and lengths have another one if the crank turns the other way.
+            Parameters reversed{p.a, p.b, p.c, -p.omega2, kPi - p.theta20, p.branch};
+            scaleToFit(problem, shape.parameters);
             starts.push_back(shape.parameters);
+            if (route.isOfTheta3) {
+                scaleToFit(problem, reversed);
+                starts.push_back(reversed);
+            }
         }
     };
     CrankCourse crank;
@@ -748,7 +756,7 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
         }
         const Positions positions = positionsOverATurn(problem, speed);
         for (const Route &route : routesFor(positions, size)) {
-            add(route(positions), speed);
+            add(route, positions, speed);
         }
     }
     const Positions rows = positionsOnRows(problem);
@@ -766,12 +774,12 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
     }
     for (const Route &route : routesFor(rows, size)) {
         const auto left = [&](double speed) {
-            return stop.stop_requested() ? kUnbounded : route(atSpeed(rows, speed)).left;
+            return stop.stop_requested() ? kUnbounded : route.shape(atSpeed(rows, speed)).left;
         };
         const std::vector<double> best = isCrankKnown ? std::vector<double>{std::abs(crank.speed)}
                                                       : minimaOver(few, kRowMinima, kRowRefinements, left);
         for (const double speed : best) {
-            add(route(atSpeed(rows, speed)), speed);
+            add(route, atSpeed(rows, speed), speed);
         }
     }
     return starts;

@@ -15,8 +15,8 @@
 //     R4x alone  r² = -2 R r + 2 r a cos θ2 + (2 R u + 2 c v) cos W t + (2 c u - 2 R v) sin W t + D - R²,
 //                D = b² - a² - c²
 //
-// with B1 = b cos z and B2 = b sin z. Where the origin of a column is trusted, z = 0 and R = m. Over more than a turn or
-// so these are written at the phases of a turn, from six harmonics; over less, on the rows themselves, derivatives
+// with B1 = b cos z and B2 = b sin z. Where the origin of a column is trusted, z = 0 and R = m. Over more than a turn
+// or so these are written at the phases of a turn, from six harmonics; over less, on the rows themselves, derivatives
 // summed up.
 
 #include "core/identification/motion_fit.h"

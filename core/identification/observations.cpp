@@ -122,10 +122,9 @@ void learn(ObservedColumn &column, const Rounding &rounding)
     column.variance.resize(column.values.size());
     for (std::size_t i = 0; i < column.values.size(); ++i) {
         const double value = column.values[i];
-        const double step =
-            std::isfinite(value)
-                ? std::max({steps.at(value), kFinest * column.step, kArithmeticStep * range.size()})
-                : column.step;
+        const double step = std::isfinite(value)
+                                ? std::max({steps.at(value), kFinest * column.step, kArithmeticStep * range.size()})
+                                : column.step;
         column.variance[i] = step * step / 12.0 * repeated;
     }
 }
@@ -144,7 +143,8 @@ bool Observations::has(Channel channel) const
 
 bool Observations::has(Coordinate coordinate) const
 {
-    return std::ranges::any_of(columns, [&](const ObservedColumn &column) { return column.channel.coordinate == coordinate; });
+    return std::ranges::any_of(columns,
+                               [&](const ObservedColumn &column) { return column.channel.coordinate == coordinate; });
 }
 
 bool Observations::hasPositionOnly() const
@@ -235,7 +235,8 @@ FitUnits unitsFor(const ReferenceData &data, std::span<const std::size_t> rows, 
                 }
             }
             // A derivative's unit of time is guessed to be that of a turn in all.
-            const double size = 0.5 * range.width() * std::pow(units.second / (2.0 * std::numbers::pi), static_cast<int>(order));
+            const double size =
+                0.5 * range.width() * std::pow(units.second / (2.0 * std::numbers::pi), static_cast<int>(order));
             if (size > 0.0 && std::isfinite(size)) {
                 units.mm = size;
                 isKnown = true;

@@ -128,8 +128,7 @@ Gradient InstantMotion::pinGradient(bool alongX, int order) const
     Gradient gradient = Gradient::Zero();
     gradient[0] = power * slope;
     gradient[4] = m_parameters.a * power * quarters[(first + 1) % quarters.size()];
-    gradient[3] =
-        m_time * gradient[4] + (order > 0 ? order * m_parameters.a * std::pow(w, order - 1) * slope : 0.0);
+    gradient[3] = m_time * gradient[4] + (order > 0 ? order * m_parameters.a * std::pow(w, order - 1) * slope : 0.0);
     return gradient;
 }
 

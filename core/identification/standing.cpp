@@ -21,7 +21,7 @@ constexpr std::size_t kFewestNoisyRows = 20;
 double sizeOf(const FitColumn &column, const Parameters &p)
 {
     const double rate = std::pow(std::abs(p.omega2), static_cast<int>(column.channel.order));
-    const double constant = column.channel.coordinate == R4y                                                ? p.a * rate
+    const double constant = column.channel.coordinate == R4y ? p.a * rate
                             : column.channel.coordinate == Theta2 && column.channel.order != Order::Position ? rate
                                                                                                              : 0.0;
     return std::max(column.spread, constant);
@@ -37,18 +37,6 @@ bool hasManyDigits(double steps)
         whole /= 10.0;
     }
     return std::isfinite(steps) && whole >= kThreeDigits;
-}
-
-/// Lag-1 autocorrelation.
-double correlationOf(const std::vector<double> &values)
-{
-    double squares = 0.0;
-    double products = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        squares += values[i] * values[i];
-        products += i > 0 ? values[i] * values[i - 1] : 0.0;
-    }
-    return squares > 0.0 ? products / squares : 0.0;
 }
 
 /// Whether harmonics of the crank's angle explain more than chance would.
@@ -74,6 +62,21 @@ bool isPeriodic(const std::vector<double> &values, const std::vector<double> &an
 }
 
 } // namespace
+
+double correlationOf(const std::vector<double> &values)
+{
+    double squares = 0.0;
+    double products = 0.0;
+    double last = 0.0;
+    for (const double value : values) {
+        if (!std::isnan(value)) {
+            squares += value * value;
+            products += value * last;
+            last = value;
+        }
+    }
+    return squares > 0.0 ? products / squares : 0.0;
+}
 
 Standing standingOf(const FitProblem &problem, const Fit &fit)
 {
@@ -118,8 +121,8 @@ Standing standingOf(const FitProblem &problem, const Fit &fit)
                 byAngle.push_back(values[i]);
             }
             const double most = 3.0 / std::sqrt(static_cast<double>(values.size()));
-            standing.columnStands[k] = part <= kMostNoise && inTime <= most && correlationOf(byAngle) <= most &&
-                                       !isPeriodic(values, angles);
+            standing.columnStands[k] =
+                part <= kMostNoise && inTime <= most && correlationOf(byAngle) <= most && !isPeriodic(values, angles);
         }
         standing.stands = standing.stands && standing.columnStands[k];
     }
@@ -157,8 +160,7 @@ Uncertainty uncertaintyOf(const Observations &observations, const FitProblem &pr
         if (isFree[i]) {
             speed = i == indexOf(Parameter::Omega2) ? next : speed;
             angle = i == indexOf(Parameter::Theta20) ? next : angle;
-            result.standardError[i] =
-                factor * static_cast<double>(std::sqrt(std::max(covariance(next, next), 0.0L)));
+            result.standardError[i] = factor * static_cast<double>(std::sqrt(std::max(covariance(next, next), 0.0L)));
             ++next;
         }
     }
@@ -178,8 +180,8 @@ Uncertainty uncertaintyOf(const Observations &observations, const FitProblem &pr
     }
     if (speed >= 0 && angle >= 0) {
         const auto zero = static_cast<long double>(observations.units.origin / observations.units.second);
-        const long double variance = covariance(angle, angle) - 2.0L * zero * covariance(angle, speed) +
-                                     zero * zero * covariance(speed, speed);
+        const long double variance =
+            covariance(angle, angle) - 2.0L * zero * covariance(angle, speed) + zero * zero * covariance(speed, speed);
         result.atClockZero = std::hypot(factor * static_cast<double>(std::sqrt(std::max(variance, 0.0L))),
                                         clock * (1.0 + static_cast<double>(std::abs(zero))));
     }
@@ -190,8 +192,12 @@ Uncertainty uncertaintyOf(const Observations &observations, const FitProblem &pr
         for (const double sign : {3.0, -3.0}) {
             FitVector step(n);
             for (Eigen::Index j = 0; j < n; ++j) {
-                step[j] = sign * static_cast<double>(scale[j] * solver.eigenvectors()(j, i) /
-                                                     std::sqrt(eigenvalues[i]));
+                step[j] =
+                    sign * static_cast<double>(scale[j] * solver.eigenvectors()(j, i) / std::sqrt(eigenvalues[i]));
+            }
+            constexpr double kNextToNothing = 1e-10; // what arithmetic leaves of a long run is not curvature
+            if (step.cwiseAbs().maxCoeff() < kNextToNothing) {
+                continue;
             }
             const double growth = chiSquaredAt(problem, fit, isFree, step) - fit.chiSquared;
             result.isStraight = result.isStraight && growth >= 4.5 && growth <= 18.0;

@@ -16,6 +16,9 @@ namespace slidercrank
 inline constexpr double kMostNoise = 0.15;
 inline constexpr double kIntegrationError = 3e-4;
 
+/// Lag-1 autocorrelation of the values of a column, those missing left out.
+double correlationOf(const std::vector<double> &values);
+
 struct Standing {
     bool stands = false;
     bool isExact = false;   ///< rounding explains all of it

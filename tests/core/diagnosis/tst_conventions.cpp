@@ -852,9 +852,10 @@ private slots:
             compared.b = b;
             largestAllocation = 0;
             const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
-            const std::size_t largest = largestAllocation; // whoever tries a reading has the model beside the rows
+            const std::size_t largest = largestAllocation;
             QVERIFY2(areFound(found, {{Kind::AngleUnit, kAngles, 180.0 / kPi}}), inWords(found).c_str());
-            QVERIFY2(largest < sizeof(double) * instants.size() / 10, std::to_string(largest).c_str());
+            // Read otherwise, the file is copied once, column by column; nothing is larger than one.
+            QVERIFY2(largest <= sizeof(double) * instants.size(), std::to_string(largest).c_str());
         }
     }
 

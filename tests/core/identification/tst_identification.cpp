@@ -169,10 +169,11 @@ private slots:
             QVERIFY(result.standardError[i] > 0.0 && result.standardError[i] < 1e-5);
         }
         QVERIFY(result.iterations <= 10);
-        QVERIFY(result.conditionNumber > 10.0 && result.conditionNumber < 20.0);
+        QVERIFY(result.conditionNumber > 5.0 && result.conditionNumber < 20.0);
         QVERIFY(result.rms < 0.4);
 
-        const std::vector<ParameterChange> causes = parameterChanges(data, Mechanism(), identify(data, Mechanism()).parameters);
+        const std::vector<ParameterChange> causes =
+            parameterChanges(data, Mechanism(), identify(data, Mechanism()).parameters);
         QCOMPARE(causes.size(), kParameterCount);
         QCOMPARE(causes[0].parameter, Parameter::B);
         QVERIFY(std::abs(causes[0].value - 60.0) < 5e-4);
@@ -372,7 +373,9 @@ private slots:
             }
         }
         const Identification result = identify(data, Mechanism());
-        QVERIFY2(isFound(result) && distance(result.parameters, {20.0, 60.0, 25.0, 5.0, 0.5, Branch::Open}) < 1e-5,
+        // As they say, no mechanism explains all of them; the one that explains the others comes nearest.
+        QCOMPARE(result.outcome, Identification::Outcome::Nearest);
+        QVERIFY2(distance(result.parameters, {20.0, 60.0, 25.0, 5.0, 0.5, Branch::Open}) < 1e-5,
                  qPrintable(described(result.parameters)));
     }
 
@@ -443,7 +446,8 @@ private slots:
             default: given.theta20 += random.uniform(-kPi, kPi); break;
             }
             const ReferenceData data = printedData(truth, turnsOf(truth, random.uniform(0.6, 3.0), 201, "111111"));
-            const std::vector<ParameterChange> causes = parameterChanges(data, Mechanism(given), identify(data, Mechanism(given)).parameters);
+            const std::vector<ParameterChange> causes =
+                parameterChanges(data, Mechanism(given), identify(data, Mechanism(given)).parameters);
             QCOMPARE(causes.size(), kParameterCount);
             const QString what = described(given) + " instead of " + described(truth);
             QVERIFY2(indexOf(causes[0].parameter) == static_cast<std::size_t>(which), qPrintable(what));
