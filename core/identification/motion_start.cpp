@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/motion_start.h"
 
+#include "core/identification/candidate.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
@@ -728,7 +730,7 @@ std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &s
 std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<double> &speeds, double size,
                                  const std::stop_token &stop)
 {
-    constexpr std::size_t kRowMinima = 2;
+    constexpr std::size_t kRowMinima = 3;
     constexpr int kRowRefinements = 10;
     std::vector<Parameters> starts;
     const auto add = [&](const Route &route, const Positions &positions, double speed) {
@@ -737,13 +739,17 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
         const Parameters &p = shape.parameters;
         if (std::isfinite(p.a) && std::isfinite(p.b) && std::isfinite(p.c) && std::isfinite(p.theta20) && p.a > 0.0) {
             lengthenCoupler(problem, shape.parameters);
-            // Angles alone know no size, and lengths have another one if the crank turns the other way.
+            // Angles alone know no size, and lengths have another one if the crank turns the other way. The size that
+            // R4x tells may be better, or worse, than that of the shape when scaled.
+            Parameters scaled = p;
             Parameters reversed{p.a, p.b, p.c, -p.omega2, kPi - p.theta20, p.branch};
-            scaleToFit(problem, shape.parameters);
-            starts.push_back(shape.parameters);
+            scaleToFit(problem, scaled);
+            starts.push_back(scaled);
             if (route.isOfTheta3) {
                 scaleToFit(problem, reversed);
                 starts.push_back(reversed);
+            } else if (!isSameMechanism(scaled, p)) {
+                starts.push_back(p);
             }
         }
     };
@@ -766,7 +772,7 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
     }
     std::vector<double> few;
     constexpr double kMostRadians = 2.0 * kPi * 6.0;
-    for (double speed = 0.1; speed < 4.0; speed *= 1.35) {
+    for (double speed = 0.1; speed < 4.0; speed *= 1.25) {
         few.push_back(speed);
     }
     for (double speed = 4.0; speed < kMostRadians; speed += 0.8) {
