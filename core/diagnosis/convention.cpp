@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnosis/convention.h"
 
-#include "core/diagnosis/column_reading.h"
 #include "core/diagnosis/explanation.h"
+#include "core/diagnosis/unit_and_sense.h"
 
 #include <algorithm>
 #include <cmath>

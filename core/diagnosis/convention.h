@@ -2,8 +2,8 @@
 #pragma once
 
 // What a file may mean otherwise than it says: radians for degrees, metres for millimetres, an axis that points the
-// other way, the textbook's θ_3 for θ³, the other assembly, a late start, a derivative that is none. Each is found by
-// trying it, and offered; nothing is ever applied silently.
+// other way, another origin, the textbook's θ_3 for θ³, the other assembly, a late start, a derivative that is none.
+// Each is found by trying it, and offered; nothing is ever applied silently.
 //
 // Some readings cannot be told from another mechanism. The motions of all mechanisms are the same set
 //

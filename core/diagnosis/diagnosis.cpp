@@ -40,11 +40,6 @@ bool isAsWritten(const Tried &tried)
     return tried.hypothesis.isPlain() && std::ranges::none_of(tried.hypothesis.columns, &ColumnHypothesis::isZeroFree);
 }
 
-bool anyStands(const std::vector<Tried> &tried)
-{
-    return std::ranges::any_of(tried, [](const Tried &one) { return one.candidate.standing.stands; });
-}
-
 /// Another origin may take up what is another fault: it has to compete.
 bool anyStandsAsWritten(const std::vector<Tried> &tried)
 {
@@ -207,6 +202,10 @@ void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, co
             stood = std::move(again);
         }
     }
+    // Met exactly without the derivatives: another origin that meets all of them nearly is none.
+    if (stood.candidate.standing.isExact) {
+        std::erase_if(tried, [](const Tried &one) { return !isAsWritten(one) && !one.candidate.standing.isExact; });
+    }
     tried.push_back(std::move(stood));
 }
 
@@ -263,7 +262,7 @@ std::vector<Tried> allWays(const SearchRows &rows, const std::stop_token &stop)
     std::vector<Parameters> starts = startsOf(problem, speedsOf(problem, stop), rows.given.a, stop);
     starts.push_back(rows.given);
     std::vector<Tried> tried = plainly(rows, starts, stop);
-    if (!anyStands(tried)) {
+    if (!anyStandsAsWritten(tried)) {
         tryWithoutDifferences(rows, tried, stop);
     }
     if (!anyStandsAsWritten(tried)) {
@@ -304,8 +303,7 @@ std::optional<CrankSpeedChange> unevenCrankOf(const SearchRows &rows)
         return std::nullopt;
     }
     const FitProblem problem = problemOf(all, asWritten(all));
-    CrankCourse course;
-    crankCourseOf(problem, course);
+    const double speedOnAverage = crankSpeedOf(problem);
     const double unit = all.units.factor(column->channel);
     double last = kNone;
     for (std::size_t row = 0; row < all.time.size(); ++row) {
@@ -314,7 +312,7 @@ std::optional<CrankSpeedChange> unevenCrankOf(const SearchRows &rows)
             continue;
         }
         if (angle && std::isfinite(last)) {
-            const double expected = course.speed * (all.time[row] - times.back());
+            const double expected = speedOnAverage * (all.time[row] - times.back());
             value = last + expected + withoutTurns(value - last - expected);
         }
         last = value;

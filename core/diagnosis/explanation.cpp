@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnosis/explanation.h"
 
-#include "core/diagnosis/column_reading.h"
+#include "core/diagnosis/unit_and_sense.h"
 
 #include <algorithm>
 #include <array>
@@ -71,13 +71,13 @@ bool hasLowerOrder(const ReferenceData &data, const std::vector<bool> &understoo
 bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanation &explanation)
 {
     const std::size_t count = data.series.size();
-    std::vector<std::optional<Reading>> readings(count);
+    std::vector<std::optional<UnitAndSense>> readings(count);
     std::vector<Channel> names;
     std::vector<bool> understood(count, false);
     for (std::size_t i = 0; i < count; ++i) {
         const ReferenceSeries &series = data.series[i];
         names.push_back(series.channel);
-        readings[i] = readAs(series.channel, series.values, model[series.channel], explanation.timeUnit);
+        readings[i] = unitAndSenseOf(series.channel, series.values, model[series.channel], explanation.timeUnit);
         understood[i] = readings[i].has_value();
     }
 
@@ -87,7 +87,7 @@ bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanat
     struct Pair {
         std::size_t column;
         std::size_t name;
-        Reading reading;
+        UnitAndSense reading;
     };
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < count; ++i) {
@@ -96,7 +96,7 @@ bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanat
                 continue;
             }
             const ReferenceSeries &series = data.series[i];
-            if (const auto reading = readAs(names[k], series.values, model[names[k]], explanation.timeUnit)) {
+            if (const auto reading = unitAndSenseOf(names[k], series.values, model[names[k]], explanation.timeUnit)) {
                 pairs.push_back({i, k, *reading});
             }
         }
@@ -134,7 +134,7 @@ bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanat
             notDerivatives.push_back(channel);
             continue;
         }
-        const Reading &reading = *readings[i];
+        const UnitAndSense &reading = *readings[i];
         if (reading.timeUnit != 1.0) {
             add(explanation.conventions, Kind::TimeUnit, explanation.timeUnit).channels.push_back(channel);
         }
@@ -260,6 +260,7 @@ ReferenceData everySoManyth(const ReferenceData &data, std::size_t rows)
 {
     const std::size_t stride = std::max<std::size_t>(1, data.time.size() / rows);
     ReferenceData some;
+    some.timeRounding = data.timeRounding;
     for (const ReferenceSeries &series : data.series) {
         some.series.push_back({series.channel, {}, series.rounding});
     }
@@ -322,7 +323,7 @@ std::vector<ConventionFinding> findingsOf(const ReferenceData &data, const Expla
     return findings;
 }
 
-std::optional<Explanation> proven(const ReferenceData &data, Explanation explanation, Demand demand)
+std::optional<Explanation> proven(const ReferenceData &data, Explanation explanation)
 {
     const ReadMotion motion(data, explanation);
     std::vector<Channel> notDerivatives;
@@ -337,7 +338,7 @@ std::optional<Explanation> proven(const ReferenceData &data, Explanation explana
         const bool nearRounding = error <= kStepsOfAgreement * column.roundingStep.value_or(0.0);
         const bool agrees =
             column.verdict == Verdict::Agrees || (small && (column.verdict == Verdict::Close || nearRounding));
-        if (demand == Demand::Agreement && !derivative ? agrees : small || agrees) {
+        if (derivative ? small || agrees : agrees) {
             continue;
         }
         const bool changed = std::any_of(explanation.conventions.begin(), explanation.conventions.end(),

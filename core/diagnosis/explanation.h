@@ -31,14 +31,9 @@ std::optional<Explanation> explain(const ReferenceData &data, Explanation explan
 /// How much there is to believe: first the number of findings, then of columns that they change.
 double costOf(const Explanation &explanation);
 
-/// What must be left of the errors for an explanation to stand.
-enum class Demand {
-    Agreement,    ///< the position columns agree with the mechanism as far as the file's digits go
-    NearlyNothing ///< nothing beyond kNearlyNothing
-};
-
-/// The explanation with every column that is no derivative found out, or none where it does not stand.
-std::optional<Explanation> proven(const ReferenceData &data, Explanation explanation, Demand demand);
+/// The explanation with every column that is no derivative found out, or none where it does not stand: the position
+/// columns have to agree with the mechanism as far as the file's digits go.
+std::optional<Explanation> proven(const ReferenceData &data, Explanation explanation);
 
 /// Each convention with the errors without and with it.
 std::vector<ConventionFinding> findingsOf(const ReferenceData &data, const Explanation &explanation);

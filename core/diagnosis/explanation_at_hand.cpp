@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnosis/explanation.h"
 
-#include "core/diagnosis/column_reading.h"
+#include "core/diagnosis/unit_and_sense.h"
 #include "core/identification/round_numbers.h"
 
 #include <boost/math/tools/minima.hpp>
@@ -157,6 +157,7 @@ ReferenceData decisiveRows(const ReferenceData &data, const std::stop_token &sto
     }
 
     ReferenceData some;
+    some.timeRounding = data.timeRounding;
     for (const ReferenceSeries &series : data.series) {
         some.series.push_back({series.channel, {}, series.rounding});
     }
@@ -208,7 +209,7 @@ std::optional<Explanation> explainedAtHand(const ReferenceData &all, const Param
     std::optional<Explanation> best;
     for (const Explanation &assumption : assumptions) {
         if (const auto explanation = explain(data, assumption)) {
-            prefer(best, proven(data, *explanation, Demand::Agreement));
+            prefer(best, proven(data, *explanation));
         }
     }
     if (best) {
@@ -222,7 +223,7 @@ std::optional<Explanation> explainedAtHand(const ReferenceData &all, const Param
             Explanation late = assumption;
             late.conventions.push_back({Kind::TimeShift, {}, shift});
             if (const auto explanation = explain(data, late)) {
-                prefer(best, proven(data, withBestShift(data, *explanation), Demand::Agreement));
+                prefer(best, proven(data, withBestShift(data, *explanation)));
             }
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnosis/hypotheses.h"
 
-#include "core/diagnosis/column_reading.h"
+#include "core/diagnosis/unit_and_sense.h"
 #include "core/identification/motion_start.h"
 
 #include <algorithm>
@@ -168,7 +168,7 @@ Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const doubl
         const double perCause = kPriceOfCause + kPriceOfColumn;
         scored.price = (one.unit != 1.0 ? perCause : 0.0) + (one.sign < 0.0 ? perCause : 0.0) +
                        (one.isPerSecond ? kPriceOfColumn : 0.0) + (one.isTurned ? kPriceOfHalfTurn : 0.0) +
-                       (one.isZeroFree ? kPriceOfZero + std::log(static_cast<double>(values)) : 0.0);
+                       (one.isZeroFree ? priceOfZero(channel) + std::log(static_cast<double>(values)) : 0.0);
         return scored;
     };
     ways.plain = consider({channel});
@@ -504,7 +504,7 @@ double Hypothesis::price(const Observations &observations) const
             add(Kind::SwappedColumns, 0.0, false);
         }
         if (column.isZeroFree) {
-            price += kPriceOfZero;
+            price += priceOfZero(column.channel);
         }
     }
     for (const auto &[cause, count] : causes) {
@@ -708,9 +708,9 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
         if (column.zero >= 0) {
             const double zero = candidate.fit.zeros[static_cast<std::size_t>(column.zero)];
             // So small a constant takes up what else is not quite right, and is no origin.
-            constexpr double kLeastOrigin = 1e-3;
+            const double leastOrigin = candidate.standing.isExact ? 1e-3 : 2e-2;
             const double size = column.channel.coordinate == R4y ? candidate.fit.parameters.a : column.spread;
-            if (std::abs(zero) < std::max(kLeastOrigin * size, column.step)) {
+            if (std::abs(zero) < std::max(leastOrigin * size, column.step)) {
                 continue;
             }
             conventions.push_back(

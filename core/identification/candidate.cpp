@@ -168,7 +168,7 @@ Candidate withoutIdleZeros(const SearchRows &rows, Candidate candidate, const st
             }
             FileReading reading = candidate.reading;
             reading[i].isZeroFree = false;
-            const double penalty = candidate.penalty - priceOf(candidate) - kPriceOfZero;
+            const double penalty = candidate.penalty - priceOf(candidate) - priceOfZero(reading[i].channel);
             Candidate without = candidateFrom(rows, reading, penalty, candidate.fit.parameters, stop);
             const bool isAllowed = without.standing.stands || !candidate.standing.stands;
             if (isAllowed && without.score() < candidate.score() && (!best || without.score() < best->score())) {
@@ -188,13 +188,15 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
     const FileReading plain = asWritten(rows.all);
     std::vector<Candidate> candidates = bestCandidates(rows, plain, 0.0, starts, stop);
     const FileReading shifted = withFreeZeros(rows.all, plain);
-    const auto zeros = static_cast<double>(std::ranges::count(shifted, true, &ColumnReading::isZeroFree));
-    const double spent = zeros * kPriceOfZero;
+    double spent = 0.0;
+    for (const ColumnReading &column : shifted) {
+        spent += column.isZeroFree ? priceOfZero(column.channel) : 0.0;
+    }
     // Where rounding explains all, a free constant has nothing to gain but what it costs.
-    const bool isDone = !candidates.empty() && candidates.front().standing.isExact &&
-                        candidates.front().standing.stands &&
-                        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + kPriceOfZero;
-    if (zeros > 0.0 && !isDone) {
+    const bool isDone =
+        !candidates.empty() && candidates.front().standing.isExact && candidates.front().standing.stands &&
+        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + priceOfZero({});
+    if (spent > 0.0 && !isDone) {
         std::vector<Candidate> others = bestCandidates(rows, shifted, spent, starts, stop);
         for (Candidate &other : others) {
             const bool isFirst = &other == &others.front();

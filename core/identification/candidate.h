@@ -23,9 +23,12 @@ struct Candidate {
     double score() const { return fit.score + penalty; }
 };
 
-/// What a free constant costs besides its score, e^-10 against the plain reading; and the crossed assembly, to break
-/// ties.
-inline constexpr double kPriceOfZero = 20.0;
+/// What a free constant costs besides its score: e^-10 against the plain reading, and less likely where a constant
+/// column is all that there is of it. And the crossed assembly, to break ties.
+constexpr double priceOfZero(Channel channel)
+{
+    return channel.coordinate == R4y ? 34.0 : 20.0;
+}
 inline constexpr double kPriceOfCrossed = 6.0;
 
 /// Rows of a file, in two densities: a search looks at few of them first.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which mechanism made these data: (a, b, c, ω2, θ20) and the assembly, from any of the six plotted channels, by
-// weighted least squares. A start is found from the data themselves, then Levenberg-Marquardt with exact derivatives;
-// each value weighs by the step that the file rounded it to, less where a channel scatters more than that. What the
-// given columns cannot fix is said, and kept as it was. θ3 is taken up to whole turns.
+// Which mechanism made these data: (a, b, c, ω2, θ20) and the assembly, from every column that a mechanism can say
+// anything about, each read as the file says; and how sure that is. Starts come from the data themselves
+// (motion_start.h); the fit weighs each value by what it is known to (motion_fit.h); a mechanism is claimed only where
+// what is left is rounding or looks like noise (standing.h), where the data fix it, and where no other explains them as
+// well (decision.h). θ2 and θ3 are taken up to whole turns.
 //
-// Source: K. Levenberg 1944, D. W. Marquardt 1963 as in J. J. Moré, "The Levenberg-Marquardt algorithm", 1978.
 // Lengths in mm, angles in rad, time in s; the data in the author's units (mm, °, s).
 
 #include "core/mechanism/channel.h"
@@ -43,8 +43,7 @@ struct Identification {
     /// onlyRatios), and unless Identified or Ambiguous.
     std::array<double, kParameterCount> standardError{};
 
-    /// Not so: what would be known no better than to its own size, and may as well be as it was. All false unless
-    /// Identified or Ambiguous.
+    /// All true where Identified or Ambiguous (but see onlyRatios), all false else.
     std::array<bool, kParameterCount> identifiable{};
 
     /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as it was, b and c follow
@@ -90,7 +89,8 @@ struct Identification {
     double rms = 0.0;             ///< of the residuals in steps of the file's rounding: 0.29 when only that is left
 };
 
-/// `start` gives what the data cannot fix, and is itself one of the starts tried.
+/// `start` gives the crank's length where the data hold no length, is the mechanism given where none is found, and is
+/// itself one of the starts tried.
 Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop = {});
 
 } // namespace slidercrank

@@ -588,19 +588,20 @@ Positions atSpeed(const Positions &rows, double speed)
 
 } // namespace
 
-bool crankCourseOf(const FitProblem &problem, CrankCourse &course)
+double crankSpeedOf(const FitProblem &problem)
 {
+    double speed = 0.0;
     const FitColumn *rate = columnOf(problem, {Theta2, Order::Velocity});
     if (rate) {
         double sum = 0.0;
         for (const double value : rate->values) {
             sum += std::isnan(value) ? 0.0 : value;
         }
-        course.speed = sum / static_cast<double>(rate->count);
+        speed = sum / static_cast<double>(rate->count);
     }
     const FitColumn *angle = columnOf(problem, {Theta2, Order::Position});
     if (!angle || angle->count < 2) {
-        return rate != nullptr;
+        return speed;
     }
     // Made continuous: by the known rate, or, where it goes on in one direction anyway, not at all.
     std::vector<double> times;
@@ -613,7 +614,7 @@ bool crankCourseOf(const FitProblem &problem, CrankCourse &course)
     }
     const bool isMonotonic = std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::ranges::greater());
     for (std::size_t i = 1; i < angles.size() && (!isMonotonic || rate); ++i) {
-        const double expected = rate ? course.speed * (times[i] - times[i - 1]) : 0.0;
+        const double expected = rate ? speed * (times[i] - times[i - 1]) : 0.0;
         angles[i] = angles[i - 1] + expected + withoutTurns(angles[i] - angles[i - 1] - expected);
     }
     const double n = static_cast<double>(times.size());
@@ -625,10 +626,7 @@ bool crankCourseOf(const FitProblem &problem, CrankCourse &course)
         products += (times[i] - meanTime) * (angles[i] - meanAngle);
         squares += (times[i] - meanTime) * (times[i] - meanTime);
     }
-    course.speed = squares > 0.0 ? products / squares : course.speed;
-    course.angle = meanAngle - course.speed * meanTime;
-    course.hasAngle = true;
-    return true;
+    return squares > 0.0 ? products / squares : speed;
 }
 
 void lengthenCoupler(const FitProblem &problem, Parameters &parameters)
@@ -722,9 +720,8 @@ double misfitOf(const FitProblem &problem, const Parameters &parameters)
 
 std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &stop)
 {
-    CrankCourse crank;
-    return crankCourseOf(problem, crank) && crank.speed != 0.0 ? std::vector<double>{std::abs(crank.speed)}
-                                                               : speedsByHarmonics(problem, familiesOf(problem), stop);
+    const double speed = crankSpeedOf(problem);
+    return speed != 0.0 ? std::vector<double>{std::abs(speed)} : speedsByHarmonics(problem, familiesOf(problem), stop);
 }
 
 std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<double> &speeds, double size,
@@ -753,8 +750,7 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
             }
         }
     };
-    CrankCourse crank;
-    const bool isCrankKnown = crankCourseOf(problem, crank) && crank.speed != 0.0;
+    const double crankSpeed = crankSpeedOf(problem);
     for (const double speed : speeds) {
         constexpr double kWholeTurn = 0.7;
         if (speed < 2.0 * kPi * kWholeTurn) {
@@ -782,8 +778,8 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
         const auto left = [&](double speed) {
             return stop.stop_requested() ? kUnbounded : route.shape(atSpeed(rows, speed)).left;
         };
-        const std::vector<double> best = isCrankKnown ? std::vector<double>{std::abs(crank.speed)}
-                                                      : minimaOver(few, kRowMinima, kRowRefinements, left);
+        const std::vector<double> best = crankSpeed != 0.0 ? std::vector<double>{std::abs(crankSpeed)}
+                                                           : minimaOver(few, kRowMinima, kRowRefinements, left);
         for (const double speed : best) {
             add(route, atSpeed(rows, speed), speed);
         }

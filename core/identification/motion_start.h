@@ -45,12 +45,7 @@ void scaleToFit(const FitProblem &problem, Parameters &parameters);
 /// where it does not move as long as the data do.
 double misfitOf(const FitProblem &problem, const Parameters &parameters);
 
-/// The speed that θ2 or its derivative tells (FitUnits, signed), if it is there; and the crank's angle at time 0.
-struct CrankCourse {
-    double speed = 0.0;
-    double angle = 0.0;
-    bool hasAngle = false;
-};
-bool crankCourseOf(const FitProblem &problem, CrankCourse &course);
+/// The speed that θ2 or its derivative tells (FitUnits, signed); 0: neither is there.
+double crankSpeedOf(const FitProblem &problem);
 
 } // namespace slidercrank

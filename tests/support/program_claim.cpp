@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program_claim.h"
 
-#if __has_include("core/diagnosis/diagnosis.h")
 #include "core/diagnosis/diagnosis.h"
-#else
-#include "core/diagnosis/interpretation.h"
-#endif
 
 #include <string_view>
 #include <utility>
@@ -19,9 +15,7 @@ namespace
 std::string_view wordOf(Convention::Kind kind)
 {
     switch (kind) {
-#if __has_include("core/diagnosis/diagnosis.h")
     case Convention::Kind::ZeroPoint: return "zero-point";
-#endif
     case Convention::Kind::AngleUnit: return "angle-unit";
     case Convention::Kind::LengthUnit: return "length-unit";
     case Convention::Kind::TimeUnit: return "time-unit";
@@ -41,7 +35,6 @@ std::string_view wordOf(Convention::Kind kind)
 ProgramClaim claimOf(const ReferenceData &data, const Mechanism &atHand)
 {
     ProgramClaim claim;
-#if __has_include("core/diagnosis/diagnosis.h")
     const Diagnosis said = diagnose(data, atHand);
     switch (said.identification.outcome) {
     case Identification::Outcome::Identified: claim.outcome = ClaimedOutcome::Identified; break;
@@ -62,13 +55,6 @@ ProgramClaim claimOf(const ReferenceData &data, const Mechanism &atHand)
     if (said.unevenCrank) {
         claim.crankSpeeds = {said.unevenCrank->atStart, said.unevenCrank->atEnd};
     }
-#else
-    const Interpretation said = interpret(data, atHand);
-    using Ended = Identification::Status;
-    claim.outcome = said.identification.status == Ended::Found      ? ClaimedOutcome::Identified
-                    : said.identification.status == Ended::NotFound ? ClaimedOutcome::Nearest
-                                                                    : ClaimedOutcome::Insufficient;
-#endif
     claim.parameters = said.identification.parameters;
     claim.standardError = said.identification.standardError;
     claim.identifiable = said.identification.identifiable;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/diagnosis/column_reading.h"
+#include "core/diagnosis/unit_and_sense.h"
 
 #include "core/reading/reference_data.h"
 
@@ -54,7 +54,7 @@ public:
     double bestFactor() const { return m_valueSquares > 0.0 ? m_products / m_valueSquares : 0.0; }
 
     /// The same reading with its misfit (infinite where it is too much), and, where it may turn, by how much.
-    Reading measured(Reading reading) const
+    UnitAndSense measured(UnitAndSense reading) const
     {
         bool first = true;
         double largest = 0.0;
@@ -122,21 +122,16 @@ double sizeOf(std::span<const double> values)
     return range.width() > kVaries * range.size() ? range.width() : range.size();
 }
 
-double bestFactor(std::span<const double> values, std::span<const double> model)
-{
-    return ColumnPair(values, model).bestFactor();
-}
-
-std::optional<Reading> readAs(Channel channel, std::span<const double> values, std::span<const double> model,
-                              double timeUnit)
+std::optional<UnitAndSense> unitAndSenseOf(Channel channel, std::span<const double> values,
+                                           std::span<const double> model, double timeUnit)
 {
     const ColumnPair pair(values, model);
     if (!pair.comparable()) {
         return std::nullopt;
     }
-    std::optional<Reading> best;
-    const auto consider = [&](const Reading &candidate) {
-        const Reading reading = pair.measured(candidate);
+    std::optional<UnitAndSense> best;
+    const auto consider = [&](const UnitAndSense &candidate) {
+        const UnitAndSense reading = pair.measured(candidate);
         if (reading.misfit <= kLooselyEqual && (!best || reading.steps() < best->steps() ||
                                                 (reading.steps() == best->steps() && reading.misfit < best->misfit))) {
             best = reading;

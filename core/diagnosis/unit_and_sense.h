@@ -20,7 +20,7 @@ inline constexpr std::array<double, 2> kTimeUnits{1e-3, 1e3}; ///< ms read as s,
 inline constexpr std::size_t kFewestValues = 8;
 
 /// How a column's numbers become a channel's: multiplied, then made continuous, then turned.
-struct Reading {
+struct UnitAndSense {
     double unit = 1.0;     ///< of angle or length
     double timeUnit = 1.0; ///< of a derivative's time, with its power
     double sign = 1.0;
@@ -37,11 +37,8 @@ struct Reading {
 
 /// The reading of fewest steps that makes a column the channel, or none. `timeUnit`: that of the instants, which a
 /// derivative may count in too.
-std::optional<Reading> readAs(Channel channel, std::span<const double> values, std::span<const double> model,
-                              double timeUnit);
-
-/// The factor that brings the values nearest to the model, 0 where there is none.
-double bestFactor(std::span<const double> values, std::span<const double> model);
+std::optional<UnitAndSense> unitAndSenseOf(Channel channel, std::span<const double> values,
+                                           std::span<const double> model, double timeUnit);
 
 /// How much a channel varies; where it does not, how large it is.
 double sizeOf(std::span<const double> values);
