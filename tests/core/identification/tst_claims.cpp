@@ -27,6 +27,13 @@ using namespace slidercrank;
 namespace
 {
 
+/// The sanitizers, thirty times slower, look at memory and not at numbers: a few files are enough for them.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kForMemoryOnly = true;
+#else
+constexpr bool kForMemoryOnly = false;
+#endif
+
 constexpr std::uint64_t kSeed = 11;
 
 std::uint64_t suiteSeed()
@@ -98,7 +105,7 @@ private slots:
                 std::string_view::npos) {
                 continue;
             }
-            const int files = one ? 1 : asked > 0 ? asked : std::max(kind.fewest, runs(50, 500));
+            const int files = one ? 1 : asked > 0 ? asked : kForMemoryOnly ? 1 : std::max(kind.fewest, runs(50, 500));
             std::vector<Judged> all(static_cast<std::size_t>(files));
             inParallel(all.size(), [&](std::size_t i) { all[i] = judgedFile(kind, first + static_cast<int>(i)); });
             std::array<int, 5> outcomes{};
@@ -132,7 +139,7 @@ private slots:
                     misses, fixing);
         QVERIFY(allFiles > 0);
         QCOMPARE(falseClaims, 0);
-        QVERIFY2(100 * misses <= fixing, "more than 1 % are missed");
+        QVERIFY2(kForMemoryOnly || 100 * misses <= fixing, "more than 1 % are missed");
     }
 
     /// ± is honest: how often the truth lies within one, two, three standard errors.
@@ -145,7 +152,7 @@ private slots:
     void haveStandardErrorsThatHold()
     {
         QFETCH(bool, noisy);
-        constexpr int kFiles = 1000;
+        constexpr int kFiles = kForMemoryOnly ? 20 : 1000;
         const auto fileOf = [noisy](int n) {
             Dice dice(suiteSeed() * 1000003U + static_cast<std::uint64_t>(n) * 2U + (noisy ? 1U : 0U));
             ClaimFile file;
@@ -180,6 +187,9 @@ private slots:
         std::printf("%d files identified, %.2f %.2f %.2f %% within one, two, three standard errors\n", files,
                     percent(within[0]), percent(within[1]), percent(within[2]));
         QVERIFY(files >= 95 * kFiles / 100);
+        if (kForMemoryOnly) {
+            return;
+        }
         if (noisy) {
             QVERIFY(std::abs(percent(within[0]) - 68.0) <= 4.0);
             QVERIFY(std::abs(percent(within[1]) - 95.0) <= 2.0);
