@@ -28,23 +28,22 @@ struct Tried {
     Candidate candidate;
 };
 
-bool isBetter(const Tried &x, const Tried &y)
+bool goesBefore(const Tried &x, const Tried &y)
 {
-    return x.candidate.standing.stands != y.candidate.standing.stands ? x.candidate.standing.stands
-                                                                      : x.candidate.score() < y.candidate.score();
+    return isBetter(x.candidate, y.candidate);
 }
 
 /// With no other unit, sense or origin than it says.
-bool isAsWritten(const Tried &tried)
+bool isAsWritten(const SearchRows &rows, const Tried &tried)
 {
-    return tried.hypothesis.isPlain() && std::ranges::none_of(tried.hypothesis.columns, &ColumnHypothesis::isZeroFree);
+    return tried.hypothesis.columns == plainHypothesis(rows.all).columns;
 }
 
 /// Another origin may take up what is another fault: it has to compete.
-bool anyStandsAsWritten(const std::vector<Tried> &tried)
+bool anyStandsAsWritten(const SearchRows &rows, const std::vector<Tried> &tried)
 {
-    return std::ranges::any_of(tried,
-                               [](const Tried &one) { return one.candidate.standing.stands && isAsWritten(one); });
+    return std::ranges::any_of(
+        tried, [&](const Tried &one) { return one.candidate.standing.stands && isAsWritten(rows, one); });
 }
 
 /// As the candidate's reading has it: constants that turned out to be idle are gone.
@@ -204,7 +203,8 @@ void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, co
     }
     // Met exactly without the derivatives: another origin that meets all of them nearly is none.
     if (stood.candidate.standing.isExact) {
-        std::erase_if(tried, [](const Tried &one) { return !isAsWritten(one) && !one.candidate.standing.isExact; });
+        std::erase_if(tried,
+                      [&](const Tried &one) { return !isAsWritten(rows, one) && !one.candidate.standing.isExact; });
     }
     tried.push_back(std::move(stood));
 }
@@ -218,7 +218,10 @@ void tryReadings(const SearchRows &rows, std::span<const Parameters> starts, std
     for (Hypothesis &hypothesis : hypothesesFrom(rows.few, starts, stop)) {
         const FitProblem few = problemOf(rows.few, hypothesis.reading());
         const Fit found = fit(few, hypothesis.start, rows.isFree, kScreeningRounds, stop);
-        if (found.exists()) {
+        const bool isKnown = hypothesis.isPlain(rows.all) && std::ranges::any_of(tried, [&](const Tried &one) {
+                                 return isSameMechanism(one.candidate.fit.parameters, found.parameters);
+                             });
+        if (found.exists() && !isKnown) {
             hypothesis.start = found.parameters;
             screened.emplace_back(found.score + hypothesis.price(rows.few), std::move(hypothesis));
         }
@@ -262,12 +265,12 @@ std::vector<Tried> allWays(const SearchRows &rows, const std::stop_token &stop)
     std::vector<Parameters> starts = startsOf(problem, speedsOf(problem, stop), rows.given.a, stop);
     starts.push_back(rows.given);
     std::vector<Tried> tried = plainly(rows, starts, stop);
-    if (!anyStandsAsWritten(tried)) {
+    if (!anyStandsAsWritten(rows, tried)) {
         tryWithoutDifferences(rows, tried, stop);
     }
-    if (!anyStandsAsWritten(tried)) {
+    if (!anyStandsAsWritten(rows, tried)) {
         tryReadings(rows, starts, tried, stop);
-        std::ranges::stable_sort(tried, isBetter);
+        std::ranges::stable_sort(tried, goesBefore);
         if (tried.empty() || !tried.front().candidate.standing.stands || leavesOut(tried.front())) {
             tryReadings(rows, startsFromParts(rows.all, rows.given.a, stop), tried, stop);
         }
@@ -276,7 +279,7 @@ std::vector<Tried> allWays(const SearchRows &rows, const std::stop_token &stop)
         constexpr double kBonus = 24.0; // between two names of the same fault
         one.candidate.penalty -= isAbout(one.candidate.fit.parameters, rows.given) ? kBonus : 0.0;
     }
-    std::ranges::stable_sort(tried, isBetter);
+    std::ranges::stable_sort(tried, goesBefore);
     return tried;
 }
 
@@ -519,12 +522,10 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
             one.candidate = grown(data, *search, whole, one.candidate, stop);
         }
     }
-    std::ranges::stable_sort(tried, isBetter);
+    std::ranges::stable_sort(tried, goesBefore);
 
     // The mechanism at hand, if the file may be read to be its motion.
-    const bool isPlain = !tried.empty() && tried.front().candidate.standing.stands &&
-                         tried.front().hypothesis.isPlain() &&
-                         std::ranges::count(tried.front().hypothesis.columns, true, &ColumnHypothesis::isZeroFree) == 0;
+    const bool isPlain = !tried.empty() && tried.front().candidate.standing.stands && isAsWritten(whole, tried.front());
     std::optional<Explanation> atHand;
     if (!result.isOfMechanismAtHand && (!isPlain || isSimilar(tried.front().candidate.fit.parameters, whole.given))) {
         atHand = explainedAtHand(data, given, stop);

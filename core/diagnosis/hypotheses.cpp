@@ -459,11 +459,13 @@ FileReading Hypothesis::reading() const
     return reading;
 }
 
-bool Hypothesis::isPlain() const
+bool Hypothesis::isPlain(const Observations &observations) const
 {
-    return std::ranges::all_of(columns, [](const ColumnHypothesis &column) {
-        return column.unit == 1.0 && column.sign > 0.0 && !column.isPerSecond && !column.isTurned && column.isUsed;
-    });
+    return std::ranges::equal(columns, plainHypothesis(observations).columns,
+                              [](ColumnHypothesis one, const ColumnHypothesis &plain) {
+                                  one.isZeroFree = plain.isZeroFree;
+                                  return one == plain;
+                              });
 }
 
 double Hypothesis::price(const Observations &observations) const

@@ -33,6 +33,14 @@ double priceOf(const Candidate &candidate)
 
 } // namespace
 
+bool isBetter(const Candidate &x, const Candidate &y)
+{
+    if (x.standing.stands != y.standing.stands) {
+        return x.standing.stands;
+    }
+    return x.standing.stands ? x.score() < y.score() : x.distance < y.distance;
+}
+
 SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span<const std::size_t> rows,
                         const Parameters &given)
 {
@@ -49,7 +57,7 @@ SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span
 Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, double penalty, const Parameters &start,
                         const std::stop_token &stop)
 {
-    Candidate candidate{reading, penalty, false, rows.isFree, {}, {}};
+    Candidate candidate{reading, penalty, false, rows.isFree, {}, {}, 1.0};
     FitProblem problem = problemOf(rows.all, reading);
     candidate.fit = fit(problem, start, rows.isFree, kRounds, stop);
     candidate.standing = standingOf(problem, candidate.fit);
@@ -66,6 +74,7 @@ Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, doub
         }
     }
     candidate.penalty += priceOf(candidate);
+    candidate.distance = distanceOf(problem, candidate.fit);
     return candidate;
 }
 
@@ -208,9 +217,7 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
             }
         }
     }
-    std::ranges::stable_sort(candidates, [](const Candidate &x, const Candidate &y) {
-        return x.standing.stands != y.standing.stands ? x.standing.stands : x.score() < y.score();
-    });
+    std::ranges::stable_sort(candidates, isBetter);
     return candidates;
 }
 

@@ -19,9 +19,14 @@ struct Candidate {
     FreeParameters isFree = kAllFree;
     Fit fit;
     Standing standing;
+    double distance = 1.0; ///< of the fit, as distanceOf()
 
     double score() const { return fit.score + penalty; }
 };
+
+/// What stands goes before what does not, and has the lower score; of what does not stand the nearest is the better: a
+/// score calls misfit noise, and gives up one column for another.
+bool isBetter(const Candidate &x, const Candidate &y);
 
 /// What a free constant costs besides its score: e^-10 against the plain reading, and less likely where a constant
 /// column is all that there is of it. And the crossed assembly, to break ties.

@@ -135,19 +135,6 @@ double aliasDistanceOf(const Observations &observations, const Fit &fit)
     return turnsARow * kFewestRowsATurn > 1.0 ? 2.0 * std::numbers::pi / interval : 0.0;
 }
 
-/// Whether it explains at least half of how much some column varies.
-bool resembles(const FitProblem &problem, const Fit &fit)
-{
-    constexpr double kHalf = 0.5;
-    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
-        const FitColumn &column = problem.columns[k];
-        if (isPlotted(column.channel) && std::sqrt(fit.noise[k]) <= kHalf * column.spread) {
-            return true;
-        }
-    }
-    return false;
-}
-
 double rmsInSteps(const FitProblem &problem, const FitResiduals &left)
 {
     double squares = 0.0;
@@ -242,7 +229,8 @@ Identification decisionOn(const SearchRows &rows, std::span<const Candidate> can
     turnLike(given, chosen, images);
     result.parameters = units.fromFit(chosen.parameters);
     if (!best.standing.stands) {
-        result.outcome = resembles(problem, best.fit) ? Outcome::Nearest : Outcome::None;
+        constexpr double kFar = 0.45; // of all that the columns vary: more than half has to be explained
+        result.outcome = best.distance < kFar ? Outcome::Nearest : Outcome::None;
         result.parameters = result.outcome == Outcome::None ? given : result.parameters;
         return result;
     }

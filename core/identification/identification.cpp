@@ -37,9 +37,7 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
     for (Candidate &candidate : candidates) {
         candidate = grown(data, *search, whole, candidate, stop);
     }
-    std::ranges::stable_sort(candidates, [](const Candidate &x, const Candidate &y) {
-        return x.standing.stands != y.standing.stands ? x.standing.stands : x.score() < y.score();
-    });
+    std::ranges::stable_sort(candidates, isBetter);
     return decisionOn(whole, candidates, given, stop);
 }
 

@@ -78,6 +78,21 @@ double correlationOf(const std::vector<double> &values)
     return squares > 0.0 ? products / squares : 0.0;
 }
 
+double distanceOf(const FitProblem &problem, const Fit &fit)
+{
+    double sum = static_cast<double>(problem.leftOut);
+    double count = sum;
+    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
+        const FitColumn &column = problem.columns[k];
+        if (isPlotted(column.channel) && column.spread > 0.0) {
+            const double part = fit.exists() ? fit.noise[k] / (column.spread * column.spread) : 1.0;
+            sum += static_cast<double>(column.count) * std::min(part, 1.0);
+            count += static_cast<double>(column.count);
+        }
+    }
+    return count > 0.0 ? sum / count : 1.0;
+}
+
 Standing standingOf(const FitProblem &problem, const Fit &fit)
 {
     Standing standing;

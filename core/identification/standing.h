@@ -26,6 +26,10 @@ struct Standing {
     std::vector<bool> columnStands;
 };
 
+/// How far a fit is from the plotted columns: mean of σ²/spread², each counting 1 at most, as what is left out does. 1
+/// explains nothing.
+double distanceOf(const FitProblem &problem, const Fit &fit);
+
 /// A column with noise stands where its residuals change sign as chance does, in the order of time and in the order of
 /// the crank's angle, and where harmonics of that angle explain no more of them than chance. Fewer than twenty rows
 /// tell no noise from misfit: there rounding must explain all.
