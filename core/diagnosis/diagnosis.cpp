@@ -155,6 +155,23 @@ std::vector<Tried> plainly(const SearchRows &rows, std::span<const Parameters> s
     return tried;
 }
 
+/// Met exactly as written without some columns: another origin, unit or sense that meets all of them nearly is none.
+void dropNearMisses(const SearchRows &rows, std::vector<Tried> &tried)
+{
+    const bool isMet = std::ranges::any_of(tried, [&](const Tried &one) {
+        const Standing &standing = one.candidate.standing;
+        return standing.stands && standing.isExact &&
+               std::ranges::equal(one.hypothesis.columns, plainHypothesis(rows.all).columns,
+                                  [](const ColumnHypothesis &column, const ColumnHypothesis &plain) {
+                                      return !column.isUsed || column == plain;
+                                  });
+    });
+    if (isMet) {
+        std::erase_if(tried,
+                      [&](const Tried &one) { return !isAsWritten(rows, one) && !one.candidate.standing.isExact; });
+    }
+}
+
 /// Where all columns are off by little only, the derivatives may be differences: the lowest orders have to stand
 /// without them, and then those of them that agree are taken in again.
 void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, const std::stop_token &stop)
@@ -201,12 +218,8 @@ void tryWithoutDifferences(const SearchRows &rows, std::vector<Tried> &tried, co
             stood = std::move(again);
         }
     }
-    // Met exactly without the derivatives: another origin that meets all of them nearly is none.
-    if (stood.candidate.standing.isExact) {
-        std::erase_if(tried,
-                      [&](const Tried &one) { return !isAsWritten(rows, one) && !one.candidate.standing.isExact; });
-    }
     tried.push_back(std::move(stood));
+    dropNearMisses(rows, tried);
 }
 
 void tryReadings(const SearchRows &rows, std::span<const Parameters> starts, std::vector<Tried> &tried,
@@ -218,9 +231,12 @@ void tryReadings(const SearchRows &rows, std::span<const Parameters> starts, std
     for (Hypothesis &hypothesis : hypothesesFrom(rows.few, starts, stop)) {
         const FitProblem few = problemOf(rows.few, hypothesis.reading());
         const Fit found = fit(few, hypothesis.start, rows.isFree, kScreeningRounds, stop);
-        const bool isKnown = hypothesis.isPlain(rows.all) && std::ranges::any_of(tried, [&](const Tried &one) {
-                                 return isSameMechanism(one.candidate.fit.parameters, found.parameters);
-                             });
+        const bool isKnown = std::ranges::any_of(tried, [&](const Tried &one) {
+            const Parameters &known = one.candidate.fit.parameters;
+            return one.hypothesis.columns == hypothesis.columns && known.branch == found.parameters.branch &&
+                   known.c * found.parameters.c > 0.0 && known.omega2 * found.parameters.omega2 > 0.0 &&
+                   isSameMechanism(known, found.parameters);
+        });
         if (found.exists() && !isKnown) {
             hypothesis.start = found.parameters;
             screened.emplace_back(found.score + hypothesis.price(rows.few), std::move(hypothesis));
@@ -274,6 +290,7 @@ std::vector<Tried> allWays(const SearchRows &rows, const std::stop_token &stop)
         if (tried.empty() || !tried.front().candidate.standing.stands || leavesOut(tried.front())) {
             tryReadings(rows, startsFromParts(rows.all, rows.given.a, stop), tried, stop);
         }
+        dropNearMisses(rows, tried);
     }
     for (Tried &one : tried) {
         constexpr double kBonus = 24.0; // between two names of the same fault

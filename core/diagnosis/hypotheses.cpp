@@ -459,15 +459,6 @@ FileReading Hypothesis::reading() const
     return reading;
 }
 
-bool Hypothesis::isPlain(const Observations &observations) const
-{
-    return std::ranges::equal(columns, plainHypothesis(observations).columns,
-                              [](ColumnHypothesis one, const ColumnHypothesis &plain) {
-                                  one.isZeroFree = plain.isZeroFree;
-                                  return one == plain;
-                              });
-}
-
 double Hypothesis::price(const Observations &observations) const
 {
     // Of one kind and amount, angles and lengths apart: how many columns. All of them are one cause.

@@ -35,9 +35,6 @@ struct Hypothesis {
 
     FileReading reading() const;
     double price(const Observations &observations) const;
-
-    /// As the file says, but perhaps for where it is counted from.
-    bool isPlain(const Observations &observations) const;
 };
 
 /// The file as it says.

@@ -35,10 +35,7 @@ double priceOf(const Candidate &candidate)
 
 bool isBetter(const Candidate &x, const Candidate &y)
 {
-    if (x.standing.stands != y.standing.stands) {
-        return x.standing.stands;
-    }
-    return x.standing.stands ? x.score() < y.score() : x.distance < y.distance;
+    return x.standing.stands != y.standing.stands ? x.standing.stands : x.score() < y.score();
 }
 
 SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span<const std::size_t> rows,

@@ -24,8 +24,7 @@ struct Candidate {
     double score() const { return fit.score + penalty; }
 };
 
-/// What stands goes before what does not, and has the lower score; of what does not stand the nearest is the better: a
-/// score calls misfit noise, and gives up one column for another.
+/// What stands goes before what does not, then the lower score.
 bool isBetter(const Candidate &x, const Candidate &y);
 
 /// What a free constant costs besides its score: e^-10 against the plain reading, and less likely where a constant

@@ -217,7 +217,10 @@ Identification decisionOn(const SearchRows &rows, std::span<const Candidate> can
     if (candidates.empty() || !candidates.front().fit.exists()) {
         return result;
     }
-    const Candidate &best = candidates.front();
+    // Of what does not stand, the nearest: a score calls misfit noise, and gives up one column for another.
+    const Candidate &best = candidates.front().standing.stands
+                                ? candidates.front()
+                                : *std::ranges::min_element(candidates, {}, &Candidate::distance);
     const FitUnits &units = rows.all.units;
     const FitProblem problem = problemOf(rows, best);
     result.iterations = best.fit.iterations;

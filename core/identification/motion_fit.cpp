@@ -162,16 +162,19 @@ void descend(const FitProblem &problem, Fit &at, const FreeParameters &isFree, c
     }
 }
 
-/// The σ² that makes the mean of r²/(V + σ²) one; 0 where that of r²/V is within chance.
-double noiseOf(std::span<const double> residuals, std::span<const double> variance, std::size_t count)
+/// The σ² that makes the mean of r²/(V + σ²) one; 0 where that of r²/V is within chance. V is of single values here:
+/// that rows repeat makes them fewer, and none of them wider.
+double noiseOf(const FitColumn &column, std::span<const double> residuals, std::span<const double> variance)
 {
-    const auto n = static_cast<double>(count);
+    const auto n = static_cast<double>(column.count);
+    const double independent = n / column.repetition;
+    const double repeated = 1.0 - 1.0 / column.repetition;
     const auto excess = [&](double noise, double *slope) {
         double sum = 0.0;
         double change = 0.0;
         for (std::size_t i = 0; i < residuals.size(); ++i) {
             if (!std::isnan(residuals[i])) {
-                const double inverse = 1.0 / (variance[i] + noise);
+                const double inverse = 1.0 / (variance[i] - repeated * column.variance[i] + noise);
                 const double part = residuals[i] * residuals[i] * inverse;
                 sum += part;
                 change -= part * inverse;
@@ -182,7 +185,7 @@ double noiseOf(std::span<const double> residuals, std::span<const double> varian
         }
         return sum / n - 1.0;
     };
-    if (excess(0.0, nullptr) <= 5.0 * std::sqrt(0.8 / n) + 5.0 / n) {
+    if (excess(0.0, nullptr) <= 5.0 * std::sqrt(0.8 / independent) + 5.0 / independent) {
         return 0.0;
     }
     // Convex and falling: Newton from the left never passes the root, which is not below this.
@@ -255,6 +258,7 @@ FitProblem problemOf(const Observations &observations, const FileReading &readin
         column.channel = reading[i].channel;
         column.source = i;
         column.count = from.count;
+        column.repetition = from.repetition;
         column.spread = std::abs(factor) * from.spread;
         column.step = std::abs(factor) * from.step;
         column.values = from.values;
@@ -347,7 +351,7 @@ Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters
         weights = apart.variance;
         bool isSame = round > 0;
         for (std::size_t k = 0; k < problem.columns.size(); ++k) {
-            const double noise = noiseOf(apart.residuals[k], apart.variance[k], problem.columns[k].count);
+            const double noise = noiseOf(problem.columns[k], apart.residuals[k], apart.variance[k]);
             isSame = isSame && std::abs(noise - result.noise[k]) <= kSame * noise;
             result.noise[k] = noise;
             for (double &weight : weights[k]) {
@@ -375,7 +379,7 @@ Fit fit(const FitProblem &problem, const Parameters &start, const FreeParameters
     double constants = 0.0;
     const double perUnknown = std::log(static_cast<double>(problem.valueCount + problem.leftOut));
     for (std::size_t k = 0; k < problem.columns.size(); ++k) {
-        result.noise[k] = noiseOf(apart.residuals[k], apart.variance[k], problem.columns[k].count);
+        result.noise[k] = noiseOf(problem.columns[k], apart.residuals[k], apart.variance[k]);
         const double square = problem.columns[k].spread * problem.columns[k].spread;
         double information = 0.0; // of a free constant
         for (std::size_t row = 0; row < problem.time.size(); ++row) {

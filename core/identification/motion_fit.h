@@ -53,6 +53,7 @@ struct FitColumn {
     std::vector<double> values; ///< NaN: none
     std::vector<double> variance;
     std::size_t count = 0;
+    double repetition = 1.0;
     std::size_t source = 0; ///< which of the observations
     double spread = 0.0;
     double step = 0.0;

@@ -118,14 +118,14 @@ void learn(ObservedColumn &column, const Rounding &rounding)
                              column.varies ? 0.0 : column.step);
 
     constexpr double kFinest = 0.01; // of the largest step
-    const double repeated = repetition(column.values, column.count, column.step);
+    column.repetition = repetition(column.values, column.count, column.step);
     column.variance.resize(column.values.size());
     for (std::size_t i = 0; i < column.values.size(); ++i) {
         const double value = column.values[i];
         const double step = std::isfinite(value)
                                 ? std::max({steps.at(value), kFinest * column.step, kArithmeticStep * range.size()})
                                 : column.step;
-        column.variance[i] = step * step / 12.0 * repeated;
+        column.variance[i] = step * step / 12.0 * column.repetition;
     }
 }
 

@@ -35,8 +35,9 @@ struct FitUnits {
 struct ObservedColumn {
     Channel channel;              ///< what the file calls it
     std::vector<double> values;   ///< NaN: none; θ3 without jumps of whole turns
-    std::vector<double> variance; ///< of their rounding
+    std::vector<double> variance; ///< of their rounding, times the repetition
     std::size_t count = 0;
+    double repetition = 1.0; ///< how many rows count for one
     double mean = 0.0;
     double spread = 0.0; ///< standard deviation, or the step of a column that never changes
     double step = 0.0;   ///< the largest
