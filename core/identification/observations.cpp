@@ -70,8 +70,8 @@ bool hasValue(const ReferenceData &data, std::size_t row)
 /// How many rows count for one: see observations.h.
 double repetition(const std::vector<double> &values, std::size_t count, double step)
 {
-    std::size_t runs = 1;
-    bool isEven = true;
+    std::size_t runs = 1;      // of the same value
+    std::size_t stretches = 0; // of the same difference
     double last = kNone;
     double difference = kNone;
     for (const double value : values) {
@@ -80,13 +80,13 @@ double repetition(const std::vector<double> &values, std::size_t count, double s
         }
         if (std::isfinite(last)) {
             runs += value != last ? 1 : 0;
-            isEven = isEven && (!std::isfinite(difference) || std::abs(value - last - difference) <= 1e-3 * step);
-            difference = std::isfinite(difference) ? difference : value - last;
+            stretches += std::abs(value - last - difference) <= 1e-3 * step ? 0 : 1;
+            difference = value - last;
         }
         last = value;
     }
-    const auto n = static_cast<double>(count);
-    return runs > 1 && isEven && count > 2 ? n / 2.0 : n / static_cast<double>(runs);
+    const std::size_t independent = runs > 1 ? std::min({runs, 2 * stretches, count}) : 1;
+    return static_cast<double>(count) / static_cast<double>(independent);
 }
 
 void learn(ObservedColumn &column, const Rounding &rounding)

@@ -84,7 +84,7 @@ FitUnits unitsFor(const ReferenceData &data, std::span<const std::size_t> rows, 
 /// Columns with fewer than two values in these rows are left out, and those that every mechanism has as zeros.
 ///
 /// The rounding's variance is that of a uniform distribution over the step. Rows that repeat do not round
-/// independently: what is left of n such rows is as many as there are runs, or two where all differences are the same.
+/// independently: what is left of n such rows is as many as there are runs, or two of each run of the same difference.
 /// A value that happens to be next to nothing, as a position counted from its start, is known no better than a
 /// hundredth of the column's largest step.
 Observations observe(const ReferenceData &data, const Clock &clock, const FitUnits &units,
