@@ -64,9 +64,7 @@ Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, doub
         exact.isClockExact = true;
         exact.fit = fit(problem, candidate.fit.exists() ? candidate.fit.parameters : start, rows.isFree, kRounds, stop);
         exact.standing = standingOf(problem, exact.fit);
-        const bool isBetter = exact.standing.stands == candidate.standing.stands ? exact.fit.score < candidate.fit.score
-                                                                                 : exact.standing.stands;
-        if (isBetter) {
+        if (isBetter(exact, candidate)) {
             candidate = exact;
         }
     }
@@ -199,9 +197,10 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
         spent += column.isZeroFree ? priceOfZero(column.channel) : 0.0;
     }
     // Where rounding explains all, a free constant has nothing to gain but what it costs.
-    const bool isDone =
-        !candidates.empty() && candidates.front().standing.isExact && candidates.front().standing.stands &&
-        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + priceOfZero({});
+    const bool isDone = !candidates.empty() && candidates.front().standing.isExact &&
+                        candidates.front().standing.stands &&
+                        candidates.front().fit.chiSquared <
+                            static_cast<double>(rows.all.valueCount()) + priceOfZero({Theta3, Order::Position});
     if (spent > 0.0 && !isDone) {
         std::vector<Candidate> others = bestCandidates(rows, shifted, spent, starts, stop);
         for (Candidate &other : others) {
@@ -216,36 +215,6 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
     }
     std::ranges::stable_sort(candidates, isBetter);
     return candidates;
-}
-
-bool isSameMechanism(const Parameters &x, const Parameters &y)
-{
-    constexpr double kSame = 1e-3;
-    const double length = kSame * x.a;
-    if (std::abs(x.a - y.a) > length || std::abs(x.b - y.b) > kSame * x.b ||
-        std::abs(std::abs(x.c) - std::abs(y.c)) > std::max(length, kSame * std::abs(x.c)) ||
-        std::abs(std::abs(x.omega2) - std::abs(y.omega2)) > kSame * std::abs(x.omega2)) {
-        return false;
-    }
-    for (const Parameters &image : imagesOf(y)) {
-        constexpr double kSameAngle = 1e-2;
-        if (std::abs(x.c - image.c) <= std::max(length, kSame * std::abs(x.c)) && x.omega2 * image.omega2 > 0.0 &&
-            std::abs(std::remainder(x.theta20 - image.theta20, 2.0 * std::numbers::pi)) <= kSameAngle) {
-            return true;
-        }
-    }
-    return false;
-}
-
-std::vector<Parameters> distinct(std::span<const Parameters> mechanisms)
-{
-    std::vector<Parameters> some;
-    for (const Parameters &one : mechanisms) {
-        if (std::ranges::none_of(some, [&](const Parameters &other) { return isSameMechanism(other, one); })) {
-            some.push_back(one);
-        }
-    }
-    return some;
 }
 
 } // namespace slidercrank

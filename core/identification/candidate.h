@@ -66,10 +66,4 @@ Candidate withoutIdleZeros(const SearchRows &rows, Candidate candidate, const st
 std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const Parameters> starts,
                                        const std::stop_token &stop);
 
-/// Whether they are one mechanism, images apart: within 1e-3.
-bool isSameMechanism(const Parameters &x, const Parameters &y);
-
-/// Each of them once, images apart.
-std::vector<Parameters> distinct(std::span<const Parameters> mechanisms);
-
 } // namespace slidercrank
