@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr std::size_t kFewRows = 72;
+constexpr std::size_t kFewestRows = 24;
 constexpr int kRounds = 12;
 constexpr int kScreeningRounds = 5;
 
@@ -42,8 +43,19 @@ SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span
                         const Parameters &given)
 {
     const FitUnits units = unitsFor(data, rows, given.a);
-    SearchRows result{observe(data, clock, units, rows), {}, units.toFit(given), kAllFree};
-    result.few = rows.size() > kFewRows ? observe(data, clock, units, thinned(rows, kFewRows)) : result.all;
+    // With gaps, few rows may hold nothing of a column: then it takes more.
+    const auto thinnedTo = [&](std::size_t most, const Observations &more) {
+        if (rows.size() <= most) {
+            return more;
+        }
+        Observations few = observe(data, clock, units, thinned(rows, most));
+        return std::ranges::equal(few.columns, more.columns, {}, &ObservedColumn::channel, &ObservedColumn::channel)
+                   ? few
+                   : more;
+    };
+    SearchRows result{observe(data, clock, units, rows), {}, {}, units.toFit(given), kAllFree};
+    result.few = thinnedTo(kFewRows, result.all);
+    result.fewest = thinnedTo(kFewestRows, result.few);
     if (result.few.columns.size() != result.all.columns.size()) { // gaps everywhere: few rows miss a column
         result.few = result.all;
     }
@@ -76,6 +88,7 @@ Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, doub
 std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading &reading, double penalty,
                                       std::span<const Parameters> starts, const std::stop_token &stop)
 {
+    constexpr std::size_t kMostRanked = 32;
     constexpr std::size_t kMostFits = 6;
     constexpr std::size_t kMostFullFits = 3;
     constexpr double kNear = 60.0; // of score on few rows: no rival comes from farther away
@@ -88,14 +101,20 @@ std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading 
         Parameters parameters;
     };
     std::vector<Ranked> ranked;
+    const FitProblem fewest = problemOf(rows.fewest, reading);
     for (const Parameters &start : distinct(starts)) {
         for (Parameters image : imagesOf(start)) {
             lengthenCoupler(few, image);
-            const double misfit = misfitOf(few, image);
+            const double misfit = misfitOf(fewest, image);
             if (std::isfinite(misfit)) {
                 ranked.push_back({misfit, image});
             }
         }
+    }
+    std::ranges::stable_sort(ranked, {}, &Ranked::misfit);
+    ranked.resize(std::min(ranked.size(), kMostRanked));
+    for (Ranked &one : ranked) {
+        one.misfit = misfitOf(few, one.parameters);
     }
     std::ranges::stable_sort(ranked, {}, &Ranked::misfit);
 

@@ -35,10 +35,11 @@ constexpr double priceOfZero(Channel channel)
 }
 inline constexpr double kPriceOfCrossed = 6.0;
 
-/// Rows of a file, in two densities: a search looks at few of them first.
+/// Rows of a file, in three densities: a search looks at few of them first.
 struct SearchRows {
     Observations all;
     Observations few;
+    Observations fewest;
     Parameters given; ///< the mechanism at hand, in FitUnits
     FreeParameters isFree = kAllFree;
 };

@@ -106,18 +106,23 @@ std::vector<double> speedsByHarmonics(const FitProblem &problem, const std::vect
     if (!(low < high)) {
         return {};
     }
-    std::vector<double> places;
-    for (double speed = low; speed < high + kStep; speed += kStep) {
-        places.push_back(speed);
-    }
-    return minimaOver(places, kMostMinima, kRefinements, [&](double speed) {
+    const auto leftAt = [&](const Phases &phases) {
         double left = 0.0;
         for (const Family &family : families) {
             left += stop.stop_requested() ? std::numeric_limits<double>::infinity()
-                                          : leftBy(problem, family, speed, 2, nullptr);
+                                          : leftBy(problem, family, phases, 2, nullptr);
         }
         return left;
-    });
+    };
+    std::vector<double> places;
+    std::vector<double> values;
+    const Phases step = phasesAt(problem, kStep);
+    for (Phases phases = phasesAt(problem, low); phases.speed < high + kStep; advance(phases, step)) {
+        places.push_back(phases.speed);
+        values.push_back(leftAt(phases));
+    }
+    return minimaOver(places, values, kMostMinima, kRefinements,
+                      [&](double speed) { return leftAt(phasesAt(problem, speed)); });
 }
 
 } // namespace
@@ -140,7 +145,27 @@ Family familyOf(const FitProblem &problem, Coordinate coordinate)
     return family;
 }
 
-double leftBy(const FitProblem &problem, const Family &family, double speed, int harmonics, Series *series)
+Phases phasesAt(const FitProblem &problem, double speed)
+{
+    Phases phases{speed, {}, {}};
+    for (const double t : problem.time) {
+        phases.cosine.push_back(std::cos(speed * t));
+        phases.sine.push_back(std::sin(speed * t));
+    }
+    return phases;
+}
+
+void advance(Phases &phases, const Phases &step)
+{
+    phases.speed += step.speed;
+    for (std::size_t i = 0; i < phases.cosine.size(); ++i) {
+        const double cosine = phases.cosine[i];
+        phases.cosine[i] = cosine * step.cosine[i] - phases.sine[i] * step.sine[i];
+        phases.sine[i] = phases.sine[i] * step.cosine[i] + cosine * step.sine[i];
+    }
+}
+
+double leftBy(const FitProblem &problem, const Family &family, const Phases &phases, int harmonics, Series *series)
 {
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostTerms, kMostTerms>;
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostTerms, 1>;
@@ -151,8 +176,8 @@ double leftBy(const FitProblem &problem, const Family &family, double speed, int
     double squares = 0.0;
     double left = 0.0;
     for (std::size_t row = 0; row < problem.time.size(); ++row) {
-        const double cosine = std::cos(speed * problem.time[row]);
-        const double sine = std::sin(speed * problem.time[row]);
+        const double cosine = phases.cosine[row];
+        const double sine = phases.sine[row];
         std::array<double, kMostTerms> basis{};
         std::array<double, kMostTerms> turned{};
         basis[0] = 1.0;
@@ -173,7 +198,7 @@ double leftBy(const FitProblem &problem, const Family &family, double speed, int
             turned[0] = order == 0 ? weight : 0.0;
             for (int h = 1; h <= harmonics; ++h) {
                 const auto i = static_cast<std::size_t>(2 * h - 1);
-                const double rate = h * speed;
+                const double rate = h * phases.speed;
                 const double scale = weight * (order == 0 ? 1.0 : order == 1 ? rate : rate * rate);
                 turned[i] = scale * (order == 0 ? basis[i] : order == 1 ? -basis[i + 1] : -basis[i]);
                 turned[i + 1] = scale * (order == 0 ? basis[i + 1] : order == 1 ? basis[i] : -basis[i + 1]);
@@ -214,14 +239,9 @@ double leftBy(const FitProblem &problem, const Family &family, double speed, int
     return std::max(left, 0.0);
 }
 
-std::vector<double> minimaOver(const std::vector<double> &places, std::size_t most, int steps,
-                               const std::function<double(double)> &f)
+std::vector<double> minimaOver(const std::vector<double> &places, const std::vector<double> &values, std::size_t most,
+                               int steps, const std::function<double(double)> &f)
 {
-    std::vector<double> values;
-    values.reserve(places.size());
-    for (const double place : places) {
-        values.push_back(f(place));
-    }
     std::vector<std::size_t> minima;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if ((i == 0 || values[i] <= values[i - 1]) && (i + 1 == places.size() || values[i] <= values[i + 1]) &&

@@ -53,13 +53,25 @@ struct Family {
 /// Empty where nothing of it moves.
 Family familyOf(const FitProblem &problem, Coordinate coordinate);
 
+/// cos W t and sin W t of all rows.
+struct Phases {
+    double speed = 0.0;
+    std::vector<double> cosine;
+    std::vector<double> sine;
+};
+
+Phases phasesAt(const FitProblem &problem, double speed);
+
+/// To the sum of both speeds, without a sine.
+void advance(Phases &phases, const Phases &step);
+
 /// Least squares of a family at a speed; what is left as part of the columns' squares (each counting alike), times
 /// their number.
-double leftBy(const FitProblem &problem, const Family &family, double speed, int harmonics, Series *series);
+double leftBy(const FitProblem &problem, const Family &family, const Phases &phases, int harmonics, Series *series);
 
-/// The lowest few local minima over ascending places, each refined in so many steps.
-std::vector<double> minimaOver(const std::vector<double> &places, std::size_t most, int steps,
-                               const std::function<double(double)> &f);
+/// The lowest few local minima of f, whose values at some ascending places are given; each refined in so many steps.
+std::vector<double> minimaOver(const std::vector<double> &places, const std::vector<double> &values, std::size_t most,
+                               int steps, const std::function<double(double)> &f);
 
 /// Magnitudes of the speed that the columns may have, in whatever units and senses; some, the best first.
 std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &stop);

@@ -23,6 +23,7 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 Positions positionsOverATurn(const FitProblem &problem, double speed)
 {
     constexpr int kPhases = 48;
+    const Phases phases = phasesAt(problem, speed);
     const auto seriesOf = [&](Coordinate coordinate) {
         std::optional<Series> series;
         if (const Family family = familyOf(problem, coordinate); !family.columns.empty()) {
@@ -31,7 +32,7 @@ Positions positionsOverATurn(const FitProblem &problem, double speed)
                 values += column->count;
             }
             const int harmonics = std::clamp((static_cast<int>(values) - 3) / 2, 1, kMostHarmonics);
-            leftBy(problem, family, speed, harmonics, &series.emplace());
+            leftBy(problem, family, phases, harmonics, &series.emplace());
         }
         return series;
     };
@@ -279,8 +280,12 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
         const auto left = [&](double speed) {
             return stop.stop_requested() ? kUnbounded : route.shape(atSpeed(rows, speed)).left;
         };
-        const std::vector<double> best = crankSpeed != 0.0 ? std::vector<double>{std::abs(crankSpeed)}
-                                                           : minimaOver(few, kRowMinima, kRowRefinements, left);
+        std::vector<double> best{std::abs(crankSpeed)};
+        if (crankSpeed == 0.0) {
+            std::vector<double> values(few.size());
+            std::ranges::transform(few, values.begin(), left);
+            best = minimaOver(few, values, kRowMinima, kRowRefinements, left);
+        }
         for (const double speed : best) {
             add(route, atSpeed(rows, speed), speed);
         }
