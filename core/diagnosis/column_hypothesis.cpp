@@ -134,8 +134,9 @@ Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const doubl
         ways.shifted = consider(shifted);
     }
     ways.best = ways.shifted.total() < ways.plain.total() ? ways.shifted : ways.plain;
-    if (ways.plain.score <= 1.99 * match.count() * std::log(kMet)) {
-        return ways;
+    const bool isNothing = std::ranges::none_of(column.values, [](double value) { return std::abs(value) > 0.0; });
+    if (isNothing || ways.plain.score <= 1.99 * match.count() * std::log(kMet)) {
+        return ways; // zeros are zeros in every unit
     }
     const auto improve = [&](const ColumnHypothesis &one) {
         const Scored scored = consider(one);

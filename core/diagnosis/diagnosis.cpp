@@ -116,6 +116,10 @@ std::optional<Tried> withoutFailing(const SearchRows &rows, const Tried &tried, 
         fewer.columns[problem.columns[k].source] = {rows.all.columns[problem.columns[k].source].channel};
         fewer.columns[problem.columns[k].source].isUsed = false;
     }
+    // Only derivatives tell of another unit of time.
+    if (std::ranges::none_of(fewer.columns, &ColumnHypothesis::isPerSecond)) {
+        fewer.timeUnit = 1.0;
+    }
     fewer.start = tried.candidate.fit.parameters;
     return triedOn(rows, fewer, stop);
 }
