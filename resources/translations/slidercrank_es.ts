@@ -33,20 +33,16 @@
         <translation>No hay memoria suficiente para un fotograma de ese tamaño.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: is the disk full?</source>
-        <translation>No se puede escribir %1: ¿está lleno el disco?</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written.</source>
-        <translation>No se puede escribir %1.</translation>
-    </message>
-    <message>
         <source>ffmpeg could not make the video: %1</source>
         <translation>ffmpeg no pudo hacer el vídeo: %1</translation>
     </message>
     <message>
         <source>it ended early.</source>
         <translation>terminó antes de tiempo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. The older frames are in %3.</source>
+        <translation>No se puede escribir %1: %2. Los fotogramas anteriores están en %3.</translation>
     </message>
 </context>
 <context>
@@ -1813,6 +1809,26 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Written: %1</source>
         <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Older frames</source>
+        <translation>Fotogramas anteriores</translation>
+    </message>
+    <message>
+        <source>Older frames of this name are there: %1, from %2 to %3. Replace them?</source>
+        <translation>Hay fotogramas anteriores con este nombre: %1, de %2 a %3. ¿Reemplazarlos?</translation>
+    </message>
+    <message>
+        <source>All of them go; new ones, %1, take their place.</source>
+        <translation>Todos se van; los nuevos, %1, ocupan su lugar.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 to %3, in %4</source>
+        <translation>%1 fotogramas, %2 a %3, en %4</translation>
     </message>
 </context>
 <context>

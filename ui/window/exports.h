@@ -22,6 +22,7 @@ namespace slidercrank
 
 class AnimationExport;
 class Session;
+struct Animation;
 
 class Exports : public QObject
 {
@@ -59,7 +60,8 @@ public:
     void chooseReport();
     void writeReport(const QString &path);
 
-    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed.
+    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed. Older frames
+    /// are replaced when the person says so.
     void chooseAnimation();
     void writeAnimation(const QString &path);
 
@@ -70,6 +72,7 @@ signals:
     void progressed(double part);
 
 private:
+    void film(const QString &path, const Animation &animation);
     QFileDialog *askForDocument(const QString &title, const QStringList &filters, const QString &proposal);
 
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
