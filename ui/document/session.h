@@ -111,9 +111,9 @@ signals:
     void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
 
 private:
-    /// Puts the choices into force, as a step that can be undone. `text`: what was done, where that is more than the
+    /// Puts the choices into force, as a step that can be undone. `name`: what was done, where that is more than the
     /// difference.
-    void edit(const Choices &choices, const QString &text = {});
+    void edit(const Choices &choices, const EditName &name = {});
     void putInForce(const Choices &choices);
 
     /// With the run that holds all of it, in one step.
