@@ -1814,6 +1814,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Written: %1</source>
         <translation>Escrito: %1</translation>
     </message>
+    <message>
+        <source>Still writing</source>
+        <translation>Aún se está escribiendo</translation>
+    </message>
+    <message>
+        <source>A file is still being written. The window closes when it is done.</source>
+        <translation>Aún se está escribiendo un archivo. La ventana se cierra cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>Stop writing and close</source>
+        <translation>No escribirlo y cerrar</translation>
+    </message>
+    <message>
+        <source>Keep the window open</source>
+        <translation>Dejar abierta la ventana</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FigureExportText</name>

@@ -277,12 +277,19 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
     }
     readAside([source = *source](std::stop_token stop,
                                  const ReadOptions &options) { return readReference(source, stop, options); },
-              [this, choices, seconds](const Reading &outcome) {
+              [this, choices, seconds, before = m_choices](const Reading &outcome) {
                   const QString *problem = std::get_if<QString>(&outcome);
                   Choices complete = choices;
                   complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
-                  startWith(complete, seconds);
-                  emit opened(problem ? *problem : QString());
+                  const auto start = [this, complete, seconds, sentence = problem ? *problem : QString()] {
+                      startWith(complete, seconds);
+                      emit opened(sentence);
+                  };
+                  if (m_choices == before) {
+                      start();
+                  } else {
+                      emit editedMeanwhile(start);
+                  }
               });
 }
 

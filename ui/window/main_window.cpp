@@ -390,12 +390,14 @@ void MainWindow::setTheme(Theme theme)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (m_scene->isModified() && !m_isLeaving) {
+    if (!m_isLeaving && (m_scene->isModified() || m_exports->isWriting())) {
         event->ignore();
         m_scene->askThen([this] {
-            m_isLeaving = true;
-            close();
-            m_isLeaving = false;
+            m_exports->finishThen([this] {
+                m_isLeaving = true;
+                close();
+                m_isLeaving = false;
+            });
         });
         return;
     }

@@ -74,7 +74,7 @@ private:
     Exports *m_exports;
     Messages *m_messages;
     StatusBar *m_status;
-    bool m_isLeaving = false;    ///< unsaved changes were asked about
+    bool m_isLeaving = false;    ///< what would be lost was asked about
     bool m_foldedByHand = false; ///< the person chose; a resize no longer does
 };
 
