@@ -3964,6 +3964,25 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
 </context>
 <context>
+    <name>slidercrank::Recovery</name>
+    <message>
+        <source>The program ended before its changes were saved. They are kept, as of %1.</source>
+        <translation>El programa terminó antes de que se guardaran los cambios. Se conservan los del %1.</translation>
+    </message>
+    <message>
+        <source>The program ended before the changes to %1 were saved. They are kept, as of %2.</source>
+        <translation>El programa terminó antes de que se guardaran los cambios de %1. Se conservan los del %2.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ReferenceFileText</name>
     <message>
         <source>%1, line %2: %3</source>
