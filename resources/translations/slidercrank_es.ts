@@ -1830,6 +1830,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1 frames, %2 to %3, in %4</source>
         <translation>%1 fotogramas, %2 a %3, en %4</translation>
     </message>
+    <message>
+        <source>Still writing</source>
+        <translation>Aún se está escribiendo</translation>
+    </message>
+    <message>
+        <source>A file is still being written. The window closes when it is done.</source>
+        <translation>Aún se está escribiendo un archivo. La ventana se cierra cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>Stop writing and close</source>
+        <translation>No escribirlo y cerrar</translation>
+    </message>
+    <message>
+        <source>Keep the window open</source>
+        <translation>Dejar abierta la ventana</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FigureExportText</name>
@@ -5186,6 +5202,25 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>That failed: %1.</source>
         <translation>Eso ha fallado: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::Recovery</name>
+    <message>
+        <source>The program ended before its changes were saved. They are kept, as of %1.</source>
+        <translation>El programa terminó antes de que se guardaran los cambios. Se conservan los del %1.</translation>
+    </message>
+    <message>
+        <source>The program ended before the changes to %1 were saved. They are kept, as of %2.</source>
+        <translation>El programa terminó antes de que se guardaran los cambios de %1. Se conservan los del %2.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
     </message>
 </context>
 </TS>

@@ -37,7 +37,10 @@ MessageBar::MessageBar(QWidget *parent)
     row->addWidget(m_remedyButton);
     row->addWidget(m_dismiss);
 
-    connect(m_dismiss, &QPushButton::clicked, this, &QWidget::hide);
+    connect(m_dismiss, &QPushButton::clicked, this, [this] {
+        hide();
+        emit dismissed();
+    });
     connect(m_remedyButton, &QPushButton::clicked, this, [this] {
         hide();
         const std::function<void()> remedy = m_remedy; // the remedy may show another message
@@ -48,14 +51,15 @@ MessageBar::MessageBar(QWidget *parent)
 }
 
 void MessageBar::showMessage(Kind kind, const QString &sentence, const QString &remedyText,
-                             const std::function<void()> &remedy)
+                             const std::function<void()> &remedy, const QString &dismissText)
 {
     m_kind = kind;
     m_remedy = remedy;
     m_text->setText(sentence);
     setAccessibleName(sentence);
     m_remedyButton->setText(remedyText);
-    m_dismiss->setText(tr("Dismiss")); // now: the bar outlives a change of the language
+    m_dismiss->setText(dismissText.isEmpty() ? tr("Dismiss")
+                                             : dismissText); // now: the bar outlives a change of the language
     m_remedyButton->setVisible(static_cast<bool>(remedy));
     recolour();
     show();

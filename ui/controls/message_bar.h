@@ -23,11 +23,15 @@ public:
 
     enum class Kind { Hint, Problem };
 
-    /// Replaces the sentence before. Without `remedy` there is only the button that dismisses.
+    /// Replaces the sentence before. Without `remedy` there is only the button that dismisses, which says so, or
+    /// `dismissText`.
     void showMessage(Kind kind, const QString &sentence, const QString &remedyText = {},
-                     const std::function<void()> &remedy = {});
+                     const std::function<void()> &remedy = {}, const QString &dismissText = {});
 
     QString text() const;
+
+signals:
+    void dismissed(); ///< by hand
 
 protected:
     void changeEvent(QEvent *event) override;

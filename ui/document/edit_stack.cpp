@@ -59,16 +59,21 @@ QString changeName(const Choices &before, const Choices &after)
 class EditCommand : public QUndoCommand
 {
 public:
-    EditCommand(const Choices &before, const Choices &after, const QString &name, int step, const EditStack::Show &show)
-        : QUndoCommand(name)
+    EditCommand(const Choices &before, const Choices &after, const EditName &name, int step,
+                const EditStack::Show &show)
+        : QUndoCommand(name())
         , m_before(before)
         , m_after(after)
+        , m_name(name)
         , m_step(step)
         , m_show(show)
     {
     }
 
-    void retranslate() { setText(changeName(m_before, m_after)); }
+    const Choices &before() const { return m_before; }
+    const Choices &after() const { return m_after; }
+
+    void retranslate() { setText(m_name()); }
 
     void undo() override { m_show(m_before); }
     void redo() override { m_show(m_after); }
@@ -84,9 +89,21 @@ public:
 private:
     Choices m_before;
     Choices m_after;
+    EditName m_name;
     int m_step;
     EditStack::Show m_show;
 };
+
+const EditCommand &commandOf(const QUndoStack &stack, int index)
+{
+    return *static_cast<const EditCommand *>(stack.command(index));
+}
+
+/// What is chosen after so many steps; there is at least one.
+const Choices &choicesAfter(const QUndoStack &stack, int steps)
+{
+    return steps == 0 ? commandOf(stack, 0).before() : commandOf(stack, steps - 1).after();
+}
 
 } // namespace
 
@@ -99,21 +116,33 @@ EditStack::EditStack(const Show &show, QObject *parent)
     m_sameStep.setSingleShot(true);
 }
 
-void EditStack::edit(const Choices &before, const Choices &after, const QString &text)
+void EditStack::edit(const Choices &before, const Choices &after, const EditName &name)
 {
-    const QString name = text.isEmpty() ? changeName(before, after) : text;
-    const bool continues = name == m_last && (m_dragging || m_sameStep.isActive());
+    const EditName difference = [before, after] { return changeName(before, after); };
+    const EditName &used = name ? name : difference;
+    const QString text = used();
+    const bool continues = text == m_last && (m_dragging || m_sameStep.isActive());
     if (!continues) {
         ++m_step;
     }
-    m_last = name;
+    m_last = text;
     m_sameStep.start(kSameStepWithin);
-    push(new EditCommand(before, after, name, m_step, m_show));
+    push(new EditCommand(before, after, used, m_step, m_show));
 }
 
-void EditStack::takeBack(const Choices &before, const Choices &after)
+void EditStack::goTo(const Choices &after, const Choices &before)
 {
-    push(new EditCommand(before, after, changeName(before, after), m_step, m_show));
+    for (int away = 1; away <= count(); ++away) {
+        for (const int steps : {index() - away, index() + away}) {
+            if (steps >= 0 && steps <= count() && choicesAfter(*this, steps) == after) {
+                setIndex(steps);
+                beginStep();
+                return;
+            }
+        }
+    }
+    push(new EditCommand(
+        before, after, [before, after] { return changeName(before, after); }, m_step, m_show));
     beginStep();
 }
 
@@ -137,7 +166,7 @@ void EditStack::beginStep()
 void EditStack::retranslate()
 {
     for (int i = 0; i < count(); ++i) { // the stack gives its commands for reading; these are ours
-        const_cast<EditCommand *>(static_cast<const EditCommand *>(command(i)))->retranslate();
+        const_cast<EditCommand &>(commandOf(*this, i)).retranslate();
     }
     beginStep();
 }

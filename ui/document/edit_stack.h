@@ -27,6 +27,9 @@ struct Choices {
     friend bool operator==(const Choices &, const Choices &) = default;
 };
 
+/// What was done, as it reads behind "Undo", in the language now in use.
+using EditName = std::function<QString()>;
+
 /// Of the same kind of edit, repeated at once (a key held down) or within a drag, all are undone in one step.
 class EditStack : public QUndoStack
 {
@@ -36,11 +39,12 @@ public:
     /// `show` puts choices into force.
     EditStack(const Show &show, QObject *parent);
 
-    /// `text`: what was done, as it reads behind "Undo"; empty: the difference is.
-    void edit(const Choices &before, const Choices &after, const QString &text = {});
+    /// Without a name the difference is it.
+    void edit(const Choices &before, const Choices &after, const EditName &name = {});
 
-    /// Joins the step before, whatever that was.
-    void takeBack(const Choices &before, const Choices &after);
+    /// From `before` to what was chosen some steps ago, or undone some steps ago; where it was in the middle of a step
+    /// (of a drag), what follows is taken out of the last one.
+    void goTo(const Choices &after, const Choices &before);
 
     void beginDrag();
     void endDrag();

@@ -124,10 +124,10 @@ void Session::setSolver(const SolverSettings &solver)
     edit(with(m_choices, &Choices::solver, solver));
 }
 
-void Session::edit(const Choices &choices, const QString &text)
+void Session::edit(const Choices &choices, const EditName &name)
 {
     if (choices != m_choices) {
-        m_edits.edit(m_choices, choices, text);
+        m_edits.edit(m_choices, choices, name);
     }
 }
 
@@ -277,12 +277,19 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
     }
     readAside([source = *source](std::stop_token stop,
                                  const ReadOptions &options) { return readReference(source, stop, options); },
-              [this, choices, seconds](const Reading &outcome) {
+              [this, choices, seconds, before = m_choices](const Reading &outcome) {
                   const QString *problem = std::get_if<QString>(&outcome);
                   Choices complete = choices;
                   complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
-                  startWith(complete, seconds);
-                  emit opened(problem ? *problem : QString());
+                  const auto start = [this, complete, seconds, sentence = problem ? *problem : QString()] {
+                      startWith(complete, seconds);
+                      emit opened(sentence);
+                  };
+                  if (m_choices == before) {
+                      start();
+                  } else {
+                      emit editedMeanwhile(start);
+                  }
               });
 }
 
@@ -321,7 +328,8 @@ void Session::follow(const std::shared_ptr<const Reference> &reference)
 void Session::takeOver()
 {
     if (m_diagnosis && m_diagnosis->found.identification.stands()) {
-        edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded), tr("taking over the file's mechanism"));
+        edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
+             [] { return tr("taking over the file's mechanism"); });
     }
 }
 
@@ -348,8 +356,8 @@ void Session::cancel()
     m_diagnosing.drop();
     const Choices shown = choicesOf(*m_result);
     if (m_choices != shown) {
-        if (m_edits.canUndo()) { // else they came with a scene, and no edit is to turn it into another
-            m_edits.takeBack(m_choices, shown);
+        if (m_edits.count() > 0) { // else they came with a scene, and no edit is to turn it into another
+            m_edits.goTo(shown, m_choices);
         }
         return;
     }

@@ -50,7 +50,8 @@ public:
     void retranslateEdits() { m_edits.retranslate(); }
 
     /// Other choices and another time in place of all there was, which cannot be undone; the reference is read from
-    /// `source` first, off the GUI thread, and what is on show stays until then. opened() follows.
+    /// `source` first, off the GUI thread, and what is on show stays until then. opened() follows; where something was
+    /// edited meanwhile, editedMeanwhile() does.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 
 public slots:
@@ -105,15 +106,16 @@ signals:
     void runFollows(const std::shared_ptr<const slidercrank::Reference> &reference,
                     const slidercrank::Sampling &sampling);
     void referenceRefused(const QString &path, const QString &sentence); ///< what is on show stays
-    void opened(const QString &problem);        ///< by open(); not empty: why it is without its reference
-    void readingProgressed(double part);        ///< 0 … 1 of the file being read
+    void opened(const QString &problem);                     ///< by open(); not empty: why it is without its reference
+    void editedMeanwhile(const std::function<void()> &open); ///< open() is ready; its edits stay unless this is called
+    void readingProgressed(double part);                     ///< 0 … 1 of the file being read
     void problemFound(const QString &sentence); ///< one sentence, for the message bar; nothing else changed
     void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
 
 private:
-    /// Puts the choices into force, as a step that can be undone. `text`: what was done, where that is more than the
+    /// Puts the choices into force, as a step that can be undone. `name`: what was done, where that is more than the
     /// difference.
-    void edit(const Choices &choices, const QString &text = {});
+    void edit(const Choices &choices, const EditName &name = {});
     void putInForce(const Choices &choices);
 
     /// With the run that holds all of it, in one step.

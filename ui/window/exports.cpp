@@ -224,8 +224,8 @@ void Exports::film(const QString &path, const Animation &animation)
             [this](int done, int all) { emit progressed(static_cast<double>(done) / all); });
     connect(m_animation, &AnimationExport::finished, this, [this, path = written](const QString &problem) {
         std::exchange(m_animation, nullptr)->deleteLater();
-        emit busyChanged(false);
         tellWritten(path, problem.isEmpty() ? std::nullopt : std::optional(problem));
+        emit busyChanged(false);
     });
     emit busyChanged(true);
     m_animation->start(path);
@@ -243,9 +243,46 @@ void Exports::writeAside(const QString &path, const Work &work, const Finish &fi
     m_aside->start(work, done, [this](const QString &problem) { emit problemFound(problem); });
 }
 
+bool Exports::isWriting() const
+{
+    return m_animation || m_aside->isRunning();
+}
+
+void Exports::finishThen(const std::function<void()> &goOn)
+{
+    if (!isWriting()) {
+        goOn();
+        return;
+    }
+    if (auto *asked = m_window->findChild<QMessageBox *>(QStringLiteral("writingQuestion"))) {
+        asked->reject();
+    }
+    auto *question = new QMessageBox(QMessageBox::Question, tr("Still writing"),
+                                     tr("A file is still being written. The window closes when it is done."),
+                                     QMessageBox::NoButton, m_window);
+    question->setObjectName(QStringLiteral("writingQuestion"));
+    const auto *stop = question->addButton(tr("Stop writing and close"), QMessageBox::AcceptRole);
+    question->setDefaultButton(question->addButton(tr("Keep the window open"), QMessageBox::RejectRole));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(this, &Exports::busyChanged, question, [this, question, goOn] {
+        if (!isWriting()) {
+            question->close();
+            goOn();
+        }
+    });
+    connect(this, &Exports::problemFound, question, &QDialog::reject);
+    connect(question, &QDialog::finished, this, [this, question, stop] {
+        if (question->clickedButton() == stop) {
+            cancel();
+        }
+        disconnect(question);
+    });
+    question->open();
+}
+
 bool Exports::cancel()
 {
-    const bool writes = m_animation || m_aside->isRunning();
+    const bool writes = isWriting();
     if (m_animation) {
         delete std::exchange(m_animation, nullptr);
         emit busyChanged(false);

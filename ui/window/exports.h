@@ -35,6 +35,12 @@ public:
     /// What is being written; false where nothing is.
     bool cancel();
 
+    bool isWriting() const;
+
+    /// Goes on at once where nothing is being written; otherwise says so, and goes on when it is written, or once the
+    /// person stops it, but not where it fails or the person wants neither.
+    void finishThen(const std::function<void()> &goOn);
+
     /// What can be drawn.
     struct Picture {
         QString name; ///< of the file that is proposed

@@ -18,6 +18,7 @@
 #include "ui/window/ghost.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
+#include "ui/window/recovery.h"
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
 #include "ui/window/status_bar.h"
@@ -122,6 +123,7 @@ MainWindow::MainWindow(QWidget *parent)
     qApp->installEventFilter(this);
     m_session->setTime(m_session->sampling().start);
     m_messages->greetOnce();
+    m_recovery = new Recovery(m_session, m_scene, column, this);
     if (auto *play = m_rooms.timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
         play->setFocus();
     }
@@ -226,6 +228,7 @@ void MainWindow::remakeRooms()
         m_rooms.timeline->play();
     }
     m_messages->sayAgain();
+    m_recovery->sayAgain();
     setUpdatesEnabled(true);
 }
 
@@ -390,12 +393,14 @@ void MainWindow::setTheme(Theme theme)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (m_scene->isModified() && !m_isLeaving) {
+    if (!m_isLeaving && (m_scene->isModified() || m_exports->isWriting())) {
         event->ignore();
         m_scene->askThen([this] {
-            m_isLeaving = true;
-            close();
-            m_isLeaving = false;
+            m_exports->finishThen([this] {
+                m_isLeaving = true;
+                close();
+                m_isLeaving = false;
+            });
         });
         return;
     }

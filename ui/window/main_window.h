@@ -14,6 +14,7 @@ namespace slidercrank
 
 class Exports;
 class Messages;
+class Recovery;
 class SceneFile;
 class StatusBar;
 
@@ -74,7 +75,8 @@ private:
     Exports *m_exports;
     Messages *m_messages;
     StatusBar *m_status;
-    bool m_isLeaving = false;    ///< unsaved changes were asked about
+    Recovery *m_recovery;
+    bool m_isLeaving = false;    ///< what would be lost was asked about
     bool m_foldedByHand = false; ///< the person chose; a resize no longer does
 };
 

@@ -39,6 +39,7 @@ SceneFile::SceneFile(Session *session, const Rooms &rooms, QWidget *window)
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &SceneFile::changed);
     connect(session, &Session::referenceLoaded, this, [this] { m_missing.reset(); });
     connect(session, &Session::opened, this, &SceneFile::finishOpening);
+    connect(session, &Session::editedMeanwhile, this, &SceneFile::askThen);
 }
 
 bool SceneFile::isModified() const
@@ -95,14 +96,24 @@ void SceneFile::open(const QString &path, const QString &reference)
         emit problemFound(*sentence);
         return;
     }
-    askThen([this, absolute, reference, scene = std::get<Scene>(std::move(outcome))] {
-        m_opening = Opening{absolute, scene};
-        const Choices choices{scene.parameters, scene.sampling, scene.solver, nullptr};
-        m_session->open(choices, scene.time, reference.isEmpty() ? scene.reference : std::nullopt);
+    askThen([this, reference, opening = Opening{absolute, std::get<Scene>(std::move(outcome)), {}}] {
+        show(opening, reference.isEmpty() ? opening.scene.reference : std::nullopt);
         if (!reference.isEmpty()) {
             m_session->loadReference(reference);
         }
     });
+}
+
+void SceneFile::restore(const Scene &scene, const QString &path, const std::function<void()> &goOn)
+{
+    askThen([this, opening = Opening{path, scene, goOn}] { show(opening, opening.scene.reference); });
+}
+
+void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource> &reference)
+{
+    m_opening = opening;
+    const Scene &scene = opening.scene;
+    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr}, scene.time, reference);
 }
 
 void SceneFile::finishOpening(const QString &problem)
@@ -123,7 +134,12 @@ void SceneFile::finishOpening(const QString &problem)
             m_session, &Session::resultChanged, this,
             [this, zoom = opening.scene.zoom] { m_rooms.plots->setZoom(zoom); }, Qt::SingleShotConnection);
     }
-    rememberFile(kRecentScenes, m_path);
+    if (opening.restored) {
+        m_session->undoStack().resetClean();
+        opening.restored();
+    } else {
+        rememberFile(kRecentScenes, m_path);
+    }
     emit changed();
     if (!problem.isEmpty()) {
         emit referenceMissing(problem);

@@ -29,8 +29,15 @@ public:
     const QString &path() const { return m_path; } ///< empty: never saved
     bool isModified() const;
 
+    /// What is on show, as it would be saved now.
+    Scene scene() const;
+
     /// Goes on at once where nothing would be lost; otherwise asks first, and goes on unless the person cancels.
     void askThen(const std::function<void()> &goOn);
+
+    /// Puts on show, unsaved, what was left of the file at `path`; empty: of none. Asks about unsaved changes first,
+    /// then goes on once it is there.
+    void restore(const Scene &scene, const QString &path, const std::function<void()> &goOn);
 
 public slots:
     /// Asks about unsaved changes first. With a reference, that file instead of the scene's own.
@@ -51,7 +58,12 @@ signals:
     void referenceMissing(const QString &sentence); ///< the scene is open without it
 
 private:
-    Scene scene() const;
+    struct Opening {
+        QString path;
+        Scene scene;
+        std::function<void()> restored; ///< empty: it is as in the file
+    };
+    void show(const Opening &opening, const std::optional<ReferenceSource> &reference);
     void finishOpening(const QString &problem);
 
     Session *m_session;
@@ -60,12 +72,7 @@ private:
     QString m_path;
     QJsonObject m_asRead;                     ///< of the file at m_path
     std::optional<ReferenceSource> m_missing; ///< of the scene, which is open without it: saved again all the same
-
-    struct Opening {
-        QString path;
-        Scene scene;
-    };
-    std::optional<Opening> m_opening; ///< while its reference is read
+    std::optional<Opening> m_opening;         ///< while its reference is read
 };
 
 } // namespace slidercrank

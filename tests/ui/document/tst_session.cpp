@@ -356,6 +356,47 @@ private slots:
         QCOMPARE(session.result()->mechanism.b(), 66.0);
     }
 
+    /// The panels had the million steps, the plots the other run.
+    void cancelAfterAnUndoGoesBackToWhatIsOnShow()
+    {
+        Session session;
+        Choices opened{session.parameters(), session.sampling(), session.solver(), nullptr};
+        opened.solver.method = Method::Newton;
+        opened.sampling.steps = 1000000;
+        session.open(opened, 0.0, std::nullopt); // from a scene
+        session.setSampling(Sampling());
+        const auto before = session.result();
+        QCOMPARE(before->sampling, Sampling());
+        session.undoStack().undo();
+        QCOMPARE(session.sampling(), opened.sampling);
+        session.cancel();
+        QCOMPARE(session.result(), before);
+        QCOMPARE(session.sampling(), Sampling());
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the sampling"));
+
+        session.undoStack().undo(); // the same over two steps, then forward again
+        session.cancel();
+        session.setParameter(Parameter::B, 66.0);
+        session.undoStack().setIndex(0);
+        session.cancel();
+        QCOMPARE(session.sampling(), session.result()->sampling);
+        QCOMPARE(session.parameters(), session.result()->mechanism.parameters());
+        QCOMPARE(session.parameters().b, 65.0);
+        QCOMPARE(session.undoStack().redoText(), QStringLiteral("change of b"));
+    }
+
+    void aStepKeepsItsNameInAnotherLanguage()
+    {
+        Session session;
+        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference(kSample)));
+        AWAIT(session.diagnosis());
+        session.takeOver();
+        const QString name = session.undoStack().undoText();
+        QVERIFY(name.startsWith(QLatin1String("taking over")));
+        session.retranslateEdits();
+        QCOMPARE(session.undoStack().undoText(), name);
+    }
+
     void aSearchThatWasCancelledIsOver()
     {
         Session session;

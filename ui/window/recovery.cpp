@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/recovery.h"
+
+#include "ui/controls/message_bar.h"
+#include "ui/document/session.h"
+#include "ui/window/scene_file.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QLocale>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QUuid>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <variant>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::chrono::seconds kMostLost{2};
+
+const QString kFile = QStringLiteral("recoveryOf"); // key of the file that the scene was of
+
+/// Beside the settings, which on Windows are in no file.
+QDir folder()
+{
+#ifdef Q_OS_WIN
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
+#else
+    return QFileInfo(QSettings().fileName()).absoluteDir();
+#endif
+}
+
+/// All but how it is looked at.
+QJsonObject contentOf(Scene scene)
+{
+    scene.asRead = {};
+    QJsonObject content = QJsonDocument::fromJson(jsonOf(scene, folder().filePath(kFile))).object();
+    content.remove(QStringLiteral("view"));
+    return content;
+}
+
+} // namespace
+
+Recovery::Recovery(Session *session, SceneFile *scene, QVBoxLayout *column, QObject *parent)
+    : QObject(parent)
+    , m_scene(scene)
+    , m_column(column)
+{
+    m_soon.setSingleShot(true);
+    connect(&m_soon, &QTimer::timeout, this, &Recovery::keep);
+    connect(&session->undoStack(), &QUndoStack::indexChanged, this, &Recovery::follow);
+    connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &Recovery::follow);
+    connect(session, &Session::opened, this, &Recovery::dropWhatIsOnShow);
+    findOffers();
+    dropWhatIsOnShow();
+}
+
+Recovery::~Recovery()
+{
+    forget();
+}
+
+Recovery::Kept Recovery::claim(const QString &path)
+{
+    Kept kept{path, std::make_unique<QLockFile>(path + QStringLiteral(".lock"))};
+    kept.lock->setStaleLockTime(0); // only with its process
+    if (!kept.lock->tryLock()) {
+        kept.lock = nullptr;
+    }
+    return kept;
+}
+
+void Recovery::follow()
+{
+    if (!m_scene->isModified()) {
+        forget();
+    } else if (!m_soon.isActive()) { // what goes on changing is kept all the same
+        m_soon.start(kMostLost);
+    }
+}
+
+/// In silence where it cannot be: saving says why.
+void Recovery::keep()
+{
+    if (!m_own) {
+        const QString name = QUuid::createUuid().toString(QUuid::Id128);
+        QDir().mkpath(folder().path());
+        m_own = claim(folder().filePath(QStringLiteral("recovery_%1.json").arg(name)));
+    }
+    Scene scene = m_scene->scene();
+    scene.asRead.insert(kFile, m_scene->path());
+    writeScene(scene, m_own->path);
+}
+
+void Recovery::forget()
+{
+    m_soon.stop();
+    if (const std::optional<Kept> own = std::exchange(m_own, std::nullopt)) {
+        QFile::remove(own->path);
+    }
+}
+
+void Recovery::findOffers()
+{
+    for (const QFileInfo &info : folder().entryInfoList({QStringLiteral("recovery_*.json")}, QDir::Files, QDir::Time)) {
+        Kept kept = claim(info.absoluteFilePath());
+        if (!kept.lock) {
+            continue; // of a window that is open
+        }
+        std::variant<Scene, QString> outcome = readScene(kept.path);
+        if (Scene *scene = std::get_if<Scene>(&outcome)) {
+            const QString file = scene->asRead.take(kFile).toString();
+            m_offers.push_back({std::move(kept), std::move(*scene), file});
+        }
+    }
+}
+
+void Recovery::dropWhatIsOnShow()
+{
+    const QJsonObject shown = contentOf(m_scene->scene());
+    std::erase_if(m_offers, [&shown](const Offer &offer) {
+        return contentOf(offer.scene) == shown && QFile::remove(offer.kept.path);
+    });
+    showOffer();
+}
+
+void Recovery::showOffer()
+{
+    if (m_offers.empty()) {
+        if (m_bar) {
+            m_bar->hide();
+        }
+        return;
+    }
+    if (!m_bar) {
+        m_bar = new MessageBar;
+        m_bar->setObjectName(QStringLiteral("recoveryBar"));
+        m_column->insertWidget(0, m_bar);
+        connect(m_bar, &MessageBar::dismissed, this, &Recovery::discard);
+    }
+    const Offer &offer = m_offers.front();
+    const QString when = QLocale().toString(QFileInfo(offer.kept.path).lastModified(), QLocale::ShortFormat);
+    m_bar->showMessage(
+        MessageBar::Kind::Hint,
+        offer.file.isEmpty() ? tr("The program ended before its changes were saved. They are kept, as of %1.").arg(when)
+                             : tr("The program ended before the changes to %1 were saved. They are kept, as of %2.")
+                                   .arg(QFileInfo(offer.file).fileName(), when),
+        tr("Restore"), [this] { restore(); }, tr("Discard"));
+}
+
+void Recovery::sayAgain()
+{
+    if (m_bar && !m_bar->isHidden()) {
+        showOffer();
+    }
+}
+
+/// The file is kept on for what is on show then.
+void Recovery::restore()
+{
+    const QString path = m_offers.front().kept.path;
+    m_scene->restore(m_offers.front().scene, m_offers.front().file, [this, path] {
+        const auto offer = std::ranges::find(m_offers, path, [](const Offer &o) { return o.kept.path; });
+        forget();
+        m_own = std::move(offer->kept);
+        m_offers.erase(offer);
+        keep();
+    });
+}
+
+void Recovery::discard()
+{
+    QFile::remove(m_offers.front().kept.path);
+    m_offers.erase(m_offers.begin());
+    showOffer();
+}
+
+} // namespace slidercrank
