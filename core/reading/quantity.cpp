@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/quantity.h"
 
-#include "core/mechanism/channel.h"
 #include "core/reading/number_text.h"
 
 #include <algorithm>

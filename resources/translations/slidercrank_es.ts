@@ -1102,6 +1102,14 @@ nearest       nada de lo hallado explica el archivo: lo más cercano, solo como 
 none          ni siquiera eso
 </translation>
     </message>
+    <message>
+        <source>--%1 must be a number, alone or with %2 behind it, not &quot;%3&quot;.</source>
+        <translation>--%1 debe ser un número, solo o seguido de %2, y no «%3».</translation>
+    </message>
+    <message>
+        <source>A unit behind a number is understood: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</source>
+        <translation>Se entiende una unidad tras el número: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -3467,6 +3475,25 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
 </context>
 <context>
+    <name>slidercrank::NumberBox</name>
+    <message>
+        <source>This must be a whole number from %1 to %2.</source>
+        <translation>Debe ser un número entero de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>This must be greater than %1.</source>
+        <translation>Debe ser mayor que %1.</translation>
+    </message>
+    <message>
+        <source>This must be at least %1.</source>
+        <translation>Debe ser como mínimo %1.</translation>
+    </message>
+    <message>
+        <source>This must be at most %1.</source>
+        <translation>Debe ser como máximo %1.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ParameterPanel</name>
     <message>
         <source>rad/s</source>
@@ -3802,6 +3829,33 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error &amp;in ° and mm</source>
         <translation>Error en ° &amp;y mm</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::QuantityText</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>The decimal sign here is “%1”: %2.</source>
+        <translation>Aquí el signo decimal es «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large.</source>
+        <translation>«%1» es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>“%1”: the units here are %2.</source>
+        <translation>«%1»: aquí las unidades son %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>“%1”: no unit belongs to this number.</source>
+        <translation>«%1»: este número no lleva unidad.</translation>
     </message>
 </context>
 <context>
