@@ -143,15 +143,14 @@ Timeline::Timeline(QWidget *parent)
     m_timeBox->setToolTip(tr("Instant"));
     m_timeBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_timeBox->setSuffix(tr(" s"));
-    connect(m_timeBox, &NumberBox::edited, this, [this](double seconds) {
-        emit timeRequested(std::clamp(seconds, first(), last()));
-        showTime();
-    });
+    m_timeBox->setUnit(kSecond);
+    connect(m_timeBox, &NumberBox::edited, this, &Timeline::timeRequested);
 
     m_angleBox = named("angleBox", new NumberBox, tr("Crank angle in degrees"));
     m_angleBox->setToolTip(tr("Crank angle: type one to go where the crank first passes it"));
     m_angleBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_angleBox->setSuffix(tr("°"));
+    m_angleBox->setUnit(kDegree);
     m_angleBox->setFixedDecimals(2);
     m_angleBox->setStep(1.0);
     connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
@@ -243,6 +242,7 @@ void Timeline::setSampling(const Sampling &sampling)
     const int decimals = step > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9) : 3;
     m_timeBox->setFixedDecimals(decimals);
     m_timeBox->setStep(step);
+    m_timeBox->setRange({.smallest = first(), .largest = last(), .takesNearest = true});
     const double largest = std::max(std::abs(first()), std::abs(last()));
     m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
     {
