@@ -1098,6 +1098,14 @@ nearest       nada de lo hallado explica el archivo: lo más cercano, solo como 
 none          ni siquiera eso
 </translation>
     </message>
+    <message>
+        <source>--%1 must be a number, alone or with %2 behind it, not &quot;%3&quot;.</source>
+        <translation>--%1 debe ser un número, solo o seguido de %2, y no «%3».</translation>
+    </message>
+    <message>
+        <source>A unit behind a number is understood: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</source>
+        <translation>Se entiende una unidad tras el número: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -2063,12 +2071,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
 <context>
     <name>slidercrank::FoldingTabs</name>
     <message>
-        <source>Panels; choosing the current one again folds it away</source>
-        <translation>Paneles; elegir de nuevo el actual lo pliega</translation>
+        <source>Panels</source>
+        <translation>Paneles</translation>
     </message>
     <message>
-        <source>Click the current tab to fold it away or out</source>
-        <translation>Haga clic en la pestaña actual para plegarla o desplegarla</translation>
+        <source>F9 folds the panels away and out</source>
+        <translation>F9 pliega y despliega los paneles</translation>
     </message>
 </context>
 <context>
@@ -2128,10 +2136,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>On a slider: arrow keys, Page Up and Page Down</source>
         <translation>En un deslizador: flechas, Re Pág y Av Pág</translation>
-    </message>
-    <message>
-        <source>Type any number, in any unit on show</source>
-        <translation>Escribir cualquier número, en la unidad a la vista</translation>
     </message>
     <message>
         <source>In a box: the number, then Enter</source>
@@ -2232,18 +2236,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Point at it, or the arrow keys</source>
         <translation>Señalarla, o las flechas</translation>
-    </message>
-    <message>
-        <source>Copy the table as CSV</source>
-        <translation>Copiar la tabla como CSV</translation>
-    </message>
-    <message>
-        <source>Fold the panels away</source>
-        <translation>Plegar los paneles</translation>
-    </message>
-    <message>
-        <source>Click the current tab</source>
-        <translation>Clic en la pestaña actual</translation>
     </message>
     <message>
         <source>What it does</source>
@@ -2360,6 +2352,42 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The study holds every method against 50 digits and more, and against the bound κ·u: how far a channel f moves because the numbers given are rounded to doubles, whatever the method.</source>
         <translation>El estudio compara cada método con 50 cifras y más, y con el límite κ·u: cuánto se mueve un canal f porque los números dados se redondean a doble precisión, sea cual sea el método.</translation>
+    </message>
+    <message>
+        <source>Copy the rows that are chosen, or the table, as CSV</source>
+        <translation>Copiar las filas elegidas, o la tabla, como CSV</translation>
+    </message>
+    <message>
+        <source>Unfold the panels</source>
+        <translation>Desplegar los paneles</translation>
+    </message>
+    <message>
+        <source>Click a tab</source>
+        <translation>Clic en una pestaña</translation>
+    </message>
+    <message>
+        <source>Press a button, open a list</source>
+        <translation>Pulsar un botón, abrir una lista</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Go there at once</source>
+        <translation>Ir allí directamente</translation>
+    </message>
+    <message>
+        <source>Click the slider&apos;s line</source>
+        <translation>Clic en la línea del deslizador</translation>
+    </message>
+    <message>
+        <source>Type any number, with any unit: 2.5 cm, 60 rpm</source>
+        <translation>Escribir cualquier número, con cualquier unidad: 2.5 cm, 60 rpm</translation>
+    </message>
+    <message>
+        <source>Take back what is being typed</source>
+        <translation>Deshacer lo que se está escribiendo</translation>
     </message>
 </context>
 <context>
@@ -2930,6 +2958,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;The motion of an offset slider-crank: computed, shown, and compared with a simulation.&lt;/p&gt;&lt;p&gt;Formulation after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo manivela-corredera excéntrico: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Repetir</translation>
     </message>
 </context>
 <context>
@@ -5181,16 +5213,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
-        <source>Start again at the end</source>
-        <translation>Volver a empezar al llegar al final</translation>
-    </message>
-    <message>
         <source>Playing speed</source>
         <translation>Velocidad de reproducción</translation>
     </message>
     <message>
         <source>Pause</source>
         <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Start again at the end (Ctrl+L)</source>
+        <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
     </message>
 </context>
 <context>
@@ -5221,6 +5253,52 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Discard</source>
         <translation>Descartar</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::NumberBox</name>
+    <message>
+        <source>This must be a whole number from %1 to %2.</source>
+        <translation>Debe ser un número entero de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>This must be greater than %1.</source>
+        <translation>Debe ser mayor que %1.</translation>
+    </message>
+    <message>
+        <source>This must be at least %1.</source>
+        <translation>Debe ser como mínimo %1.</translation>
+    </message>
+    <message>
+        <source>This must be at most %1.</source>
+        <translation>Debe ser como máximo %1.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::QuantityText</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>The decimal sign here is “%1”: %2.</source>
+        <translation>Aquí el signo decimal es «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large.</source>
+        <translation>«%1» es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>“%1”: the units here are %2.</source>
+        <translation>«%1»: aquí las unidades son %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>“%1”: no unit belongs to this number.</source>
+        <translation>«%1»: este número no lleva unidad.</translation>
     </message>
 </context>
 </TS>
