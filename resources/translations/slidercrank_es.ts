@@ -354,6 +354,10 @@
 <context>
     <name>slidercrank::CommandLine</name>
     <message>
+        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
+        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
+    <message>
         <source>solved</source>
         <translation>resueltos</translation>
     </message>
@@ -3925,6 +3929,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Reading was stopped.</source>
         <translation>Se detuvo la lectura.</translation>
+    </message>
+    <message>
+        <source>The file became shorter while it was read: open it again.</source>
+        <translation>El archivo se acortó mientras se leía: ábralo de nuevo.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a file of that size: leave out rows or columns.</source>
+        <translation>No hay memoria suficiente para un archivo de ese tamaño: quite filas o columnas.</translation>
+    </message>
+    <message>
+        <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
+        <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
     <message>
         <source>there are no numbers below the names of the columns.</source>
