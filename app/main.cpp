@@ -16,6 +16,8 @@
 #include <QScreen>
 #include <QSettings>
 
+#include <new>
+
 using namespace slidercrank;
 
 namespace
@@ -77,6 +79,18 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
     return std::nullopt;
 }
 
+/// What there is no memory for ends with a sentence as well.
+template <typename Work>
+auto orWithoutMemory(const Work &work) -> decltype(work())
+{
+    try {
+        return work();
+    } catch (const std::bad_alloc &) {
+        say(CommandLine::tr("There is not enough memory for that: try fewer steps, or a smaller file."));
+        return ExitStatus::FileFailed;
+    }
+}
+
 /// On X11 and Wayland a window needs one of these variables; Qt would abort without.
 bool hasDisplay()
 {
@@ -98,7 +112,8 @@ int main(int argc, char *argv[])
         introduceApplication();
         setLanguage(Language::System);
         command = parseCommandLine(QCoreApplication::arguments());
-        if (const std::optional<ExitStatus> status = runWithoutPlatform(command)) {
+        const auto answer = [&command] { return runWithoutPlatform(command); };
+        if (const std::optional<ExitStatus> status = orWithoutMemory(answer)) {
             return static_cast<int>(*status);
         }
     }
@@ -122,7 +137,7 @@ int main(int argc, char *argv[])
     introduceApplication();
     setLanguage(picture ? Language::System : chosenLanguage());
     if (picture) {
-        return static_cast<int>(render(*picture));
+        return static_cast<int>(orWithoutMemory([picture] { return render(*picture); }));
     }
     MainWindow window;
     // Not every screen has a window manager that would see to it.

@@ -1106,6 +1106,10 @@ none          ni siquiera eso
         <source>A unit behind a number is understood: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</source>
         <translation>Se entiende una unidad tras el número: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
     </message>
+    <message>
+        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
+        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -4009,6 +4013,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The file is empty: it needs a line with the names of the columns, and numbers below.</source>
         <translation>El archivo está vacío: necesita una línea con los nombres de las columnas, y números debajo.</translation>
+    </message>
+    <message>
+        <source>The file became shorter while it was read: open it again.</source>
+        <translation>El archivo se acortó mientras se leía: ábralo de nuevo.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a file of that size: leave out rows or columns.</source>
+        <translation>No hay memoria suficiente para un archivo de ese tamaño: quite filas o columnas.</translation>
+    </message>
+    <message>
+        <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
+        <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
 </context>
 <context>
