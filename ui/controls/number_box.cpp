@@ -273,8 +273,8 @@ void NumberBox::showValue()
     const QString text = textFor(m_value) + m_suffix;
     if (text != lineEdit()->text()) {
         lineEdit()->setText(text);
+        lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
     }
-    lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
     m_typed = false;
     takeBackRefusal();
 }
