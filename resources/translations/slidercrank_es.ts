@@ -3021,6 +3021,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>The run is now that of %1: %2 s to %3 s.</source>
         <translation>El recorrido es ahora el de %1: de %2 s a %3 s.</translation>
     </message>
+    <message>
+        <source>The row is in the clipboard, as CSV with its headings.</source>
+        <translation>La fila está en el portapapeles, como CSV con sus encabezados.</translation>
+    </message>
+    <message>
+        <source>%1 rows are in the clipboard, as CSV with their headings.</source>
+        <translation>%1 filas están en el portapapeles, como CSV con sus encabezados.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MotionCsvText</name>

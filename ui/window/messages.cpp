@@ -81,6 +81,12 @@ void Messages::tell(const QString &sentence)
     m_bar->showMessage(MessageBar::Kind::Hint, sentence);
 }
 
+void Messages::tellRowsCopied(int count)
+{
+    tell(count == 1 ? tr("The row is in the clipboard, as CSV with its headings.")
+                    : tr("%1 rows are in the clipboard, as CSV with their headings.").arg(count));
+}
+
 void Messages::tellProblem(const QString &sentence)
 {
     m_bar->showMessage(MessageBar::Kind::Problem, sentence);
