@@ -900,10 +900,6 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
         <translation>figure (las nueve gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
-        <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
-        <translation>un nombre que termine en .png, .svg o .pdf; el de frames, en .png (entonces van numerados), o, para un vídeo hecho con ffmpeg, en .mp4, .webm o .gif; obligatorio</translation>
-    </message>
-    <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
@@ -1109,6 +1105,10 @@ none          ni siquiera eso
     <message>
         <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
         <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
+    <message>
+        <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered, and older ones of that name go), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
+        <translation>un nombre que termine en .png, .svg o .pdf; el de frames, en .png (entonces van numerados, y desaparecen los anteriores de ese nombre), o, para un vídeo hecho con ffmpeg, en .mp4, .webm o .gif; obligatorio</translation>
     </message>
 </context>
 <context>

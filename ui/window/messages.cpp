@@ -4,6 +4,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/document/session.h"
 #include "ui/window/scene_file.h"
+#include "ui/words/remember.h"
 #include "ui/words/written_number.h"
 
 #include <QDir>
@@ -50,7 +51,7 @@ void Messages::greetOnce()
 {
     const QString key = QStringLiteral("greeted");
     if (!QSettings().value(key).toBool()) {
-        QSettings().setValue(key, true);
+        remember({{key, true}});
         greet();
     }
 }
