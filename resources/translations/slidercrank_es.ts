@@ -1755,10 +1755,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Images and drawings (*.png *.svg *.pdf)</source>
-        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
@@ -1803,10 +1799,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Exportar animación</translation>
     </message>
     <message>
-        <source>Numbered frames, videos (%1)</source>
-        <translation>Fotogramas numerados, vídeos (%1)</translation>
-    </message>
-    <message>
         <source>Another file is still being written: wait for it, or cancel it below.</source>
         <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
     </message>
@@ -1829,6 +1821,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Keep the window open</source>
         <translation>Dejar abierta la ventana</translation>
+    </message>
+    <message>
+        <source>Numbered frames (*.png)</source>
+        <translation>Fotogramas numerados (*.png)</translation>
+    </message>
+    <message>
+        <source>Videos (*.%1)</source>
+        <translation>Vídeos (*.%1)</translation>
     </message>
 </context>
 <context>
@@ -4343,6 +4343,38 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
 </context>
 <context>
+    <name>slidercrank::SaveDialogText</name>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>This cannot be written as .%1: choose a name that ends in .%2.</source>
+        <translation>Esto no se puede escribir como .%1: elija un nombre que termine en .%2.</translation>
+    </message>
+    <message>
+        <source> or .</source>
+        <comment>between the endings of file names</comment>
+        <translation> o .</translation>
+    </message>
+    <message>
+        <source>PNG images (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>Dibujos SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::SceneFile</name>
     <message>
         <source>Unsaved changes</source>
@@ -4967,20 +4999,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>velocidad.png</translation>
     </message>
     <message>
-        <source>Images and drawings (*.png *.svg *.pdf)</source>
-        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
         <source>speed.csv</source>
         <translation>velocidad.csv</translation>
     </message>
     <message>
-        <source>Tables (*.csv *.json)</source>
-        <translation>Tablas (*.csv *.json)</translation>
-    </message>
-    <message>
         <source>⚠ %1</source>
         <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
     </message>
 </context>
 <context>

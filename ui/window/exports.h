@@ -15,8 +15,6 @@
 #include <functional>
 #include <optional>
 
-class QFileDialog;
-
 namespace slidercrank
 {
 
@@ -76,8 +74,6 @@ signals:
     void progressed(double part);
 
 private:
-    QFileDialog *askForDocument(const QString &title, const QStringList &filters, const QString &proposal);
-
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
     /// sentence where nothing was written.
     using Work = std::function<std::optional<QString>(const std::stop_token &, const WorkAside::Progress &)>;
