@@ -52,7 +52,7 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
         say(wrong->sentence);
         return ExitStatus::WrongCommandLine;
     }
-    if (const UnreadableScene *unreadable = std::get_if<UnreadableScene>(&command)) {
+    if (const UnreadableFile *unreadable = std::get_if<UnreadableFile>(&command)) {
         say(unreadable->sentence);
         return ExitStatus::FileFailed;
     }
@@ -110,7 +110,7 @@ int main(int argc, char *argv[])
         // Standard error is for our own sentences; what a platform misses in a session without a desktop is not among
         // them.
         QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
-    } else if (!hasDisplay()) {
+    } else if (!hasDisplay() && !std::get<WindowOptions>(command).choosesDisplay) {
         say(QCoreApplication::translate(
             "slidercrank::CommandLine",
             "There is no display to open the window on: set DISPLAY, or use solve, compare, identify, "

@@ -1102,6 +1102,10 @@ nearest       nada de lo hallado explica el archivo: lo más cercano, solo como 
 none          ni siquiera eso
 </translation>
     </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>No existe el archivo %1.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
