@@ -13,7 +13,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QLoggingCategory>
-#include <QScreen>
 #include <QSettings>
 
 using namespace slidercrank;
@@ -125,9 +124,7 @@ int main(int argc, char *argv[])
         return static_cast<int>(render(*picture));
     }
     MainWindow window;
-    // Not every screen has a window manager that would see to it.
-    window.resize(window.size().boundedTo(window.screen()->availableSize()));
-    window.show();
+    window.showWithinScreen();
     const WindowOptions &options = std::get<WindowOptions>(command);
     if (!options.scene.isEmpty()) {
         window.scene().open(options.scene, options.reference);

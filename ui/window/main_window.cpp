@@ -37,6 +37,7 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMimeData>
+#include <QScreen>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -324,6 +325,17 @@ QWidget *MainWindow::makeLimitsPanel()
     follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     return panel;
+}
+
+void MainWindow::showWithinScreen()
+{
+    constexpr QSize kFrame(20, 60); // px, at most; how large it is is known only when it is there
+    const QSize room = screen()->availableSize() - kFrame;
+    if (!isMaximized() && size().boundedTo(room) != size()) {
+        resize(size().boundedTo(room)); // not every screen has a window manager that maximizes
+        setWindowState(Qt::WindowMaximized);
+    }
+    show();
 }
 
 void MainWindow::openFile(const QString &path)
