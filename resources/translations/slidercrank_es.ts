@@ -3970,12 +3970,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
 <context>
     <name>slidercrank::Recovery</name>
     <message>
-        <source>The program ended before its changes were saved. They are kept, as of %1.</source>
-        <translation>El programa terminó antes de que se guardaran los cambios. Se conservan los del %1.</translation>
+        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
     </message>
     <message>
-        <source>The program ended before the changes to %1 were saved. They are kept, as of %2.</source>
-        <translation>El programa terminó antes de que se guardaran los cambios de %1. Se conservan los del %2.</translation>
+        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
     </message>
     <message>
         <source>Restore</source>

@@ -153,9 +153,10 @@ void Recovery::showOffer()
     const QString when = QLocale().toString(QFileInfo(offer.kept.path).lastModified(), QLocale::ShortFormat);
     m_bar->showMessage(
         MessageBar::Kind::Hint,
-        offer.file.isEmpty() ? tr("The program ended before its changes were saved. They are kept, as of %1.").arg(when)
-                             : tr("The program ended before the changes to %1 were saved. They are kept, as of %2.")
-                                   .arg(QFileInfo(offer.file).fileName(), when),
+        offer.file.isEmpty()
+            ? tr("The program ended before your changes were saved. They are kept, as of %1.").arg(when)
+            : tr("The program ended before your changes to %1 were saved. They are kept, as of %2.")
+                  .arg(QFileInfo(offer.file).fileName(), when),
         tr("Restore"), [this] { restore(); }, tr("Discard"));
 }
 

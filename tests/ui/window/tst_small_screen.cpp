@@ -4,6 +4,7 @@
 
 #include "ui/controls/folding_tabs.h"
 #include "ui/controls/message_bar.h"
+#include "ui/document/scene.h"
 #include "ui/window/main_window.h"
 #include "ui/words/language.h"
 
@@ -11,6 +12,8 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
@@ -18,6 +21,8 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace slidercrank;
 
@@ -55,12 +60,18 @@ private slots:
         QFETCH(const Language, language);
         setLanguage(language);
         QSettings().clear();
+        Scene left; // by a crash
+        left.parameters.b = 70.0;
+        const QDir folder = QFileInfo(QSettings().fileName()).dir();
+        QVERIFY(folder.mkpath(QStringLiteral(".")));
+        QCOMPARE(writeScene(left, folder.filePath(QStringLiteral("recovery_left.json"))), std::nullopt);
         MainWindow window; // the first ever: it greets
         window.resize(kRoom);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         settle(window);
-        QVERIFY(window.findChild<MessageBar *>()->isVisible());
+        const auto bars = window.findChildren<MessageBar *>();
+        QCOMPARE(std::ranges::count(bars, true, &MessageBar::isVisible), 2);
         auto *bar = window.findChild<QTabBar *>(QStringLiteral("tabBar"));
         const auto fits = [&](const QString &page) {
             settle(window);
