@@ -128,6 +128,9 @@ void Recovery::findOffers()
 
 void Recovery::dropWhatIsOnShow()
 {
+    if (m_offers.empty()) {
+        return;
+    }
     const QJsonObject shown = contentOf(m_scene->scene());
     std::erase_if(m_offers, [&shown](const Offer &offer) {
         return contentOf(offer.scene) == shown && QFile::remove(offer.kept.path);
