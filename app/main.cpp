@@ -13,7 +13,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QLoggingCategory>
-#include <QScreen>
 #include <QSettings>
 
 #include <new>
@@ -54,7 +53,7 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
         say(wrong->sentence);
         return ExitStatus::WrongCommandLine;
     }
-    if (const UnreadableScene *unreadable = std::get_if<UnreadableScene>(&command)) {
+    if (const UnreadableFile *unreadable = std::get_if<UnreadableFile>(&command)) {
         say(unreadable->sentence);
         return ExitStatus::FileFailed;
     }
@@ -125,7 +124,7 @@ int main(int argc, char *argv[])
         // Standard error is for our own sentences; what a platform misses in a session without a desktop is not among
         // them.
         QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
-    } else if (!hasDisplay()) {
+    } else if (!hasDisplay() && !std::get<WindowOptions>(command).choosesDisplay) {
         say(QCoreApplication::translate(
             "slidercrank::CommandLine",
             "There is no display to open the window on: set DISPLAY, or use solve, compare, identify, "
@@ -140,9 +139,7 @@ int main(int argc, char *argv[])
         return static_cast<int>(orWithoutMemory([picture] { return render(*picture); }));
     }
     MainWindow window;
-    // Not every screen has a window manager that would see to it.
-    window.resize(window.size().boundedTo(window.screen()->availableSize()));
-    window.show();
+    window.showWithinScreen();
     const WindowOptions &options = std::get<WindowOptions>(command);
     if (!options.scene.isEmpty()) {
         window.scene().open(options.scene, options.reference);

@@ -88,7 +88,7 @@ void OptionReader::takeScene(const QString &path)
 {
     const std::variant<Scene, QString> outcome = readScene(path);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
-        m_sceneFault = *sentence;
+        refuseFile(*sentence);
     } else {
         m_scene = std::get<Scene>(outcome);
     }
@@ -98,6 +98,13 @@ void OptionReader::refuse(const QString &sentence)
 {
     if (!m_fault) {
         m_fault = sentence;
+    }
+}
+
+void OptionReader::refuseFile(const QString &sentence)
+{
+    if (!m_fileFault) {
+        m_fileFault = sentence;
     }
 }
 

@@ -34,13 +34,14 @@ public:
     explicit OptionReader(const QCommandLineParser &parser);
 
     const std::optional<QString> &fault() const { return m_fault; }
-    const std::optional<QString> &sceneFault() const { return m_sceneFault; }
+    const std::optional<QString> &fileFault() const { return m_fileFault; }
 
     /// What holds where no option says otherwise.
     const Scene &scene() const { return m_scene; }
     void takeScene(const QString &path);
 
     void refuse(const QString &sentence);
+    void refuseFile(const QString &sentence);
 
     bool has(const char *name) const { return m_parser.isSet(QLatin1String(name)); }
     QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
@@ -80,7 +81,7 @@ private:
     const QCommandLineParser &m_parser;
     Scene m_scene;
     std::optional<QString> m_fault;
-    std::optional<QString> m_sceneFault;
+    std::optional<QString> m_fileFault;
 };
 
 } // namespace slidercrank

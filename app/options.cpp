@@ -3,6 +3,7 @@
 
 #include "app/help.h"
 #include "app/option_reader.h"
+#include "app/window_system.h"
 #include "core/reading/quantity.h"
 #include "core/run/crank_instant.h"
 #include "core/study/study.h"
@@ -12,6 +13,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -412,7 +414,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     return options;
 }
 
-Command readWindow(OptionReader &reader, const QStringList &positional)
+Command readWindow(OptionReader &reader, const QStringList &positional, bool choosesDisplay)
 {
     if (reader.has("reset-settings")) {
         if (!positional.isEmpty() || reader.has("reference")) {
@@ -421,6 +423,7 @@ Command readWindow(OptionReader &reader, const QStringList &positional)
         return ResetSettings{};
     }
     WindowOptions options;
+    options.choosesDisplay = choosesDisplay;
     options.reference = reader.file("reference");
     if (positional.isEmpty()) {
         return options;
@@ -432,6 +435,8 @@ Command readWindow(OptionReader &reader, const QStringList &positional)
         options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || QFileInfo::exists(options.scene);
     if (words.contains(options.scene)) {
         reader.refuse(CommandLine::tr("The command must come first: slidercrank %1 …").arg(options.scene));
+    } else if (!isFile && options.scene.contains(QRegularExpression(QStringLiteral("[./\\\\]")))) {
+        reader.refuseFile(CommandLine::tr("There is no file %1.").arg(QDir::toNativeSeparators(options.scene)));
     } else if (!isFile) {
         reader.refuse(CommandLine::tr("There is no command \"%1\": use solve, compare, identify, study or render, or "
                                       "no word at all, or a scene's file, for the window.")
@@ -503,7 +508,7 @@ Command parseCommandLine(const QStringList &arguments)
             subcommand = candidate;
         }
     }
-    QStringList rest = arguments;
+    QStringList rest = subcommand == Subcommand::Window ? withoutWindowSystemOptions(arguments) : arguments;
     if (subcommand != Subcommand::Window) {
         rest.removeAt(1);
     }
@@ -534,15 +539,15 @@ Command parseCommandLine(const QStringList &arguments)
     }
     Command command;
     switch (subcommand) {
-    case Subcommand::Window: command = readWindow(reader, positional); break;
+    case Subcommand::Window: command = readWindow(reader, positional, chooseDisplay(arguments)); break;
     case Subcommand::Solve: command = readSolve(reader, positional); break;
     case Subcommand::Compare: command = readCompare(reader, positional); break;
     case Subcommand::Identify: command = readIdentify(reader, positional); break;
     case Subcommand::Study: command = readStudy(reader, positional); break;
     case Subcommand::Render: command = readRender(reader, positional); break;
     }
-    if (reader.sceneFault()) {
-        return UnreadableScene{*reader.sceneFault()};
+    if (reader.fileFault()) {
+        return UnreadableFile{*reader.fileFault()};
     }
     if (reader.fault()) {
         return WrongCommandLine{*reader.fault()};

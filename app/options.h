@@ -80,8 +80,9 @@ struct RenderOptions {
 };
 
 struct WindowOptions {
-    QString scene;     ///< empty: none
-    QString reference; ///< empty: none, or the scene's own
+    QString scene;               ///< empty: none
+    QString reference;           ///< empty: none, or the scene's own
+    bool choosesDisplay = false; ///< by an option of the window system's
 };
 
 /// All that was remembered is to be forgotten, and done.
@@ -97,13 +98,13 @@ struct WrongCommandLine {
     QString sentence;
 };
 
-/// The line is right, but the scene that it names is none.
-struct UnreadableScene {
+/// The line is right, but a file that it names is not there, or is not what it should be.
+struct UnreadableFile {
     QString sentence;
 };
 
 using Command = std::variant<WindowOptions, SolveOptions, CompareOptions, IdentifyOptions, StudyOptions, RenderOptions,
-                             ResetSettings, Answer, WrongCommandLine, UnreadableScene>;
+                             ResetSettings, Answer, WrongCommandLine, UnreadableFile>;
 
 /// `arguments` as QCoreApplication::arguments() gives them, the program's name first.
 Command parseCommandLine(const QStringList &arguments);

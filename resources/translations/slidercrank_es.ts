@@ -1110,6 +1110,10 @@ none          ni siquiera eso
         <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered, and older ones of that name go), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
         <translation>un nombre que termine en .png, .svg o .pdf; el de frames, en .png (entonces van numerados, y desaparecen los anteriores de ese nombre), o, para un vídeo hecho con ffmpeg, en .mp4, .webm o .gif; obligatorio</translation>
     </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>No existe el archivo %1.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -1763,10 +1767,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Images and drawings (*.png *.svg *.pdf)</source>
-        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
@@ -1811,10 +1811,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Exportar animación</translation>
     </message>
     <message>
-        <source>Numbered frames, videos (%1)</source>
-        <translation>Fotogramas numerados, vídeos (%1)</translation>
-    </message>
-    <message>
         <source>Another file is still being written: wait for it, or cancel it below.</source>
         <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
     </message>
@@ -1857,6 +1853,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Keep the window open</source>
         <translation>Dejar abierta la ventana</translation>
+    </message>
+    <message>
+        <source>Numbered frames (*.png)</source>
+        <translation>Fotogramas numerados (*.png)</translation>
+    </message>
+    <message>
+        <source>Videos (*.%1)</source>
+        <translation>Vídeos (*.%1)</translation>
     </message>
 </context>
 <context>
@@ -5020,20 +5024,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>velocidad.png</translation>
     </message>
     <message>
-        <source>Images and drawings (*.png *.svg *.pdf)</source>
-        <translation>Imágenes y dibujos (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
         <source>speed.csv</source>
         <translation>velocidad.csv</translation>
     </message>
     <message>
-        <source>Tables (*.csv *.json)</source>
-        <translation>Tablas (*.csv *.json)</translation>
-    </message>
-    <message>
         <source>⚠ %1</source>
         <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -5263,20 +5263,20 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
 <context>
     <name>slidercrank::Recovery</name>
     <message>
-        <source>The program ended before its changes were saved. They are kept, as of %1.</source>
-        <translation>El programa terminó antes de que se guardaran los cambios. Se conservan los del %1.</translation>
-    </message>
-    <message>
-        <source>The program ended before the changes to %1 were saved. They are kept, as of %2.</source>
-        <translation>El programa terminó antes de que se guardaran los cambios de %1. Se conservan los del %2.</translation>
-    </message>
-    <message>
         <source>Restore</source>
         <translation>Recuperar</translation>
     </message>
     <message>
         <source>Discard</source>
         <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
+    </message>
+    <message>
+        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
     </message>
 </context>
 <context>
@@ -5323,6 +5323,38 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>“%1”: no unit belongs to this number.</source>
         <translation>«%1»: este número no lleva unidad.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::SaveDialogText</name>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>This cannot be written as .%1: choose a name that ends in .%2.</source>
+        <translation>Esto no se puede escribir como .%1: elija un nombre que termine en .%2.</translation>
+    </message>
+    <message>
+        <source> or .</source>
+        <comment>between the endings of file names</comment>
+        <translation> o .</translation>
+    </message>
+    <message>
+        <source>PNG images (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>Dibujos SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documentos PDF (*.pdf)</translation>
     </message>
 </context>
 </TS>

@@ -260,6 +260,9 @@ private slots:
     void takesAnyFileName();
     void speaksTheSameNumbersInEveryLocale();
     void takesAFileThatIsNoSceneForAReference();
+    void saysThatThereIsNoSuchFile_data();
+    void saysThatThereIsNoSuchFile();
+    void leavesToTheWindowSystemWhatIsIts();
     void takesASceneForWhatIsNotSaid();
     void goesOnFromAScene();
     void rendersASceneAsItWasSaved();
@@ -582,7 +585,9 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     QTest::addColumn<QString>("says");
     const auto row = [](const char *line, const char *says) { QTest::newRow(line) << line << says; };
     row("solv", "no command \"solv\"");
-    row("scene.txt", "no command \"scene.txt\"");
+    row("-platform", "no option -platform");
+    row("-platform offscreen solve", "must come first");
+    row("solve -platform xcb", "no option -platform");
     row("a.json b.json", "one scene, not 2: remove \"b.json\"");
     row("--reset-settings --reference x.csv", "remove what stands beside it");
     row("--reset-settings a.json", "remove what stands beside it");
@@ -1422,6 +1427,42 @@ void TestCommandLine::takesAFileThatIsNoSceneForAReference()
     QCOMPARE(outcome.status, 2);
     QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("There is no display"), outcome.err.constData());
     QCOMPARE(run({sample(), QStringLiteral("--reference"), sample()}).status, 3);
+}
+
+void TestCommandLine::saysThatThereIsNoSuchFile_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("file");
+    for (const char *line : {"nofile.csv", "scene.txt", "./nofile", "nofile.json"}) {
+        QTest::newRow(line) << line << line;
+    }
+    QTest::newRow("behind the window system's options") << "-platform offscreen --style windows -session 42_1 "
+                                                           "-qwindowgeometry 800x600+0+0 -reverse --style=a nofile.csv"
+                                                        << "nofile.csv";
+}
+
+void TestCommandLine::saysThatThereIsNoSuchFile()
+{
+    QFETCH(QString, line);
+    QFETCH(QString, file);
+    const Outcome outcome = run(line);
+    QCOMPARE(outcome.status, 3);
+    QVERIFY2(isOneLine(outcome.err) && outcome.err.contains(file.toUtf8()), outcome.err.constData());
+}
+
+void TestCommandLine::leavesToTheWindowSystemWhatIsIts()
+{
+    const QTemporaryDir settings;
+    QProcessEnvironment environment = withoutDisplay();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), settings.path());
+    QProcess window;
+    window.setProcessEnvironment(environment);
+    window.start(QStringLiteral(SLIDERCRANK_PROGRAM), {QStringLiteral("--platform"), QStringLiteral("offscreen"),
+                                                       QStringLiteral("-session"), QStringLiteral("42_1")});
+    AWAIT(QFile::exists(settings.filePath(QStringLiteral("slidercrank/slidercrank.conf")))); // it greets
+    QCOMPARE(window.state(), QProcess::Running);
+    window.kill();
+    QVERIFY(window.waitForFinished(slidercrank::kPatience));
 }
 
 void TestCommandLine::takesASceneForWhatIsNotSaid()

@@ -114,6 +114,7 @@ void NewtonPanel::addPage(Page page, const QString &title, QWidget *widget, Numb
     button->setCheckable(true);
     button->setAutoRaise(true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setMinimumWidth(button->sizeHint().width() * 2 / 3); // on the smallest screens, some letters short
     m_buttons->addButton(button, page);
     m_segments->addWidget(button);
     m_pages->addWidget(widget);

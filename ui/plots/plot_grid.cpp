@@ -99,7 +99,7 @@ QSize PlotGrid::sizeHint() const
 
 QSize PlotGrid::minimumSizeHint() const
 {
-    return {480, 330};
+    return {420, 230}; // not beautiful, but there on a screen of 800×600
 }
 
 void PlotGrid::setResult(const std::shared_ptr<const Result> &result)

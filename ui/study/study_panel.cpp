@@ -3,6 +3,7 @@
 
 #include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
+#include "ui/controls/save_dialog.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
@@ -14,7 +15,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -442,22 +442,18 @@ std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
 
 void StudyPanel::choosePicture()
 {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export"), QDir(folder).filePath(tr("speed.png")),
-                                                      tr("Images and drawings (*.png *.svg *.pdf)"));
-    if (!path.isEmpty()) {
-        tellProblem(exportPicture(path));
-    }
+    chooseFileToSave(this,
+                     {tr("Export"), figureFilters(), lastFolder(QStandardPaths::PicturesLocation), tr("speed.png"),
+                      [this](const QString &path, const QString &) { tellProblem(exportPicture(path)); }});
 }
 
 void StudyPanel::chooseNumbers()
 {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export"), QDir(folder).filePath(tr("speed.csv")),
-                                                      tr("Tables (*.csv *.json)"));
-    if (!path.isEmpty()) {
-        tellProblem(exportNumbers(path));
-    }
+    chooseFileToSave(this, {tr("Export"),
+                            {tr("Tables (*.csv)"), QStringLiteral("JSON (*.json)")},
+                            lastFolder(QStandardPaths::DocumentsLocation),
+                            tr("speed.csv"),
+                            [this](const QString &path, const QString &) { tellProblem(exportNumbers(path)); }});
 }
 
 void StudyPanel::tellProblem(const std::optional<QString> &sentence)

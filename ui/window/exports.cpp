@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/exports.h"
 
+#include "ui/controls/save_dialog.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/motion_csv.h"
@@ -12,7 +13,6 @@
 #include "ui/words/theme.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -28,11 +28,6 @@ namespace
 
 constexpr double kScale = 2.0; // of what is on screen, for documents
 constexpr QSize kPlotSize(900, 600);
-
-QString fileIn(QStandardPaths::StandardLocation folder, const QString &name)
-{
-    return QDir(QStandardPaths::writableLocation(folder)).filePath(name);
-}
 
 } // namespace
 
@@ -73,12 +68,9 @@ Exports::Picture Exports::mechanism() const
 
 void Exports::choose(const Picture &picture)
 {
-    const QString path =
-        QFileDialog::getSaveFileName(m_window, tr("Export"), fileIn(QStandardPaths::PicturesLocation, picture.name),
-                                     tr("Images and drawings (*.png *.svg *.pdf)"));
-    if (!path.isEmpty()) {
-        write(picture, path);
-    }
+    chooseFileToSave(m_window,
+                     {tr("Export"), figureFilters(), lastFolder(QStandardPaths::PicturesLocation), picture.name,
+                      [this, picture](const QString &path, const QString &) { write(picture, path); }});
 }
 
 void Exports::write(const Picture &picture, const QString &path)
@@ -96,27 +88,17 @@ void Exports::copy(const Picture &picture)
     }
 }
 
-QFileDialog *Exports::askForDocument(const QString &title, const QStringList &filters, const QString &proposal)
-{
-    auto *dialog =
-        new QFileDialog(m_window, title, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters(filters);
-    dialog->setDefaultSuffix(QFileInfo(proposal).suffix());
-    dialog->selectFile(proposal);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
-    return dialog;
-}
-
 void Exports::chooseData()
 {
     const QString plotted = tr("The six channels of the plots (*.csv)");
-    auto *dialog =
-        askForDocument(tr("Export data"), {plotted, tr("All 36 channels (*.csv)")}, QStringLiteral("motion.csv"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, plotted](const QString &path) {
-        writeData(path, dialog->selectedNameFilter() == plotted ? plottedChannels() : allChannels());
-    });
+    const SaveRequest request{tr("Export data"),
+                              {plotted, tr("All 36 channels (*.csv)")},
+                              lastFolder(QStandardPaths::DocumentsLocation),
+                              QStringLiteral("motion.csv"),
+                              [this, plotted](const QString &path, const QString &filter) {
+                                  writeData(path, filter == plotted ? plottedChannels() : allChannels());
+                              }};
+    chooseFileToSave(m_window, request);
 }
 
 void Exports::writeData(const QString &path, const ChannelSet &channels)
@@ -129,8 +111,11 @@ void Exports::writeData(const QString &path, const ChannelSet &channels)
 
 void Exports::chooseReport()
 {
-    auto *dialog = askForDocument(tr("Export report"), {tr("Reports (*.pdf)")}, QStringLiteral("report.pdf"));
-    connect(dialog, &QFileDialog::fileSelected, this, &Exports::writeReport);
+    chooseFileToSave(m_window, {tr("Export report"),
+                                {tr("Reports (*.pdf)")},
+                                lastFolder(QStandardPaths::DocumentsLocation),
+                                QStringLiteral("report.pdf"),
+                                [this](const QString &path, const QString &) { writeReport(path); }});
 }
 
 void Exports::writeReport(const QString &path)
@@ -164,18 +149,24 @@ void Exports::writeReport(const QString &path)
 
 void Exports::chooseAnimation()
 {
-    QStringList patterns;
+    const QString frames = QStringLiteral("png");
+    SaveRequest request{tr("Export animation"),
+                        {},
+                        lastFolder(QStandardPaths::MoviesLocation),
+                        QStringLiteral("motion.png"),
+                        [this](const QString &path, const QString &) { writeAnimation(path); }};
     for (const QString &suffix : AnimationExport::suffixes()) {
-        patterns << QStringLiteral("*.") + suffix;
+        request.filters << (suffix == frames ? tr("Numbered frames (*.png)") : tr("Videos (*.%1)").arg(suffix));
     }
-    writeAnimation(QFileDialog::getSaveFileName(m_window, tr("Export animation"),
-                                                fileIn(QStandardPaths::MoviesLocation, QStringLiteral("motion.png")),
-                                                tr("Numbered frames, videos (%1)").arg(patterns.join(u' '))));
+    request.replaces = [frames](const QString &path) { // frames have names of their own
+        return QFileInfo(path).suffix().toLower() != frames && QFileInfo::exists(path);
+    };
+    chooseFileToSave(m_window, request);
 }
 
 void Exports::writeAnimation(const QString &path)
 {
-    if (path.isEmpty() || m_animation) {
+    if (m_animation) {
         return;
     }
     const Sampling &sampling = m_session->sampling();

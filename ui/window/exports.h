@@ -15,8 +15,6 @@
 #include <functional>
 #include <optional>
 
-class QFileDialog;
-
 namespace slidercrank
 {
 
@@ -79,7 +77,6 @@ signals:
 
 private:
     void film(const QString &path, const Animation &animation);
-    QFileDialog *askForDocument(const QString &title, const QStringList &filters, const QString &proposal);
 
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
     /// sentence where nothing was written.

@@ -33,6 +33,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMimeData>
+#include <QScreen>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -323,6 +324,17 @@ QWidget *MainWindow::makeLimitsPanel()
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &LimitsPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     return panel;
+}
+
+void MainWindow::showWithinScreen()
+{
+    constexpr QSize kFrame(20, 60); // px, at most; how large it is is known only when it is there
+    const QSize room = screen()->availableSize() - kFrame;
+    if (!isMaximized() && size().boundedTo(room) != size()) {
+        resize(size().boundedTo(room)); // not every screen has a window manager that maximizes
+        setWindowState(Qt::WindowMaximized);
+    }
+    show();
 }
 
 void MainWindow::openFile(const QString &path)

@@ -31,6 +31,9 @@ public:
 
     Exports &exports() { return *m_exports; }
 
+    /// With all of its frame; it fills a screen that has no room for that.
+    void showWithinScreen();
+
 public slots:
     /// A scene where it is named .json, else a reference.
     void openFile(const QString &path);

@@ -128,6 +128,9 @@ void Recovery::findOffers()
 
 void Recovery::dropWhatIsOnShow()
 {
+    if (m_offers.empty()) {
+        return;
+    }
     const QJsonObject shown = contentOf(m_scene->scene());
     std::erase_if(m_offers, [&shown](const Offer &offer) {
         return contentOf(offer.scene) == shown && QFile::remove(offer.kept.path);
@@ -153,9 +156,10 @@ void Recovery::showOffer()
     const QString when = QLocale().toString(QFileInfo(offer.kept.path).lastModified(), QLocale::ShortFormat);
     m_bar->showMessage(
         MessageBar::Kind::Hint,
-        offer.file.isEmpty() ? tr("The program ended before its changes were saved. They are kept, as of %1.").arg(when)
-                             : tr("The program ended before the changes to %1 were saved. They are kept, as of %2.")
-                                   .arg(QFileInfo(offer.file).fileName(), when),
+        offer.file.isEmpty()
+            ? tr("The program ended before your changes were saved. They are kept, as of %1.").arg(when)
+            : tr("The program ended before your changes to %1 were saved. They are kept, as of %2.")
+                  .arg(QFileInfo(offer.file).fileName(), when),
         tr("Restore"), [this] { restore(); }, tr("Discard"));
 }
 

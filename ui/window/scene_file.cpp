@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/scene_file.h"
 
+#include "ui/controls/save_dialog.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/window/remembered.h"
@@ -166,17 +167,16 @@ void SceneFile::save(const std::function<void()> &goOn)
 
 void SceneFile::saveAs(const std::function<void()> &goOn)
 {
-    auto *dialog = new QFileDialog(m_window, tr("Save scene"), folderOf(m_path), tr("Scenes (*.json)"));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("json"));
-    dialog->selectFile(m_path.isEmpty() ? QStringLiteral("scene.json") : QFileInfo(m_path).fileName());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, goOn](const QString &path) {
-        if (saveTo(path) && goOn) {
-            goOn();
-        }
-    });
-    dialog->open();
+    const QFileInfo file(m_path);
+    chooseFileToSave(m_window, {tr("Save scene"),
+                                {tr("Scenes (*.json)")},
+                                m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
+                                m_path.isEmpty() ? QStringLiteral("scene.json") : file.fileName(),
+                                [this, goOn](const QString &path, const QString &) {
+                                    if (saveTo(path) && goOn) {
+                                        goOn();
+                                    }
+                                }});
 }
 
 bool SceneFile::saveTo(const QString &path)
