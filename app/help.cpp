@@ -332,6 +332,11 @@ QString helpOf(Subcommand subcommand)
             }
             help += left.leftJustified(30) + u' ' + CommandLine::tr(entry.text) + u'\n';
         }
+        if (title == kMechanism) {
+            help += QStringLiteral("  ") +
+                    CommandLine::tr("A unit behind a number is understood: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.") +
+                    u'\n';
+        }
     }
     if (const QString shape = shapeOf(subcommand); !shape.isEmpty()) {
         help += u'\n' + shape;

@@ -15,6 +15,8 @@
 #include <QLoggingCategory>
 #include <QSettings>
 
+#include <new>
+
 using namespace slidercrank;
 
 namespace
@@ -76,6 +78,18 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
     return std::nullopt;
 }
 
+/// What there is no memory for ends with a sentence as well.
+template <typename Work>
+auto orWithoutMemory(const Work &work) -> decltype(work())
+{
+    try {
+        return work();
+    } catch (const std::bad_alloc &) {
+        say(CommandLine::tr("There is not enough memory for that: try fewer steps, or a smaller file."));
+        return ExitStatus::FileFailed;
+    }
+}
+
 /// On X11 and Wayland a window needs one of these variables; Qt would abort without.
 bool hasDisplay()
 {
@@ -97,7 +111,8 @@ int main(int argc, char *argv[])
         introduceApplication();
         setLanguage(Language::System);
         command = parseCommandLine(QCoreApplication::arguments());
-        if (const std::optional<ExitStatus> status = runWithoutPlatform(command)) {
+        const auto answer = [&command] { return runWithoutPlatform(command); };
+        if (const std::optional<ExitStatus> status = orWithoutMemory(answer)) {
             return static_cast<int>(*status);
         }
     }
@@ -121,7 +136,7 @@ int main(int argc, char *argv[])
     introduceApplication();
     setLanguage(picture ? Language::System : chosenLanguage());
     if (picture) {
-        return static_cast<int>(render(*picture));
+        return static_cast<int>(orWithoutMemory([picture] { return render(*picture); }));
     }
     MainWindow window;
     window.showWithinScreen();

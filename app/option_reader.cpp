@@ -2,6 +2,8 @@
 #include "app/option_reader.h"
 
 #include "core/mechanism/mechanism.h"
+#include "core/reading/quantity.h"
+#include "ui/words/quantity_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,21 +16,6 @@ namespace slidercrank
 
 namespace
 {
-
-/// The whole text as a number, with a decimal point.
-template <typename Number>
-std::optional<Number> parsed(const QString &text)
-{
-    const QByteArray bytes = text.toUtf8();
-    const char *first = bytes.constData();
-    const char *const last = first + bytes.size();
-    if (last - first > 1 && *first == '+' && first[1] != '-') {
-        ++first; // from_chars knows no plus sign
-    }
-    Number number{};
-    const std::from_chars_result result = std::from_chars(first, last, number);
-    return result.ec == std::errc() && result.ptr == last ? std::optional(number) : std::nullopt;
-}
 
 /// How many letters must be inserted, removed or replaced to make one word the other (Levenshtein), whatever their
 /// case.
@@ -79,7 +66,15 @@ QString alternatives(const QStringList &names)
 
 std::optional<int> parsedInteger(const QString &text)
 {
-    return parsed<int>(text);
+    const QByteArray bytes = text.toUtf8();
+    const char *first = bytes.constData();
+    const char *const last = first + bytes.size();
+    if (last - first > 1 && *first == '+' && first[1] != '-') {
+        ++first; // from_chars knows no plus sign
+    }
+    int number = 0;
+    const std::from_chars_result result = std::from_chars(first, last, number);
+    return result.ec == std::errc() && result.ptr == last ? std::optional(number) : std::nullopt;
 }
 
 OptionReader::OptionReader(const QCommandLineParser &parser)
@@ -113,23 +108,28 @@ void OptionReader::refuseFile(const QString &sentence)
     }
 }
 
-double OptionReader::number(const char *name, double otherwise)
+double OptionReader::number(const char *name, double otherwise, const std::optional<Unit> &unit)
 {
     if (!has(name)) {
         return otherwise;
     }
-    const std::optional<double> number = parsed<double>(text(name));
-    if (!number || !std::isfinite(*number)) {
-        refuse(CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
-                   .arg(QLatin1String(name), text(name)));
-        return otherwise;
+    const Quantity quantity = readQuantity(text(name).toStdString(), unit);
+    if (!quantity.fault) {
+        return quantity.value;
     }
-    return *number;
+    const bool asksForUnit =
+        *quantity.fault == QuantityFault::UnknownUnit || *quantity.fault == QuantityFault::WrongUnit;
+    refuse(unit && asksForUnit
+               ? CommandLine::tr("--%1 must be a number, alone or with %2 behind it, not \"%3\".")
+                     .arg(QLatin1String(name), alternatives(unitsFor(*unit)), text(name))
+               : CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
+                     .arg(QLatin1String(name), text(name)));
+    return otherwise;
 }
 
-double OptionReader::boundedNumber(const char *name, double otherwise)
+double OptionReader::boundedNumber(const char *name, double otherwise, const Unit &unit)
 {
-    const double value = number(name, otherwise);
+    const double value = number(name, otherwise, unit);
     if (std::abs(value) > kLargestParameter) {
         refuse(tooLarge(name));
     }
@@ -141,7 +141,7 @@ int OptionReader::integer(const char *name, int otherwise, int smallest, int lar
     if (!has(name)) {
         return otherwise;
     }
-    const std::optional<int> number = parsed<int>(text(name));
+    const std::optional<int> number = parsedInteger(text(name));
     if (!number || *number < smallest || *number > largest) {
         refuse(CommandLine::tr("--%1 must be a whole number from %2 to %3, not \"%4\".")
                    .arg(QLatin1String(name))

@@ -4,6 +4,7 @@
 // The values of options, each checked as it is taken, and what is said of a word that nobody knows.
 
 #include "app/command_line.h"
+#include "core/reading/unit_text.h"
 #include "ui/document/scene.h"
 
 #include <QCommandLineParser>
@@ -45,10 +46,11 @@ public:
     bool has(const char *name) const { return m_parser.isSet(QLatin1String(name)); }
     QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
 
-    double number(const char *name, double otherwise);
+    /// In that unit, whatever unit was written behind it; without: a number alone.
+    double number(const char *name, double otherwise, const std::optional<Unit> &unit = {});
 
     /// Of a magnitude that every computation bears.
-    double boundedNumber(const char *name, double otherwise);
+    double boundedNumber(const char *name, double otherwise, const Unit &unit);
 
     int integer(const char *name, int otherwise, int smallest, int largest);
 

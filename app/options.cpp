@@ -4,6 +4,7 @@
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/window_system.h"
+#include "core/reading/quantity.h"
 #include "core/run/crank_instant.h"
 #include "core/study/study.h"
 #include "ui/export/animation_export.h"
@@ -29,12 +30,24 @@ namespace
 
 constexpr int kMostSteps = 100'000'000;
 
+Unit unitOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return kMillimetre;
+    case Parameter::Omega2: return kRadianPerSecond;
+    case Parameter::Theta20: return kRadian;
+    }
+    return {};
+}
+
 Mechanism readMechanism(OptionReader &reader)
 {
     Parameters parameters = reader.scene().parameters;
     for (const Parameter parameter : kParameters) {
         double &value = valueOf(parameters, parameter);
-        value = reader.number(wordOf(parameter), value);
+        value = reader.number(wordOf(parameter), value, unitOf(parameter));
     }
     parameters.branch =
         reader.choice("branch", parameters.branch, {{"open", Branch::Open}, {"crossed", Branch::Crossed}});
@@ -57,8 +70,8 @@ Mechanism readMechanism(OptionReader &reader)
 Sampling readSampling(OptionReader &reader)
 {
     Sampling sampling = reader.scene().sampling;
-    sampling.start = reader.boundedNumber("start", sampling.start);
-    sampling.duration = reader.boundedNumber("duration", sampling.duration);
+    sampling.start = reader.boundedNumber("start", sampling.start, kSecond);
+    sampling.duration = reader.boundedNumber("duration", sampling.duration, kSecond);
     sampling.steps = reader.integer("steps", sampling.steps, 1, kMostSteps);
     if (!(sampling.duration > 0.0)) {
         reader.refuse(CommandLine::tr("--duration must be greater than 0, not %1.").arg(reader.text("duration")));
@@ -92,16 +105,16 @@ SolverSettings readSolver(OptionReader &reader)
 /// For --at-angle.
 double readCrankInstant(OptionReader &reader, const Mechanism &mechanism, double start)
 {
-    const double degrees = reader.boundedNumber("at-angle", 0.0);
+    const double degrees = reader.boundedNumber("at-angle", 0.0, kDegree);
     const std::optional<double> instant = instantAtCrankAngle(mechanism, degrees, start);
     if (!instant && mechanism.omega2() == 0.0) {
         reader.refuse(CommandLine::tr("The crank stands still (--omega2 0) and never comes to %1°: choose another "
                                       "--omega2, or set its angle with --theta20.")
-                          .arg(reader.text("at-angle")));
+                          .arg(QString::number(degrees, 'g', 6)));
     } else if (!instant || std::abs(*instant) > kLargestParameter) {
         reader.refuse(CommandLine::tr("The crank turns too slowly to come to %1° within 1e12 s: choose a larger "
                                       "--omega2.")
-                          .arg(reader.text("at-angle")));
+                          .arg(QString::number(degrees, 'g', 6)));
     }
     return instant.value_or(start);
 }
@@ -163,8 +176,8 @@ Command readSolve(OptionReader &reader, const QStringList &positional)
                                   .arg(QLatin1String(name)));
             }
         }
-        options.atInstant =
-            readCrankInstant(reader, options.mechanism, reader.boundedNumber("start", reader.scene().sampling.start));
+        options.atInstant = readCrankInstant(reader, options.mechanism,
+                                             reader.boundedNumber("start", reader.scene().sampling.start, kSecond));
     } else {
         options.sampling = readSampling(reader);
     }
@@ -386,7 +399,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     if (reader.has("at") && reader.has("at-angle")) {
         reader.refuse(CommandLine::tr("--at and --at-angle both choose the instant: remove one of them."));
     } else if (reader.has("at")) {
-        options.poseInstant = reader.boundedNumber("at", 0.0);
+        options.poseInstant = reader.boundedNumber("at", 0.0, kSecond);
     } else if (reader.has("at-angle")) {
         options.poseInstant = readCrankInstant(reader, options.mechanism, options.sampling.start);
     }

@@ -28,39 +28,35 @@ Output::Output(const QString &path)
 {
 }
 
-QFileDevice &Output::device()
-{
-    return m_isStream ? static_cast<QFileDevice &>(m_stream) : m_file;
-}
-
-bool Output::fail()
+bool Output::fail(const QString &reason)
 {
     m_failed = true;
-    say(m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(device().errorString())
+    say(m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(reason)
                          : CommandLine::tr("%1 cannot be written: %2. Choose another file or folder with --output.")
-                               .arg(QDir::toNativeSeparators(m_path), device().errorString()));
+                               .arg(QDir::toNativeSeparators(m_path), reason));
     return false;
 }
 
 bool Output::open()
 {
-    const bool open =
-        m_path.isEmpty() ? m_stream.open(stdout, QIODevice::WriteOnly) : device().open(QIODevice::WriteOnly);
-    return open || fail();
+    if (!m_isStream) {
+        return m_file.open() || fail(m_file.reason());
+    }
+    return (m_path.isEmpty() ? m_stream.open(stdout, QIODevice::WriteOnly) : m_stream.open(QIODevice::WriteOnly)) ||
+           fail(m_stream.errorString());
 }
 
 bool Output::write(const QByteArray &bytes)
 {
-    if (!m_failed && device().write(bytes) != bytes.size()) {
-        m_failed = true;
-    }
+    m_failed = m_failed || !(m_isStream ? m_stream.write(bytes) == bytes.size() : m_file.write(bytes));
     return !m_failed;
 }
 
 ExitStatus Output::finish()
 {
     const bool written = !m_failed && (m_isStream ? m_stream.flush() : m_file.commit());
-    return written || fail() ? ExitStatus::Done : ExitStatus::FileFailed;
+    return written || fail(m_isStream ? m_stream.errorString() : m_file.reason()) ? ExitStatus::Done
+                                                                                  : ExitStatus::FileFailed;
 }
 
 ExitStatus writeAll(const QString &path, const QByteArray &bytes)

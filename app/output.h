@@ -4,10 +4,10 @@
 // Where a subcommand writes: a file, whole or not at all; standard output; or what is no plain file (a device, a pipe).
 
 #include "app/command_line.h"
+#include "ui/document/whole_file.h"
 
 #include <QByteArray>
 #include <QFile>
-#include <QSaveFile>
 #include <QString>
 
 namespace slidercrank
@@ -29,13 +29,12 @@ public:
     ExitStatus finish();
 
 private:
-    QFileDevice &device();
-    bool fail();
+    bool fail(const QString &reason);
 
     QString m_path;
-    bool m_isStream; ///< written as it comes: a QSaveFile would put a plain file in the place of a pipe
+    bool m_isStream; ///< written as it comes: a WholeFile would put a plain file in the place of a pipe
     QFile m_stream;
-    QSaveFile m_file;
+    WholeFile m_file;
     bool m_failed = false;
 };
 

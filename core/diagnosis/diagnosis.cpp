@@ -3,6 +3,7 @@
 
 #include "core/diagnosis/explanation.h"
 #include "core/diagnosis/hypotheses.h"
+#include "core/identification/crank_speed.h"
 #include "core/identification/decision.h"
 #include "core/identification/file_search.h"
 #include "core/identification/motion_start.h"
@@ -114,6 +115,10 @@ std::optional<Tried> withoutFailing(const SearchRows &rows, const Tried &tried, 
     for (const std::size_t k : failing) {
         fewer.columns[problem.columns[k].source] = {rows.all.columns[problem.columns[k].source].channel};
         fewer.columns[problem.columns[k].source].isUsed = false;
+    }
+    // Only derivatives tell of another unit of time.
+    if (std::ranges::none_of(fewer.columns, &ColumnHypothesis::isPerSecond)) {
+        fewer.timeUnit = 1.0;
     }
     fewer.start = tried.candidate.fit.parameters;
     return triedOn(rows, fewer, stop);
@@ -305,104 +310,6 @@ bool isAnyDifferent(const std::vector<ChannelComparison> &channels)
     return std::ranges::find(channels, Verdict::Differs, &ChannelComparison::verdict) != channels.end();
 }
 
-/// The crank's speed at the first and last rows, where θ2 does not advance evenly.
-std::optional<CrankSpeedChange> unevenCrankOf(const SearchRows &rows)
-{
-    const Observations &all = rows.all;
-    const auto columnAt = [&](Order order) -> const ObservedColumn * {
-        const auto found = std::ranges::find(all.columns, Channel{Theta2, order}, &ObservedColumn::channel);
-        return found == all.columns.end() ? nullptr : &*found;
-    };
-    constexpr std::size_t kFewestRows = 8;
-    const ObservedColumn *angle = columnAt(Order::Position);
-    const ObservedColumn *speed = columnAt(Order::Velocity);
-    std::vector<double> times;
-    std::vector<double> values; // degrees a second, or degrees
-    const ObservedColumn *column = angle ? angle : speed;
-    if (!column || column->count < kFewestRows) {
-        return std::nullopt;
-    }
-    const FitProblem problem = problemOf(all, asWritten(all));
-    const double speedOnAverage = crankSpeedOf(problem);
-    const double unit = all.units.factor(column->channel);
-    double last = kNone;
-    for (std::size_t row = 0; row < all.time.size(); ++row) {
-        double value = unit * column->values[row];
-        if (std::isnan(value)) {
-            continue;
-        }
-        if (angle && std::isfinite(last)) {
-            const double expected = speedOnAverage * (all.time[row] - times.back());
-            value = last + expected + withoutTurns(value - last - expected);
-        }
-        last = value;
-        times.push_back(all.time[row]);
-        values.push_back(value);
-    }
-    // A line through the angle, a constant through the speed: what is left must be rounding, or look like noise.
-    const std::size_t n = times.size();
-    const auto slopeOver = [&](std::size_t from, std::size_t to) {
-        double t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
-        const auto count = static_cast<double>(to - from);
-        for (std::size_t i = from; i < to; ++i) {
-            t += times[i] / count;
-            y += values[i] / count;
-        }
-        for (std::size_t i = from; i < to; ++i) {
-            tt += (times[i] - t) * (times[i] - t);
-            ty += (times[i] - t) * (values[i] - y);
-        }
-        return std::pair(angle ? ty / tt : y, angle ? y - ty / tt * t : y);
-    };
-    const auto [slope, origin] = slopeOver(0, n);
-    double squares = 0.0;
-    double products = 0.0;
-    double before = 0.0;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double residual = values[i] - (angle ? origin + slope * times[i] : origin);
-        squares += residual * residual;
-        products += i > 0 ? residual * before : 0.0;
-        before = residual;
-        largest = std::max(largest, std::abs(residual));
-    }
-    const double step = unit * column->step;
-    const double late = angle ? std::abs(slope) * all.printedClockStep : 0.0;
-    constexpr double kSmall = 1e-4; // of a radian, or of the speed: nobody would call that uneven
-    const double small = kSmall * (angle ? 1.0 : std::abs(slope));
-    const bool isRounding = largest <= 2.0 * (step + late) + small;
-    const bool isNoise = products <= 3.0 / std::sqrt(static_cast<double>(n)) * squares;
-    if (isRounding || isNoise) {
-        return std::nullopt;
-    }
-    // At the ends: of the speed as it stands there, of the angle by a parabola through as few rows as their rounding
-    // lets tell the speed to about a hundredth.
-    const double scale = 1.0 / all.units.second;
-    if (!angle) {
-        return CrankSpeedChange{scale * values.front(), scale * values.back()};
-    }
-    const double interval = (times.back() - times.front()) / static_cast<double>(n - 1);
-    std::ptrdiff_t part = 4;
-    while (part < static_cast<std::ptrdiff_t>(n / 10) &&
-           4.0 * (step + late) / (std::pow(static_cast<double>(part), 1.5) * interval) > 0.01 * std::abs(slope)) {
-        ++part;
-    }
-    const auto speedAtFirst = [&](auto time, auto value) {
-        Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
-        Eigen::Vector3d right = Eigen::Vector3d::Zero();
-        const double first = *time;
-        for (std::ptrdiff_t i = 0; i < part; ++i, ++time, ++value) {
-            const double t = *time - first;
-            const Eigen::Vector3d basis(1.0, t, t * t);
-            sums += basis * basis.transpose();
-            right += *value * basis;
-        }
-        return Eigen::Vector3d(sums.ldlt().solve(right))[1];
-    };
-    return CrankSpeedChange{scale * speedAtFirst(times.begin(), values.begin()),
-                            scale * speedAtFirst(times.rbegin(), values.rbegin())};
-}
-
 /// A length is not beyond a hundredth and a hundred times the others.
 bool isSensible(const ParameterChange &change, Parameters parameters)
 {
@@ -530,7 +437,7 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
         found.lack = *lack;
         return result;
     }
-    result.unevenCrank = unevenCrankOf(search->window);
+    result.unevenCrank = unevenCrankOf(search->window.all);
 
     std::vector<Tried> tried = allWays(search->window, stop);
     const SearchRows whole = wholeOf(data, *search, given);

@@ -6,6 +6,7 @@
 
 #include "core/comparison/comparison.h"
 #include "core/diagnosis/convention.h"
+#include "core/diagnosis/uneven_crank.h"
 #include "core/identification/identification.h"
 #include "core/identification/parameter_change.h"
 
@@ -15,12 +16,6 @@
 
 namespace slidercrank
 {
-
-/// How fast the crank turns, rad/s.
-struct CrankSpeedChange {
-    double atStart = 0.0;
-    double atEnd = 0.0;
-};
 
 struct Diagnosis {
     /// In the order in which they are to be applied. Empty unless Identified or Ambiguous, or the file, so read, is the

@@ -2,6 +2,7 @@
 #include "core/diagnosis/hypotheses.h"
 
 #include "core/diagnosis/unit_and_sense.h"
+#include "core/identification/crank_speed.h"
 #include "core/identification/motion_start.h"
 
 #include <algorithm>
@@ -21,227 +22,6 @@ namespace
 {
 
 using Kind = Convention::Kind;
-
-constexpr double kPriceOfCause = 20.0;
-constexpr double kPriceOfColumn = 4.0;
-constexpr double kPriceOfHalfTurn = 14.0; // half a turn must beat a free zero point of 180.0°
-
-constexpr std::array<double, 2> kAngleFactors{kDegreesPerRadian, 1.0 / kDegreesPerRadian};
-/// Ratios of mm, cm, m, in.
-constexpr std::array<double, 12> kLengthFactors{10.0,       1e3,       25.4,       1e2,       1e3 / 25.4, 2.54,
-                                                1.0 / 10.0, 1.0 / 1e3, 1.0 / 25.4, 1.0 / 1e2, 25.4 / 1e3, 1.0 / 2.54};
-
-/// A column that is farther off than that, as part of its spread, is not explained.
-constexpr double kExplained = 0.1;
-
-/// A start is no better known than that: what is met so well is met, and needs no other reading.
-constexpr double kMet = 0.01;
-
-bool hasOrigin(Channel channel)
-{
-    return channel.order == Order::Position && (channel.coordinate == R4x || channel.coordinate == R4y ||
-                                                channel.coordinate == Theta2 || channel.coordinate == Theta3);
-}
-
-double timeFactor(double timeUnit, Channel channel)
-{
-    return powerOf(timeUnit, channel);
-}
-
-/// A column against a channel of a model, in author's units.
-class Match
-{
-public:
-    Match(const ObservedColumn &column, Channel channel, std::span<const double> model)
-        : m_column(column)
-        , m_channel(channel)
-        , m_model(model)
-    {
-        for (std::size_t i = 0; i < model.size(); ++i) {
-            const double y = column.values[i];
-            const double m = model[i];
-            if (!std::isnan(y)) {
-                m_n += 1.0;
-                m_y += y;
-                m_m += m;
-                m_yy += y * y;
-                m_mm += m * m;
-                m_my += m * y;
-            }
-        }
-        const double modelSpread = std::sqrt(std::max(m_mm / m_n - m_m * m_m / (m_n * m_n), 0.0));
-        m_modelSpread = modelSpread;
-        m_size = std::max(column.spread, column.varies ? 0.0 : 0.05 * std::sqrt(m_mm / m_n));
-    }
-
-    /// n ln(mean r² / spread²); 0 where that is not explained.
-    double score(double factor, bool isTurned, bool isZeroFree) const
-    {
-        double mean = 0.0;
-        if (isTurning(m_channel)) {
-            // Without turns anything is an angle: only what varies as the model does.
-            const double ratio = std::abs(factor) * m_column.spread / m_modelSpread;
-            if (m_channel.coordinate != Theta2 && !(ratio > 0.5 && ratio < 2.0)) {
-                return 0.0;
-            }
-            mean = meanOfTurning(factor, isTurned, isZeroFree);
-        } else {
-            const double sum = m_m - factor * m_y;
-            const double squares = m_mm - 2.0 * factor * m_my + factor * factor * m_yy;
-            mean = (squares - (isZeroFree ? sum * sum / m_n : 0.0)) / m_n;
-        }
-        const double size = std::abs(factor) * m_size;
-        const double part = std::max(mean / (size * size), kMet * kMet);
-        return part < kExplained * kExplained ? m_n * std::log(part) : 0.0;
-    }
-
-    double count() const { return m_n; }
-    double bestFactor() const { return m_yy > 0.0 ? m_my / m_yy : 0.0; }
-    double bestFactorAboutMeans() const
-    {
-        const double yy = m_yy - m_y * m_y / m_n;
-        return yy > 0.0 ? (m_my - m_m * m_y / m_n) / yy : 0.0;
-    }
-
-    double correlation() const
-    {
-        const double yy = m_yy - m_y * m_y / m_n;
-        const double mm = m_mm - m_m * m_m / m_n;
-        return (m_my - m_m * m_y / m_n) / std::sqrt(std::max(yy * mm, 1e-300));
-    }
-
-private:
-    double meanOfTurning(double factor, bool isTurned, bool isZeroFree) const
-    {
-        const double turn = isTurned ? 180.0 : 0.0;
-        double first = kNone;
-        double sum = 0.0;
-        double squares = 0.0;
-        for (std::size_t i = 0; i < m_model.size(); ++i) {
-            if (std::isnan(m_column.values[i])) {
-                continue;
-            }
-            double residual = factor * m_column.values[i] + turn - m_model[i];
-            if (isZeroFree) {
-                first = std::isnan(first) ? residual : first;
-                residual -= first;
-            }
-            residual -= 360.0 * std::nearbyint(residual / 360.0);
-            sum += residual;
-            squares += residual * residual;
-        }
-        return (squares - (isZeroFree ? sum * sum / m_n : 0.0)) / m_n;
-    }
-
-    const ObservedColumn &m_column;
-    Channel m_channel;
-    std::span<const double> m_model;
-    double m_n = 0.0, m_y = 0.0, m_m = 0.0, m_yy = 0.0, m_mm = 0.0, m_my = 0.0;
-    double m_modelSpread = 0.0;
-    double m_size = 0.0;
-};
-
-struct Scored {
-    ColumnHypothesis column;
-    double score = 0.0; ///< n ln …, without prices
-    double price = 0.0;
-
-    double total() const { return score + price; }
-};
-
-/// The best way to read a column as a channel, and the plain ones with and without a free zero point.
-struct Ways {
-    Scored best;
-    Scored plain;
-    Scored shifted;
-};
-
-Ways waysOf(const ObservedColumn &column, Channel channel, std::span<const double> model, double timeUnit,
-            std::size_t values)
-{
-    const Match match(column, channel, model);
-    Ways ways;
-    const bool canShift = hasOrigin(channel);
-    const auto consider = [&](ColumnHypothesis one) {
-        const double factor = one.sign * one.unit * (one.isPerSecond ? timeFactor(timeUnit, channel) : 1.0);
-        Scored scored{one, match.score(factor, one.isTurned, one.isZeroFree), 0.0};
-        const double perCause = kPriceOfCause + kPriceOfColumn;
-        scored.price = (one.unit != 1.0 ? perCause : 0.0) + (one.sign < 0.0 ? perCause : 0.0) +
-                       (one.isPerSecond ? kPriceOfColumn : 0.0) + (one.isTurned ? kPriceOfHalfTurn : 0.0) +
-                       (one.isZeroFree ? priceOfZero(channel) + std::log(static_cast<double>(values)) : 0.0);
-        return scored;
-    };
-    ways.plain = consider({channel});
-    ways.shifted = ways.plain;
-    if (canShift) {
-        ColumnHypothesis shifted{channel};
-        shifted.isZeroFree = true;
-        ways.shifted = consider(shifted);
-    }
-    ways.best = ways.shifted.total() < ways.plain.total() ? ways.shifted : ways.plain;
-    if (ways.plain.score <= 1.99 * match.count() * std::log(kMet)) {
-        return ways;
-    }
-    const auto improve = [&](const ColumnHypothesis &one) {
-        const Scored scored = consider(one);
-        if (scored.score < 0.0 && scored.total() < ways.best.total()) {
-            ways.best = scored;
-        }
-    };
-    const auto improveInAllOrigins = [&](ColumnHypothesis one) {
-        improve(one);
-        if (canShift) {
-            one.isZeroFree = true;
-            improve(one);
-        }
-    };
-    if (channel.order != Order::Position && timeUnit != 1.0) {
-        ColumnHypothesis one{channel};
-        one.isPerSecond = true;
-        improve(one);
-        one.sign = -1.0;
-        improve(one);
-    }
-    if (isTurning(channel)) {
-        for (const double unit : {1.0, kAngleFactors[0], kAngleFactors[1]}) {
-            for (const double sign : {1.0, -1.0}) {
-                for (const bool isTurned : {false, true}) {
-                    ColumnHypothesis one{channel};
-                    one.unit = unit;
-                    one.sign = sign;
-                    one.isTurned = isTurned && channel.coordinate == Theta3;
-                    improveInAllOrigins(one);
-                }
-            }
-        }
-        return ways;
-    }
-    const std::span<const double> units =
-        isAngle(channel.coordinate) ? std::span<const double>(kAngleFactors) : std::span<const double>(kLengthFactors);
-    ColumnHypothesis negated{channel};
-    negated.sign = -1.0;
-    improveInAllOrigins(negated);
-    constexpr double kNear = 0.05;
-    const std::array<double, 2> factors{match.bestFactor(), match.bestFactorAboutMeans()};
-    for (const double unit : units) {
-        for (const bool isPerSecond : {false, true}) {
-            if (isPerSecond && (timeUnit == 1.0 || channel.order == Order::Position)) {
-                continue;
-            }
-            const double whole = unit * (isPerSecond ? timeFactor(timeUnit, channel) : 1.0);
-            for (const double factor : factors) {
-                if (std::abs(std::abs(factor) / whole - 1.0) <= kNear) {
-                    ColumnHypothesis one{channel};
-                    one.unit = unit;
-                    one.sign = factor < 0.0 ? -1.0 : 1.0;
-                    one.isPerSecond = isPerSecond;
-                    improveInAllOrigins(one);
-                }
-            }
-        }
-    }
-    return ways;
-}
 
 double screeningOf(const std::vector<Scored> &columns)
 {
@@ -364,12 +144,12 @@ std::vector<Parameters> sizesOf(const Observations &few, const Parameters &start
             }
             model[row] = motion.valueOf(column.channel) / few.units.factor(column.channel);
         }
-        const Match match(column, column.channel, model);
+        const ColumnMatch match(column, column.channel, model);
         constexpr double kAlike = 0.95;
         if (std::abs(match.correlation()) < kAlike) {
             continue;
         }
-        const double scale = std::abs(1.0 / match.bestFactorAboutMeans());
+        const double scale = std::abs(1.0 / match.factorAboutMeans());
         constexpr double kSame = 1.003;
         const bool isKnown =
             std::ranges::any_of(scales, [&](double other) { return scale < kSame * other && other < kSame * scale; });
@@ -413,7 +193,7 @@ std::vector<Parameters> likeliest(const Observations &few, std::span<const Param
         double distance = 0.0;
         for (std::size_t k = 0; k < models.size(); ++k) {
             if (few.columns[k].varies) {
-                const Match match(few.columns[k], few.columns[k].channel, models[k]);
+                const ColumnMatch match(few.columns[k], few.columns[k].channel, models[k]);
                 const double correlation = match.correlation();
                 distance += match.count() * std::log(std::max(1.0 - correlation * correlation, 1e-9));
             }
@@ -452,7 +232,7 @@ FileReading Hypothesis::reading() const
 {
     FileReading reading;
     for (const ColumnHypothesis &column : columns) {
-        const double perTime = column.isPerSecond ? timeFactor(timeUnit, column.channel) : 1.0;
+        const double perTime = column.isPerSecond ? powerOf(timeUnit, column.channel) : 1.0;
         reading.push_back({column.channel, column.sign * column.unit * perTime, column.isTurned ? 180.0 : 0.0,
                            column.isUsed, column.isZeroFree});
     }

@@ -4,6 +4,7 @@
 // Ways to read a file, each with its price: what a way must gain in score to be believed. One cause has one price,
 // however many columns it concerns; each of them costs a little more.
 
+#include "core/diagnosis/column_hypothesis.h"
 #include "core/diagnosis/convention.h"
 #include "core/identification/candidate.h"
 
@@ -14,19 +15,6 @@
 
 namespace slidercrank
 {
-
-/// How one column is read.
-struct ColumnHypothesis {
-    Channel channel;
-    double unit = 1.0; ///< of angle or length: multiplies
-    double sign = 1.0;
-    bool isPerSecond = false; ///< a derivative in seconds, where the instants are in another unit
-    bool isTurned = false;    ///< an angle, by half a turn
-    bool isZeroFree = false;
-    bool isUsed = true;
-
-    friend bool operator==(const ColumnHypothesis &, const ColumnHypothesis &) = default;
-};
 
 struct Hypothesis {
     std::vector<ColumnHypothesis> columns; ///< by column of the Observations

@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr std::size_t kFewRows = 72;
+constexpr std::size_t kFewestRows = 24;
 constexpr int kRounds = 12;
 constexpr int kScreeningRounds = 5;
 
@@ -42,8 +43,19 @@ SearchRows searchRowsOf(const ReferenceData &data, const Clock &clock, std::span
                         const Parameters &given)
 {
     const FitUnits units = unitsFor(data, rows, given.a);
-    SearchRows result{observe(data, clock, units, rows), {}, units.toFit(given), kAllFree};
-    result.few = rows.size() > kFewRows ? observe(data, clock, units, thinned(rows, kFewRows)) : result.all;
+    // With gaps, few rows may hold nothing of a column: then it takes more.
+    const auto thinnedTo = [&](std::size_t most, const Observations &more) {
+        if (rows.size() <= most) {
+            return more;
+        }
+        Observations few = observe(data, clock, units, thinned(rows, most));
+        return std::ranges::equal(few.columns, more.columns, {}, &ObservedColumn::channel, &ObservedColumn::channel)
+                   ? few
+                   : more;
+    };
+    SearchRows result{observe(data, clock, units, rows), {}, {}, units.toFit(given), kAllFree};
+    result.few = thinnedTo(kFewRows, result.all);
+    result.fewest = thinnedTo(kFewestRows, result.few);
     if (result.few.columns.size() != result.all.columns.size()) { // gaps everywhere: few rows miss a column
         result.few = result.all;
     }
@@ -64,9 +76,7 @@ Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, doub
         exact.isClockExact = true;
         exact.fit = fit(problem, candidate.fit.exists() ? candidate.fit.parameters : start, rows.isFree, kRounds, stop);
         exact.standing = standingOf(problem, exact.fit);
-        const bool isBetter = exact.standing.stands == candidate.standing.stands ? exact.fit.score < candidate.fit.score
-                                                                                 : exact.standing.stands;
-        if (isBetter) {
+        if (isBetter(exact, candidate)) {
             candidate = exact;
         }
     }
@@ -78,6 +88,7 @@ Candidate candidateFrom(const SearchRows &rows, const FileReading &reading, doub
 std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading &reading, double penalty,
                                       std::span<const Parameters> starts, const std::stop_token &stop)
 {
+    constexpr std::size_t kMostRanked = 32;
     constexpr std::size_t kMostFits = 6;
     constexpr std::size_t kMostFullFits = 3;
     constexpr double kNear = 60.0; // of score on few rows: no rival comes from farther away
@@ -90,14 +101,20 @@ std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading 
         Parameters parameters;
     };
     std::vector<Ranked> ranked;
+    const FitProblem fewest = problemOf(rows.fewest, reading);
     for (const Parameters &start : distinct(starts)) {
         for (Parameters image : imagesOf(start)) {
             lengthenCoupler(few, image);
-            const double misfit = misfitOf(few, image);
+            const double misfit = misfitOf(fewest, image);
             if (std::isfinite(misfit)) {
                 ranked.push_back({misfit, image});
             }
         }
+    }
+    std::ranges::stable_sort(ranked, {}, &Ranked::misfit);
+    ranked.resize(std::min(ranked.size(), kMostRanked));
+    for (Ranked &one : ranked) {
+        one.misfit = misfitOf(few, one.parameters);
     }
     std::ranges::stable_sort(ranked, {}, &Ranked::misfit);
 
@@ -199,9 +216,10 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
         spent += column.isZeroFree ? priceOfZero(column.channel) : 0.0;
     }
     // Where rounding explains all, a free constant has nothing to gain but what it costs.
-    const bool isDone =
-        !candidates.empty() && candidates.front().standing.isExact && candidates.front().standing.stands &&
-        candidates.front().fit.chiSquared < static_cast<double>(rows.all.valueCount()) + priceOfZero({});
+    const bool isDone = !candidates.empty() && candidates.front().standing.isExact &&
+                        candidates.front().standing.stands &&
+                        candidates.front().fit.chiSquared <
+                            static_cast<double>(rows.all.valueCount()) + priceOfZero({Theta3, Order::Position});
     if (spent > 0.0 && !isDone) {
         std::vector<Candidate> others = bestCandidates(rows, shifted, spent, starts, stop);
         for (Candidate &other : others) {
@@ -216,36 +234,6 @@ std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const P
     }
     std::ranges::stable_sort(candidates, isBetter);
     return candidates;
-}
-
-bool isSameMechanism(const Parameters &x, const Parameters &y)
-{
-    constexpr double kSame = 1e-3;
-    const double length = kSame * x.a;
-    if (std::abs(x.a - y.a) > length || std::abs(x.b - y.b) > kSame * x.b ||
-        std::abs(std::abs(x.c) - std::abs(y.c)) > std::max(length, kSame * std::abs(x.c)) ||
-        std::abs(std::abs(x.omega2) - std::abs(y.omega2)) > kSame * std::abs(x.omega2)) {
-        return false;
-    }
-    for (const Parameters &image : imagesOf(y)) {
-        constexpr double kSameAngle = 1e-2;
-        if (std::abs(x.c - image.c) <= std::max(length, kSame * std::abs(x.c)) && x.omega2 * image.omega2 > 0.0 &&
-            std::abs(std::remainder(x.theta20 - image.theta20, 2.0 * std::numbers::pi)) <= kSameAngle) {
-            return true;
-        }
-    }
-    return false;
-}
-
-std::vector<Parameters> distinct(std::span<const Parameters> mechanisms)
-{
-    std::vector<Parameters> some;
-    for (const Parameters &one : mechanisms) {
-        if (std::ranges::none_of(some, [&](const Parameters &other) { return isSameMechanism(other, one); })) {
-            some.push_back(one);
-        }
-    }
-    return some;
 }
 
 } // namespace slidercrank

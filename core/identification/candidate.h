@@ -35,10 +35,11 @@ constexpr double priceOfZero(Channel channel)
 }
 inline constexpr double kPriceOfCrossed = 6.0;
 
-/// Rows of a file, in two densities: a search looks at few of them first.
+/// Rows of a file, in three densities: a search looks at few of them first.
 struct SearchRows {
     Observations all;
     Observations few;
+    Observations fewest;
     Parameters given; ///< the mechanism at hand, in FitUnits
     FreeParameters isFree = kAllFree;
 };
@@ -65,11 +66,5 @@ Candidate withoutIdleZeros(const SearchRows &rows, Candidate candidate, const st
 /// What all starts lead to, the file read as it says, or with origins elsewhere; the best first.
 std::vector<Candidate> plainCandidates(const SearchRows &rows, std::span<const Parameters> starts,
                                        const std::stop_token &stop);
-
-/// Whether they are one mechanism, images apart: within 1e-3.
-bool isSameMechanism(const Parameters &x, const Parameters &y);
-
-/// Each of them once, images apart.
-std::vector<Parameters> distinct(std::span<const Parameters> mechanisms);
 
 } // namespace slidercrank

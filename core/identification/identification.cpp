@@ -3,6 +3,7 @@
 
 #include "core/identification/decision.h"
 #include "core/identification/file_search.h"
+#include "core/identification/crank_speed.h"
 #include "core/identification/motion_start.h"
 
 #include <algorithm>

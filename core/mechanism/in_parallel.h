@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <future>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -27,8 +28,11 @@ void inParallel(std::size_t count, const Work &work, bool worthIt = true)
     };
     const std::size_t threads = worthIt ? std::max(1U, std::thread::hardware_concurrency()) : 1;
     std::vector<std::future<void>> aside; // waited for, whatever happens here
-    for (std::size_t i = 1; i < std::min(threads, count); ++i) {
-        aside.push_back(std::async(std::launch::async, takeTurns));
+    try {
+        for (std::size_t i = 1; i < std::min(threads, count); ++i) {
+            aside.push_back(std::async(std::launch::async, takeTurns));
+        }
+    } catch (const std::system_error &) { // no more threads to be had: these do it all
     }
     takeTurns();
     for (std::future<void> &other : aside) {

@@ -32,6 +32,7 @@ struct ReadFault {
         Pdf,
         Markup, ///< HTML or XML
         NotText,
+        LineTooLong,     ///< for any table
         UnitsContradict, ///< the line of units, and `heading`
         NamesMissing,    ///< numbers stand where the names should
         UnknownUnit,     ///< or one of another quantity than `channel`
@@ -47,7 +48,9 @@ struct ReadFault {
         NoRow,            ///< that can be read, the first because of `row`
         NoValues,         ///< beside the time
         TimeNotRising,
-        Stopped ///< whoever wanted it wants it no longer
+        Stopped,    ///< whoever wanted it wants it no longer
+        Unreadable, ///< there is less of it than there was
+        NoMemory
     };
     Kind kind = Kind::Empty;
     Channel channel{};

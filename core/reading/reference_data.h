@@ -15,6 +15,7 @@
 // marked in the layout; otherwise the column is left out.
 
 #include "core/mechanism/channel.h"
+#include "core/reading/byte_source.h"
 #include "core/reading/read_fault.h"
 #include "core/reading/rounding.h"
 
@@ -92,24 +93,15 @@ struct ReadOptions {
     std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
-/// Reads any bytes. A channel or time that stands there twice under its own name, an unknown unit of either and a time
-/// that does not increase are refused rather than guessed at; a row that cannot be read is left out and reported.
+/// Reads any bytes, in pieces: a large file is never in memory. What it is, its beginning tells; where that is no table
+/// nothing else is read. A channel or time that stands there twice under its own name, an unknown unit of either and a
+/// time that does not increase are refused rather than guessed at; a row that cannot be read is left out and reported.
 /// Watches `stop`.
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
+std::variant<ReferenceData, ReadError> readReferenceData(const ByteSource &source, std::stop_token stop = {},
                                                          const ReadOptions &options = {});
 
-/// A file that is read in pieces, by several threads at once.
-struct ByteSource {
-    std::size_t size = 0;
-
-    /// Fills `room` from that offset on; false where there is not so much.
-    std::function<bool(std::size_t offset, std::span<char> room)> read;
-};
-
-/// The same of a large file, most of which is never in memory: where its beginning tells all of its form, its table is
-/// ASCII with decimal points, and every line can be read. None where anything is otherwise, or when stopped:
-/// readReferenceData() of all its bytes then says what.
-std::optional<ReferenceData> readPlainReferenceData(const ByteSource &source, std::stop_token stop = {},
-                                                    const ReadOptions &options = {});
+/// The same of bytes in memory.
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
+                                                         const ReadOptions &options = {});
 
 } // namespace slidercrank

@@ -4,6 +4,7 @@
 #include "core/reading/column_guess.h"
 #include "core/reading/number_text.h"
 #include "core/reading/text_encoding.h"
+#include "core/reading/text_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,34 +19,15 @@ namespace
 
 using Fault = ReadFault::Kind;
 
-/// Rows from all over the table, all of them where there are few.
-ColumnSamples sampleRows(const Table &table)
+/// The numbers of some rows.
+ColumnSamples sampleRows(const Table &table, std::string_view rowText)
 {
-    constexpr std::size_t kRows = 4096;
-    constexpr std::size_t kReadWhole = std::size_t{1} << 20U; ///< bytes
     ColumnSamples samples(table.headings.size());
-    const auto readLine = [&](CellScanner &scanner) {
-        for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (CellScanner scanner(rowText, table.layout.delimiter, 1); !scanner.atEnd(); scanner.nextLine()) {
+        for (std::vector<double> &column : samples) {
             const bool there = scanner.hasCell();
-            samples[i].push_back(
+            column.push_back(
                 readNumber(there ? scanner.cell().text : std::string_view(), table.layout.decimalSign).value);
-        }
-        scanner.nextLine();
-    };
-    if (table.data.size() <= kReadWhole) {
-        for (CellScanner scanner = rowsOf(table); !scanner.atEnd();) {
-            readLine(scanner);
-        }
-    } else {
-        for (std::size_t row = 0; row < kRows; ++row) {
-            const std::size_t from = table.data.size() / kRows * row;
-            CellScanner scanner(table.data.substr(from), table.layout.delimiter, 1);
-            if (row > 0) {
-                scanner.nextLine(); // the offset lies within a line
-            }
-            if (!scanner.atEnd()) {
-                readLine(scanner);
-            }
         }
     }
     // A row without a single number is none.
@@ -79,8 +61,9 @@ ReadFault faultWithoutChannel(const FileLayout &layout)
     return {Fault::NoChannel};
 }
 
-/// Settles what each column is.
-std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &options)
+/// Settles what each column is. `sampledRows`: text of some rows from all over the table.
+std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &options,
+                                            const std::function<std::string()> &sampledRows)
 {
     TableLayout layout;
     const std::size_t headerLine = table.layout.headerLine;
@@ -88,10 +71,8 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
         error.layout = std::move(table.layout);
         return error;
     };
-    const auto outcome = assignColumns(table.headings, options.columns, [&] {
-        layout.isSampled = true;
-        return sampleRows(table);
-    });
+    const auto outcome =
+        assignColumns(table.headings, options.columns, [&] { return sampleRows(table, sampledRows()); });
     if (const ColumnFault *fault = std::get_if<ColumnFault>(&outcome)) {
         return refused({headerLine, fault->column + 1, excerpt(table.headings[fault->column].printed), fault->fault});
     }
@@ -158,28 +139,52 @@ std::optional<ReadError> findZeroByte(std::string_view text)
 
 } // namespace
 
-std::variant<TableLayout, ReadError> layOut(std::string_view bytes, std::string &converted, const ReadOptions &options)
+std::variant<TableLayout, ReadError> layOut(const ByteSource &source, std::string &beginning,
+                                            const ReadOptions &options)
 {
-    if (std::optional<ReadError> error = findForeignFormat(bytes)) {
+    constexpr std::size_t kReadWhole = std::size_t{1} << 22U; // bytes
+    constexpr std::size_t kBeginning = std::size_t{1} << 20U;
+    constexpr std::size_t kSampledRows = 4096;
+    const bool isWhole = source.size <= kReadWhole;
+    beginning.resize(isWhole ? source.size : kBeginning);
+    if (!source.read(0, beginning)) {
+        return ReadError{0, 0, {}, {Fault::Unreadable}};
+    }
+    if (std::optional<ReadError> error = findForeignFormat(beginning)) {
         return *std::move(error);
     }
-    const EncodingFound encoding = findEncoding(bytes);
-    std::string_view text = bytes.substr(encoding.markLength);
-    if (encoding.encoding != TextEncoding::Utf8) {
-        converted = toUtf8(bytes, encoding);
-        text = converted;
+    const EncodingFound found = findEncoding(beginning);
+    if (found.encoding == TextEncoding::Utf8) {
+        beginning.erase(0, found.markLength);
+    } else {
+        beginning = toUtf8(std::string_view(beginning).substr(found.markLength), found.encoding);
     }
-    if (std::optional<ReadError> error = findZeroByte(text)) {
+    if (std::optional<ReadError> error = findZeroByte(beginning)) {
         return *std::move(error);
     }
-    std::variant<Table, ReadError> table = findTable(text);
-    if (ReadError *error = std::get_if<ReadError>(&table)) {
+    if (!isWhole) { // whole lines, and no LF right behind
+        beginning.resize(beginning.find_last_of("\r\n", beginning.size() - 2) + 1);
+        if (beginning.empty()) {
+            return ReadError{1, 0, {}, {Fault::LineTooLong}};
+        }
+    }
+    std::variant<Table, ReadError> outcome = findTable(beginning);
+    if (ReadError *error = std::get_if<ReadError>(&outcome)) {
         return std::move(*error);
     }
-    Table &found = std::get<Table>(table);
-    found.layout.encoding = encoding.encoding;
-    found.layout.byteOrderMark = encoding.markLength > 0;
-    return layOut(std::move(found), options);
+    Table &table = std::get<Table>(outcome);
+    table.layout.encoding = found.encoding;
+    table.layout.byteOrderMark = found.markLength > 0;
+    const std::string_view above(beginning.data(), static_cast<std::size_t>(table.data.data() - beginning.data()));
+    const std::size_t dataBegin = found.markLength + sizeIn(found.encoding, above);
+    std::variant<TableLayout, ReadError> layout = layOut(std::move(table), options, [&] {
+        return source.size <= kBeginning ? std::string(table.data)
+                                         : TextPieces(source, found.encoding, dataBegin).sample(kSampledRows);
+    });
+    if (TableLayout *laidOut = std::get_if<TableLayout>(&layout)) {
+        laidOut->dataBegin = dataBegin;
+    }
+    return layout;
 }
 
 } // namespace slidercrank

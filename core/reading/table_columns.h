@@ -3,6 +3,7 @@
 
 // A text's table with what each column of it is: all that there is to know before the rows are read.
 
+#include "core/reading/byte_source.h"
 #include "core/reading/reference_data.h"
 #include "core/reading/table_layout.h"
 
@@ -27,11 +28,13 @@ struct TableLayout {
     std::vector<ReadColumn> columns;
     std::vector<Channel> channels;
     std::size_t timeColumn = 0;
-    bool isSampled = false; ///< names did not tell all: values from all over the table were asked
+    std::size_t dataBegin = 0; ///< offset of the table's data in the file
 };
 
-/// Of any bytes, or of those that a file begins with. Where they are not UTF-8, `converted` holds the text that the
-/// table refers to. The error has the table's layout, if there is one, for a person to choose from.
-std::variant<TableLayout, ReadError> layOut(std::string_view bytes, std::string &converted, const ReadOptions &options);
+/// By what the file begins with: all of it where it is not large. Where names do not tell, values from all over the
+/// file do. `beginning`: the text that the table refers to. The error has the table's layout, if there is one, for a
+/// person to choose from.
+std::variant<TableLayout, ReadError> layOut(const ByteSource &source, std::string &beginning,
+                                            const ReadOptions &options);
 
 } // namespace slidercrank

@@ -137,16 +137,34 @@ EncodingFound findEncoding(std::string_view bytes)
     return {isUtf8(bytes) ? TextEncoding::Utf8 : TextEncoding::Windows1252, 0};
 }
 
-std::string toUtf8(std::string_view bytes, const EncodingFound &found)
+std::string toUtf8(std::string_view bytes, TextEncoding encoding)
 {
-    bytes.remove_prefix(found.markLength);
-    switch (found.encoding) {
+    switch (encoding) {
     case TextEncoding::Utf8: return std::string(bytes);
     case TextEncoding::Utf16LittleEndian: return fromUtf16(bytes, true);
     case TextEncoding::Utf16BigEndian: return fromUtf16(bytes, false);
     case TextEncoding::Windows1252: return fromWindows1252(bytes);
     }
     return {};
+}
+
+std::size_t codeUnitSize(TextEncoding encoding)
+{
+    const bool isUtf16 = encoding == TextEncoding::Utf16LittleEndian || encoding == TextEncoding::Utf16BigEndian;
+    return isUtf16 ? 2 : 1;
+}
+
+std::size_t sizeIn(TextEncoding encoding, std::string_view text)
+{
+    if (encoding == TextEncoding::Utf8) {
+        return text.size();
+    }
+    std::size_t units = 0;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        units += (byte & 0xC0U) == 0x80U ? 0 : byte >= 0xF0U && codeUnitSize(encoding) == 2 ? 2 : 1;
+    }
+    return units * codeUnitSize(encoding);
 }
 
 } // namespace slidercrank

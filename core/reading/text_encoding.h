@@ -21,8 +21,14 @@ struct EncodingFound {
 /// than sound: then Windows-1252, which holds Latin-1.
 EncodingFound findEncoding(std::string_view bytes);
 
-/// The text without its byte order mark. What is no character becomes U+FFFD.
-std::string toUtf8(std::string_view bytes, const EncodingFound &found);
+/// Bytes without a byte order mark, as text. What is no character becomes U+FFFD.
+std::string toUtf8(std::string_view bytes, TextEncoding encoding);
+
+/// The least that a character takes: what stands at another offset than a multiple of this begins none.
+std::size_t codeUnitSize(TextEncoding encoding);
+
+/// Bytes that this text was in that encoding, from which toUtf8() made it.
+std::size_t sizeIn(TextEncoding encoding, std::string_view text);
 
 /// Where the first byte beyond ASCII stands, from that place on; the size where there is none.
 std::size_t findBeyondAscii(std::string_view bytes, std::size_t from);

@@ -33,20 +33,16 @@
         <translation>No hay memoria suficiente para un fotograma de ese tamaño.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: is the disk full?</source>
-        <translation>No se puede escribir %1: ¿está lleno el disco?</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written.</source>
-        <translation>No se puede escribir %1.</translation>
-    </message>
-    <message>
         <source>ffmpeg could not make the video: %1</source>
         <translation>ffmpeg no pudo hacer el vídeo: %1</translation>
     </message>
     <message>
         <source>it ended early.</source>
         <translation>terminó antes de tiempo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. The older frames are in %3.</source>
+        <translation>No se puede escribir %1: %2. Los fotogramas anteriores están en %3.</translation>
     </message>
 </context>
 <context>
@@ -1103,6 +1099,18 @@ none          ni siquiera eso
 </translation>
     </message>
     <message>
+        <source>--%1 must be a number, alone or with %2 behind it, not &quot;%3&quot;.</source>
+        <translation>--%1 debe ser un número, solo o seguido de %2, y no «%3».</translation>
+    </message>
+    <message>
+        <source>A unit behind a number is understood: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</source>
+        <translation>Se entiende una unidad tras el número: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
+        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
+    <message>
         <source>There is no file %1.</source>
         <translation>No existe el archivo %1.</translation>
     </message>
@@ -1811,6 +1819,26 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Escrito: %1</translation>
     </message>
     <message>
+        <source>Older frames</source>
+        <translation>Fotogramas anteriores</translation>
+    </message>
+    <message>
+        <source>Older frames of this name are there: %1, from %2 to %3. Replace them?</source>
+        <translation>Hay fotogramas anteriores con este nombre: %1, de %2 a %3. ¿Reemplazarlos?</translation>
+    </message>
+    <message>
+        <source>All of them go; new ones, %1, take their place.</source>
+        <translation>Todos se van; los nuevos, %1, ocupan su lugar.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 to %3, in %4</source>
+        <translation>%1 fotogramas, %2 a %3, en %4</translation>
+    </message>
+    <message>
         <source>Still writing</source>
         <translation>Aún se está escribiendo</translation>
     </message>
@@ -2051,12 +2079,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
 <context>
     <name>slidercrank::FoldingTabs</name>
     <message>
-        <source>Panels; choosing the current one again folds it away</source>
-        <translation>Paneles; elegir de nuevo el actual lo pliega</translation>
+        <source>Panels</source>
+        <translation>Paneles</translation>
     </message>
     <message>
-        <source>Click the current tab to fold it away or out</source>
-        <translation>Haga clic en la pestaña actual para plegarla o desplegarla</translation>
+        <source>F9 folds the panels away and out</source>
+        <translation>F9 pliega y despliega los paneles</translation>
     </message>
 </context>
 <context>
@@ -2116,10 +2144,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>On a slider: arrow keys, Page Up and Page Down</source>
         <translation>En un deslizador: flechas, Re Pág y Av Pág</translation>
-    </message>
-    <message>
-        <source>Type any number, in any unit on show</source>
-        <translation>Escribir cualquier número, en la unidad a la vista</translation>
     </message>
     <message>
         <source>In a box: the number, then Enter</source>
@@ -2220,18 +2244,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Point at it, or the arrow keys</source>
         <translation>Señalarla, o las flechas</translation>
-    </message>
-    <message>
-        <source>Copy the table as CSV</source>
-        <translation>Copiar la tabla como CSV</translation>
-    </message>
-    <message>
-        <source>Fold the panels away</source>
-        <translation>Plegar los paneles</translation>
-    </message>
-    <message>
-        <source>Click the current tab</source>
-        <translation>Clic en la pestaña actual</translation>
     </message>
     <message>
         <source>What it does</source>
@@ -2348,6 +2360,42 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The study holds every method against 50 digits and more, and against the bound κ·u: how far a channel f moves because the numbers given are rounded to doubles, whatever the method.</source>
         <translation>El estudio compara cada método con 50 cifras y más, y con el límite κ·u: cuánto se mueve un canal f porque los números dados se redondean a doble precisión, sea cual sea el método.</translation>
+    </message>
+    <message>
+        <source>Copy the rows that are chosen, or the table, as CSV</source>
+        <translation>Copiar las filas elegidas, o la tabla, como CSV</translation>
+    </message>
+    <message>
+        <source>Unfold the panels</source>
+        <translation>Desplegar los paneles</translation>
+    </message>
+    <message>
+        <source>Click a tab</source>
+        <translation>Clic en una pestaña</translation>
+    </message>
+    <message>
+        <source>Press a button, open a list</source>
+        <translation>Pulsar un botón, abrir una lista</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Go there at once</source>
+        <translation>Ir allí directamente</translation>
+    </message>
+    <message>
+        <source>Click the slider&apos;s line</source>
+        <translation>Clic en la línea del deslizador</translation>
+    </message>
+    <message>
+        <source>Type any number, with any unit: 2.5 cm, 60 rpm</source>
+        <translation>Escribir cualquier número, con cualquier unidad: 2.5 cm, 60 rpm</translation>
+    </message>
+    <message>
+        <source>Take back what is being typed</source>
+        <translation>Deshacer lo que se está escribiendo</translation>
     </message>
 </context>
 <context>
@@ -2918,6 +2966,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;The motion of an offset slider-crank: computed, shown, and compared with a simulation.&lt;/p&gt;&lt;p&gt;Formulation after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo manivela-corredera excéntrico: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Repetir</translation>
     </message>
 </context>
 <context>
@@ -3966,24 +4018,17 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>The file is empty: it needs a line with the names of the columns, and numbers below.</source>
         <translation>El archivo está vacío: necesita una línea con los nombres de las columnas, y números debajo.</translation>
     </message>
-</context>
-<context>
-    <name>slidercrank::Recovery</name>
     <message>
-        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
-        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
+        <source>The file became shorter while it was read: open it again.</source>
+        <translation>El archivo se acortó mientras se leía: ábralo de nuevo.</translation>
     </message>
     <message>
-        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
-        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
+        <source>There is not enough memory for a file of that size: leave out rows or columns.</source>
+        <translation>No hay memoria suficiente para un archivo de ese tamaño: quite filas o columnas.</translation>
     </message>
     <message>
-        <source>Restore</source>
-        <translation>Recuperar</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
+        <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
+        <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
 </context>
 <context>
@@ -5216,16 +5261,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
-        <source>Start again at the end</source>
-        <translation>Volver a empezar al llegar al final</translation>
-    </message>
-    <message>
         <source>Playing speed</source>
         <translation>Velocidad de reproducción</translation>
     </message>
     <message>
         <source>Pause</source>
         <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Start again at the end (Ctrl+L)</source>
+        <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
     </message>
 </context>
 <context>
@@ -5237,6 +5282,71 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>That failed: %1.</source>
         <translation>Eso ha fallado: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::Recovery</name>
+    <message>
+        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
+    </message>
+    <message>
+        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::NumberBox</name>
+    <message>
+        <source>This must be a whole number from %1 to %2.</source>
+        <translation>Debe ser un número entero de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>This must be greater than %1.</source>
+        <translation>Debe ser mayor que %1.</translation>
+    </message>
+    <message>
+        <source>This must be at least %1.</source>
+        <translation>Debe ser como mínimo %1.</translation>
+    </message>
+    <message>
+        <source>This must be at most %1.</source>
+        <translation>Debe ser como máximo %1.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::QuantityText</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>The decimal sign here is “%1”: %2.</source>
+        <translation>Aquí el signo decimal es «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large.</source>
+        <translation>«%1» es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>“%1”: the units here are %2.</source>
+        <translation>«%1»: aquí las unidades son %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>“%1”: no unit belongs to this number.</source>
+        <translation>«%1»: este número no lleva unidad.</translation>
     </message>
 </context>
 </TS>

@@ -153,9 +153,10 @@ BENCHMARK(sliderToNinePlots)
     ->Repetitions(5)
     ->ReportAggregatesOnly();
 
-/// The same with the sample file beside, against matplotlib drawing the same figure from curves computed beforehand:
-/// each one's median time, and how many times it is ours. Needs Python with matplotlib: $PYTHON, or python3.
-void againstMatplotlib(benchmark::State &state)
+/// The same with the sample file beside, against another library drawing the same figure from curves computed
+/// beforehand: each one's median time, and how many times it is ours. Needs Python ($PYTHON, or python3) with that
+/// library.
+void against(benchmark::State &state, const char *library)
 {
     constexpr int kMoves = 31;
     const int samples = static_cast<int>(state.range(0));
@@ -170,22 +171,34 @@ void againstMatplotlib(benchmark::State &state)
             slider.move();
             ours.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
         }
-        python.start(python3, {QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/bench/nine_plots_matplotlib.py"),
-                               QString::number(samples), QString::number(slider.plotsSize().width()),
-                               QString::number(slider.plotsSize().height()), QString::number(kMoves)});
+        python.start(python3,
+                     {QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/bench/nine_plots.py"), QLatin1String(library),
+                      QString::number(samples), QString::number(slider.plotsSize().width()),
+                      QString::number(slider.plotsSize().height()), QString::number(kMoves)});
         python.waitForFinished(-1);
     }
     if (python.exitStatus() != QProcess::NormalExit || python.exitCode() != 0) {
-        state.SkipWithError("matplotlib could not be run: is python3-matplotlib installed?");
+        state.SkipWithError("It could not be run: is the Python library installed?");
         return;
     }
     std::nth_element(ours.begin(), ours.begin() + kMoves / 2, ours.end());
     const double theirs = python.readAllStandardOutput().trimmed().toDouble();
     state.counters["ours_ms"] = ours[kMoves / 2];
-    state.counters["matplotlib_ms"] = theirs;
+    state.counters["theirs_ms"] = theirs;
     state.counters["times"] = theirs / ours[kMoves / 2];
 }
-BENCHMARK(againstMatplotlib)->ArgName("samples")->Arg(201)->Arg(20'001)->Arg(1'000'001)->Iterations(1);
+BENCHMARK_CAPTURE(against, matplotlib, "matplotlib")
+    ->ArgName("samples")
+    ->Arg(201)
+    ->Arg(20'001)
+    ->Arg(1'000'001)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(against, pyqtgraph, "pyqtgraph")
+    ->ArgName("samples")
+    ->Arg(201)
+    ->Arg(20'001)
+    ->Arg(1'000'001)
+    ->Iterations(1);
 
 /// Processor share over three seconds, in percent of one core.
 void processorShare(benchmark::State &state)

@@ -221,6 +221,7 @@ private slots:
     void solvesLengthsOfAnySizeToARelativeTolerance();
     void writesJson();
     void writesNullForWhatDoesNotExist();
+    void understandsAUnitBehindANumber();
     void findsTheInstantOfACrankAngle_data();
     void findsTheInstantOfACrankAngle();
     void refusesAWrongCommandLine_data();
@@ -531,6 +532,22 @@ void TestCommandLine::writesNullForWhatDoesNotExist()
     QVERIFY(theta3[4].isDouble());
 }
 
+void TestCommandLine::understandsAUnitBehindANumber()
+{
+    const QString same = QStringLiteral("--method closed-form --channels theta2,R4_x");
+    const Outcome plain = run(QStringLiteral("solve --a 25.4 --b 70 --c -5 --omega2 6.283185307179586 --theta20 "
+                                             "1.5707963267948966 --duration 0.5 --start 0.25 ") +
+                              same);
+    QCOMPARE(plain.status, 0);
+    for (const char *line :
+         {"--a 1in --b 7cm --c −0.5cm --omega2 60rpm --theta20 90deg --duration 500ms --start 0.25s ",
+          "--a 25.4mm --b 0.07m --c -5 --omega2 360deg/s --theta20 90° --duration 0.5s --start 250ms "}) {
+        const Outcome outcome = run(QStringLiteral("solve ") + QString::fromUtf8(line) + same);
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.err));
+        QCOMPARE(outcome.out, plain.out);
+    }
+}
+
 void TestCommandLine::findsTheInstantOfACrankAngle_data()
 {
     QTest::addColumn<QString>("options");
@@ -586,6 +603,12 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("solve --b 60 --b 61", "--b is given more than once");
     row("solve --b 12abc", "--b must be a number");
     row("solve --b 0,5", "decimal point");
+    row("solve --b 20/3", "--b must be a number");
+    row("solve --b 3s", "--b must be a number, alone or with mm, cm, m or in behind it, not \"3s\"");
+    row("solve --omega2 60rmp", "alone or with rad/s, deg/s or rpm behind it");
+    row("solve --theta20 1rad/s", "alone or with deg or rad behind it");
+    row("solve --duration 5mm", "alone or with s or ms behind it");
+    row("solve --tolerance 1e-8mm", "--tolerance must be a number");
     row("solve --b --c 5", "--b must be a number");
     row("solve --b \"\"", "--b must be a number");
     row("solve --b nan", "--b must be a number");

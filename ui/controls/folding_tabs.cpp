@@ -16,8 +16,8 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     m_bar->setObjectName(QStringLiteral("tabBar"));
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
-    m_bar->setAccessibleName(tr("Panels; choosing the current one again folds it away"));
-    m_bar->setToolTip(tr("Click the current tab to fold it away or out"));
+    m_bar->setAccessibleName(tr("Panels"));
+    m_bar->setToolTip(tr("F9 folds the panels away and out"));
 
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -26,9 +26,7 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     column->addWidget(m_pages, 1);
 
     connect(m_bar, &QTabBar::tabBarClicked, this, [this](int index) {
-        if (index == m_bar->currentIndex()) {
-            setFolded(!isFolded());
-        } else if (index >= 0) {
+        if (index >= 0) {
             setFolded(false);
         }
     });

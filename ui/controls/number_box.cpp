@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/number_box.h"
 
+#include "ui/controls/named.h"
+#include "ui/words/quantity_text.h"
 #include "ui/words/written_number.h"
 
+#include <QAccessible>
 #include <QFocusEvent>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QStyleOptionSpinBox>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace slidercrank
@@ -23,14 +28,17 @@ NumberBox::NumberBox(QWidget *parent)
     setAlignment(Qt::AlignRight);
     connect(this, &QAbstractSpinBox::editingFinished, this, &NumberBox::commit);
     // Not QLineEdit::isModified(): the spin box clears that before it says that Enter was pressed.
-    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { m_typed = true; });
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        m_typed = true;
+        takeBackRefusal();
+    });
     showValue();
 }
 
 void NumberBox::setValue(double value)
 {
     if (value == m_value) {
-        if (!m_editing) {
+        if (!m_editing && !m_typed) {
             showValue();
         }
         return;
@@ -38,6 +46,38 @@ void NumberBox::setValue(double value)
     m_value = value;
     if (!(m_editing && m_typed)) {
         showValue();
+    }
+    tellValue();
+}
+
+void NumberBox::edit(double value)
+{
+    if (m_range.takesNearest) {
+        value = std::clamp(value, m_range.smallest, m_range.largest);
+    }
+    if (const QString refusal = refusalOf(value); !refusal.isEmpty()) {
+        refuse(refusal);
+    } else {
+        take(value);
+    }
+}
+
+void NumberBox::take(double value)
+{
+    const bool isDifferent = value != m_value;
+    m_value = value;
+    showValue();
+    if (isDifferent) {
+        tellValue();
+        emit edited(m_value);
+    }
+}
+
+void NumberBox::tellValue()
+{
+    if (QAccessible::isActive()) {
+        QAccessibleValueChangeEvent event(this, m_value);
+        QAccessible::updateAccessibility(&event);
     }
 }
 
@@ -76,51 +116,87 @@ QSize NumberBox::minimumSizeHint() const
     return sizeHint();
 }
 
+double NumberBox::step() const
+{
+    if (m_step != 0.0) {
+        return m_step;
+    }
+    return m_value == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(std::abs(m_value) * (1.0 + 1e-9))) - 1.0);
+}
+
 void NumberBox::stepBy(int steps)
 {
     commit();
-    double step = m_step;
-    if (step == 0.0) {
-        // Towards zero from a power of ten, the next lower decade rules: 100 → 99, not 90.
-        const bool towardsZero = (m_value > 0.0) == (steps < 0);
-        const double magnitude = std::abs(m_value) * (towardsZero ? 1.0 - 1e-9 : 1.0 + 1e-9);
-        step = m_value == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(magnitude)) - 1.0);
+    double step = this->step();
+    // Towards zero from a power of ten, the next lower decade rules: 100 → 99, not 90.
+    if (m_step == 0.0 && m_value != 0.0 && (m_value > 0.0) == (steps < 0)) {
+        step = std::pow(10.0, std::floor(std::log10(std::abs(m_value) * (1.0 - 1e-9))) - 1.0);
     }
     // Steps of a tenth would leave a tail of binary rounding.
     const double target = m_value + steps * step;
     const double grain = step * 1e-6;
-    m_value = std::abs(target / grain) < 1e15 ? std::round(target / grain) * grain : target;
-    m_value = QString::number(m_value, 'g', 14).toDouble();
-    showValue();
-    selectAll();
-    emit edited(m_value);
+    double value = std::abs(target / grain) < 1e15 ? std::round(target / grain) * grain : target;
+    value = std::clamp(QString::number(value, 'g', 14).toDouble(), m_range.smallest, m_range.largest);
+    if (refusalOf(value).isEmpty()) {
+        take(value);
+        selectFromItsEnd();
+    }
 }
 
 QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const
 {
-    return isReadOnly() ? StepNone : StepUpEnabled | StepDownEnabled;
+    StepEnabled enabled = StepNone;
+    enabled.setFlag(StepUpEnabled, !isReadOnly() && m_value < m_range.largest);
+    enabled.setFlag(StepDownEnabled, !isReadOnly() && m_value > m_range.smallest);
+    return enabled;
 }
 
 void NumberBox::focusInEvent(QFocusEvent *event)
 {
     m_editing = true;
-    showValue();
+    if (!m_typed) {
+        showValue();
+    }
     QAbstractSpinBox::focusInEvent(event);
+    if (lineEdit()->selectedText() == lineEdit()->text()) {
+        selectFromItsEnd();
+    }
 }
 
 void NumberBox::focusOutEvent(QFocusEvent *event)
 {
     QAbstractSpinBox::focusOutEvent(event); // commits
     m_editing = false;
-    showValue();
+    if (!m_typed) {
+        showValue();
+    }
+    lineEdit()->setCursorPosition(0);
 }
 
-/// What was typed and not taken over yet is undone in the box; anything else is the window's to undo.
+/// All of it, with the cursor before it: a long number shows its first digits.
+void NumberBox::selectFromItsEnd()
+{
+    const int length = static_cast<int>(lineEdit()->text().size());
+    lineEdit()->setSelection(length, -length);
+}
+
+bool NumberBox::isTyping() const
+{
+    return m_typed && lineEdit()->text() != textFor(m_value) + m_suffix;
+}
+
+/// What was typed and not taken over yet is undone in the box; anything else is the window's to undo. So are all keys
+/// with Control that have another meaning than the clipboard: on some systems they move in a line of text.
 bool NumberBox::event(QEvent *event)
 {
-    if (event->type() == QEvent::ShortcutOverride && !m_typed) {
+    if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+        const auto is = [key](QKeySequence::StandardKey meaning) { return key->matches(meaning); };
+        const bool isClipboard =
+            is(QKeySequence::Copy) || is(QKeySequence::Cut) || is(QKeySequence::Paste) || is(QKeySequence::SelectAll);
+        const bool isUndo = is(QKeySequence::Undo) || is(QKeySequence::Redo);
+        const bool isMeant = isUndo ? isTyping() : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
+        if (!isMeant) {
             event->ignore();
             return false;
         }
@@ -132,10 +208,13 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() == Qt::Key_Escape && m_typed) {
         showValue();
-        selectAll();
+        selectFromItsEnd();
         return;
     }
     QAbstractSpinBox::keyPressEvent(event);
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        selectFromItsEnd();
+    }
 }
 
 void NumberBox::wheelEvent(QWheelEvent *event)
@@ -194,11 +273,10 @@ void NumberBox::showValue()
     const QString text = textFor(m_value) + m_suffix;
     if (text != lineEdit()->text()) {
         lineEdit()->setText(text);
-        if (!m_editing) {
-            lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
-        }
     }
+    lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
     m_typed = false;
+    takeBackRefusal();
 }
 
 void NumberBox::commit()
@@ -206,19 +284,77 @@ void NumberBox::commit()
     if (!m_typed) {
         return;
     }
-    QString text = lineEdit()->text().trimmed();
-    const QString unit = m_suffix.trimmed();
-    if (!unit.isEmpty() && text.endsWith(unit)) {
-        text.chop(unit.size());
+    const QString text = lineEdit()->text().trimmed();
+    const QString shown = textFor(m_value);
+    if (text.isEmpty() || text == shown || text == shown + m_suffix) {
+        showValue();
+        return;
     }
-    const std::optional<double> typed = readNumber(text);
-    const bool different = typed && *typed != m_value && text.trimmed() != textFor(m_value);
-    if (different) {
-        m_value = *typed;
+    const Quantity typed = readQuantity(text, m_unit);
+    if (typed.fault) {
+        refuse(quantityFaultText(text, *typed.fault, m_unit));
+    } else {
+        edit(typed.value);
     }
-    showValue();
-    if (different) {
-        emit edited(m_value);
+}
+
+QString NumberBox::refusalOf(double value) const
+{
+    const auto withUnit = [this](double limit) {
+        return (m_range.isWhole ? countText(static_cast<std::size_t>(limit)) : numberText(limit)) + m_suffix;
+    };
+    if (m_range.isWhole && (value != std::round(value) || value < m_range.smallest || value > m_range.largest)) {
+        return tr("This must be a whole number from %1 to %2.")
+            .arg(withUnit(m_range.smallest), withUnit(m_range.largest));
+    }
+    if (m_range.isOpen && value <= m_range.smallest) {
+        return tr("This must be greater than %1.").arg(withUnit(m_range.smallest));
+    }
+    if (value < m_range.smallest) {
+        return tr("This must be at least %1.").arg(withUnit(m_range.smallest));
+    }
+    return value > m_range.largest ? tr("This must be at most %1.").arg(withUnit(m_range.largest)) : QString();
+}
+
+/// Under the box, or above it where there is no room, over its neighbours: nothing moves.
+void NumberBox::refuse(const QString &sentence)
+{
+    QWidget *around = parentWidget() ? parentWidget() : this;
+    if (!m_refusal) {
+        m_refusal = named("refusalLabel", new QLabel(around));
+        m_refusal->setAttribute(Qt::WA_TransparentForMouseEvents);
+        m_refusal->setTextFormat(Qt::PlainText);
+        m_refusal->setWordWrap(true);
+        m_refusal->setFrameShape(QFrame::Box);
+        m_refusal->setMargin(3);
+        m_refusal->setAutoFillBackground(true);
+        m_refusal->setBackgroundRole(QPalette::ToolTipBase);
+        m_refusal->setForegroundRole(QPalette::ToolTipText);
+    }
+    m_refusal->setText(sentence);
+    const int frame = 2 * (m_refusal->margin() + m_refusal->frameWidth()) + 1;
+    const int width = std::min(around->width(), m_refusal->fontMetrics().horizontalAdvance(sentence) + frame);
+    QRect place(0, 0, width, m_refusal->heightForWidth(width));
+    place.moveTopRight(geometry().bottomRight() + QPoint(0, 1));
+    if (place.bottom() > around->height() && geometry().top() >= place.height()) {
+        place.moveBottom(geometry().top() - 1);
+    }
+    place.moveLeft(std::max(0, place.left()));
+    m_refusal->setGeometry(place);
+    m_refusal->raise();
+    m_refusal->show();
+    setAccessibleDescription(sentence);
+    if (QAccessible::isActive()) {
+        QAccessibleEvent alert(m_refusal, QAccessible::Alert);
+        QAccessible::updateAccessibility(&alert);
+    }
+}
+
+void NumberBox::takeBackRefusal()
+{
+    if (m_refusal && !m_refusal->isHidden()) {
+        m_refusal->hide();
+        setAccessibleDescription({});
     }
 }
 

@@ -4,6 +4,8 @@
 #include "ui/words/written_number.h"
 
 #include <QAccessibleWidget>
+#include <QMouseEvent>
+#include <QStyleOptionSlider>
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +77,31 @@ int NumberSlider::positionOf(double number) const
     constexpr double kFarthest = 1e9; // as far as an int goes, and beyond every range
     const double position = m_step > 0.0 ? (number - m_first) / m_step : 0.0;
     return static_cast<int>(std::lround(std::clamp(position, -kFarthest, kFarthest)));
+}
+
+void NumberSlider::mousePressEvent(QMouseEvent *event)
+{
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const auto placeOf = [&](QStyle::SubControl part) {
+        return style()->subControlRect(QStyle::CC_Slider, &option, part, this);
+    };
+    const QRect handle = placeOf(QStyle::SC_SliderHandle);
+    if (event->button() != Qt::LeftButton || handle.contains(event->position().toPoint())) {
+        QSlider::mousePressEvent(event);
+        return;
+    }
+    setSliderDown(true); // first: what it goes through from here on is one drag
+    const QRect groove = placeOf(QStyle::SC_SliderGroove);
+    const int left = static_cast<int>(event->position().x()) - handle.width() / 2 - groove.left();
+    setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), left, groove.width() - handle.width(),
+                                                      option.upsideDown));
+    initStyleOption(&option);
+    // Of few steps none may be under the mouse.
+    const QPointF centre = placeOf(QStyle::SC_SliderHandle).center();
+    QMouseEvent onHandle(event->type(), centre, mapToGlobal(centre), event->button(), event->buttons(),
+                         event->modifiers());
+    QSlider::mousePressEvent(&onHandle);
 }
 
 QString NumberSlider::valueText() const

@@ -31,6 +31,9 @@ public:
     /// As it is read aloud: "65 mm".
     QString valueText() const;
 
+protected:
+    void mousePressEvent(QMouseEvent *event) override; ///< in the groove: goes there, and follows on
+
 private:
     double m_first = 0.0;
     double m_step = 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/reference_file.h"
 
+#include "ui/document/byte_stream.h"
 #include "ui/words/read_fault_text.h"
 
 #include <QCoreApplication>
@@ -59,6 +60,11 @@ struct ReferenceFileText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferenceFileText)
 };
 
+QString cannotBeRead(const QString &file, const QString &reason)
+{
+    return ReferenceFileText::tr("%1 cannot be read: %2.").arg(file, reason);
+}
+
 } // namespace
 
 QString sentenceOf(const ReadError &error, const QString &file)
@@ -79,35 +85,37 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
                                                                       const ReadOptions &options)
 {
     const QString shown = QDir::toNativeSeparators(path);
-    QFile file(path);
-    if (QFileInfo(path).isDir()) {
+    const QFileInfo info(path);
+    if (info.isDir()) {
         return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
     }
-    if (!file.open(QIODevice::ReadOnly)) {
+    std::variant<ReferenceData, ReadError> outcome;
+    QFile file(path);
+    if (isStream(info)) {
+        std::variant<QByteArray, QString> bytes = readStream(path, stop, [](const QByteArray &beginning) {
+            return std::holds_alternative<ReferenceData>(readReferenceData(viewOf(beginning)));
+        });
+        if (const QString *reason = std::get_if<QString>(&bytes)) {
+            return cannotBeRead(shown, *reason);
+        }
+        outcome = readReferenceData(viewOf(std::get<QByteArray>(bytes)), stop, options);
+    } else if (file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
+        outcome = readReferenceData(piecesOf(file), stop, options);
+        if (file.error() != QFileDevice::NoError) {
+            return cannotBeRead(shown, file.errorString());
+        }
+    } else {
         return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
     }
-    const auto referenceOf = [&](ReferenceData data) {
-        auto reference = std::make_shared<Reference>();
-        reference->path = path;
-        reference->name = QFileInfo(path).fileName();
-        reference->data = std::move(data);
-        reference->columns = options.columns;
-        return reference;
-    };
-    if (std::optional<ReferenceData> data = readPlainReferenceData(piecesOf(file), stop, options)) {
-        return referenceOf(*std::move(data));
-    }
-    file.seek(0); // a pipe has no such place, and nothing was read from it yet
-    file.unsetError();
-    const QByteArray bytes = file.readAll();
-    if (file.error() != QFileDevice::NoError) {
-        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(shown, file.errorString());
-    }
-    std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes), stop, options);
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         return sentenceOf(*error, shown);
     }
-    return referenceOf(std::move(std::get<ReferenceData>(outcome)));
+    auto reference = std::make_shared<Reference>();
+    reference->path = path;
+    reference->name = info.fileName();
+    reference->data = std::move(std::get<ReferenceData>(outcome));
+    reference->columns = options.columns;
+    return reference;
 }
 
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const ReferenceSource &source,
@@ -155,6 +163,9 @@ std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
 QByteArray beginningOf(const QString &path)
 {
     constexpr qint64 kMost = 1 << 20; // some 15 000 rows of seven columns, read again in milliseconds
+    if (isStream(QFileInfo(path))) {
+        return {}; // what is taken from it is gone
+    }
     QFile file(path);
     QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
     const qsizetype lines = bytes.lastIndexOf('\n') + 1;

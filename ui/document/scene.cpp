@@ -2,13 +2,13 @@
 #include "ui/document/scene.h"
 
 #include "ui/document/scene_part.h"
+#include "ui/document/whole_file.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <array>
@@ -353,15 +353,10 @@ std::variant<Scene, QString> readScene(const QString &path)
 
 std::optional<QString> writeScene(const Scene &scene, const QString &path)
 {
-    QSaveFile file(path); // renamed into place when complete
-    if (file.open(QIODevice::WriteOnly)) {
-        file.write(jsonOf(scene, path));
-        if (file.commit()) {
-            return std::nullopt;
-        }
-    }
-    return SceneText::tr("%1 cannot be written: %2. Choose another name or folder.")
-        .arg(QDir::toNativeSeparators(path), file.errorString());
+    const std::optional<QString> reason = writeWhole(path, jsonOf(scene, path));
+    return reason ? std::optional(SceneText::tr("%1 cannot be written: %2. Choose another name or folder.")
+                                      .arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
 }
 
 } // namespace slidercrank

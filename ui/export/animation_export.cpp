@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/animation_export.h"
 
+#include "ui/document/whole_file.h"
+
 #include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
@@ -12,6 +14,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <system_error>
+#include <vector>
 
 namespace slidercrank
 {
@@ -39,6 +46,24 @@ QString frameName(const QString &path, int frame, int count)
     const QFileInfo info(path);
     return QStringLiteral("%1_%2.%3")
         .arg(info.completeBaseName(), QString::number(frame + 1).rightJustified(digits, u'0'), info.suffix());
+}
+
+QString notWritten(const QString &path, const QString &reason)
+{
+    return AnimationExport::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), reason);
+}
+
+struct Move {
+    QString from;
+    QString to; ///< at once in the place of a file that is there
+};
+
+/// The reason where it is not.
+QString made(const Move &move)
+{
+    std::error_code error;
+    std::filesystem::rename(QFileInfo(move.from).filesystemFilePath(), QFileInfo(move.to).filesystemFilePath(), error);
+    return error ? QString::fromLocal8Bit(error.message().c_str()) : QString();
 }
 
 QImage frameImage(const FigureSize &size, const FrameDrawing &draw, double instant)
@@ -92,6 +117,35 @@ QStringList AnimationExport::suffixes()
     return suffixes;
 }
 
+QStringList AnimationExport::frameNames(const QString &path, int count)
+{
+    QStringList names;
+    for (int frame = 0; frame < count && !isVideo(path); ++frame) {
+        names += frameName(path, frame, count);
+    }
+    return names;
+}
+
+QStringList AnimationExport::olderFrames(const QString &path, int count)
+{
+    if (isVideo(path)) {
+        return {};
+    }
+    const QDir folder = QFileInfo(path).absoluteDir();
+    std::set<QString> names;
+    for (const QString &name : frameNames(path, count)) {
+        if (folder.exists(name)) {
+            names.insert(name);
+        }
+    }
+    for (const int most : {999, 9'999, 99'999, Animation::kMostFrames}) { // each number of digits
+        for (int frame = 0; folder.exists(frameName(path, frame, most)); ++frame) {
+            names.insert(frameName(path, frame, most));
+        }
+    }
+    return {names.begin(), names.end()};
+}
+
 void AnimationExport::start(const QString &path)
 {
     m_path = path;
@@ -113,7 +167,7 @@ void AnimationExport::start(const QString &path)
     }
     m_folder = std::make_unique<QTemporaryDir>(QFileInfo(path).absoluteDir().filePath(QStringLiteral("frames-XXXXXX")));
     if (!m_folder->isValid()) {
-        end(tr("%1 cannot be written: %2.").arg(shown, m_folder->errorString()));
+        end(notWritten(path, m_folder->errorString()));
         return;
     }
     if (isVideo(path)) {
@@ -127,6 +181,7 @@ void AnimationExport::startFilming()
     m_film = new QProcess(this);
     m_film->setProcessChannelMode(QProcess::MergedChannels);
     const QStringList input{QStringLiteral("-loglevel"),  QStringLiteral("error"),
+                            QStringLiteral("-xerror"), // also when only the end of the file finds no room
                             QStringLiteral("-f"),         QStringLiteral("image2pipe"),
                             QStringLiteral("-framerate"), QString::number(m_animation.framesPerSecond),
                             QStringLiteral("-c:v"),       QStringLiteral("bmp"),
@@ -162,8 +217,8 @@ void AnimationExport::drawNext()
         QBuffer bytes;
         image.save(&bytes, "BMP");
         m_film->write(bytes.data());
-    } else if (const QString path = m_folder->filePath(frameName(m_path, m_frame, count)); !image.save(path, "PNG")) {
-        end(tr("%1 cannot be written: is the disk full?").arg(QDir::toNativeSeparators(path)));
+    } else if (const auto reason = writeWhole(m_folder->filePath(frameName(m_path, m_frame, count)), pngOf(image))) {
+        end(notWritten(m_path, *reason));
         return;
     }
     ++m_frame;
@@ -173,21 +228,36 @@ void AnimationExport::drawNext()
     } else if (m_film) {
         m_film->closeWriteChannel();
     } else {
-        end(moveFrames());
+        end(putInPlace());
     }
 }
 
-/// From the folder beside to where they belong, over older ones of the same names.
-QString AnimationExport::moveFrames()
+/// From the folder beside to where it belongs. Older frames go there first, so that none of them is ever among the new
+/// ones, and come back when something fails.
+QString AnimationExport::putInPlace()
 {
     const QDir target = QFileInfo(m_path).absoluteDir();
     const QDir source(m_folder->path());
+    std::vector<Move> moves;
+    for (const QString &name : olderFrames(m_path, m_animation.frameCount())) {
+        moves.push_back({target.filePath(name), source.filePath(QStringLiteral("older_") + name)});
+    }
     for (const QString &name : source.entryList(QDir::Files, QDir::Name)) {
-        const QString path = target.filePath(name);
-        QFile::remove(path);
-        if (!QFile::rename(source.filePath(name), path)) {
-            return tr("%1 cannot be written.").arg(QDir::toNativeSeparators(path));
+        moves.push_back({source.filePath(name), target.filePath(name)});
+    }
+    for (auto move = moves.begin(); move != moves.end(); ++move) {
+        const QString reason = made(*move);
+        if (reason.isEmpty()) {
+            continue;
         }
+        const bool isUndone = std::all_of(std::make_reverse_iterator(move), moves.rend(), [](const Move &before) {
+            return made({before.to, before.from}).isEmpty();
+        });
+        m_folder->setAutoRemove(isUndone);
+        return isUndone
+                   ? notWritten(m_path, reason)
+                   : tr("%1 cannot be written: %2. The older frames are in %3.")
+                         .arg(QDir::toNativeSeparators(m_path), reason, QDir::toNativeSeparators(m_folder->path()));
     }
     return {};
 }
@@ -200,7 +270,7 @@ void AnimationExport::finishFilm(int exitCode)
         end(tr("ffmpeg could not make the video: %1").arg(words.isEmpty() ? tr("it ended early.") : words));
         return;
     }
-    end(moveFrames());
+    end(putInPlace());
 }
 
 void AnimationExport::end(const QString &problem)

@@ -48,6 +48,13 @@ public:
     /// What a file's name may end in: "png", and where ffmpeg is found "mp4", "webm", "gif".
     static QStringList suffixes();
 
+    /// What so many frames are called, in order; none of a video.
+    static QStringList frameNames(const QString &path, int count);
+
+    /// What so many new frames take the place of: all of the same names, and older series in the same folder from their
+    /// first frame to the last before a gap, so that one animation is there and not two.
+    static QStringList olderFrames(const QString &path, int count);
+
     /// "motion.png" makes motion_001.png, motion_002.png, …; another suffix one video.
     void start(const QString &path);
 
@@ -59,7 +66,7 @@ signals:
 
 private:
     void drawNext();
-    QString moveFrames();
+    QString putInPlace();
     void startFilming();
     void finishFilm(int exitCode);
     void end(const QString &problem);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/figure_export.h"
 
+#include "ui/document/whole_file.h"
+
 #include <QBuffer>
 #include <QClipboard>
 #include <QCoreApplication>
@@ -12,7 +14,6 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -87,8 +88,9 @@ QByteArray polished(const QByteArray &svg, const QSize &size)
     return text.toUtf8();
 }
 
-/// These are false when the painter or the device fails.
-bool writeSvg(QIODevice &device, const QSize &size, const QString &title, const FigureDrawing &draw)
+// All are drawn in memory: neither generator nor writer tells when a file takes no more.
+
+QByteArray svgOf(const QSize &size, const QString &title, const FigureDrawing &draw)
 {
     QBuffer buffer;
     QSvgGenerator generator;
@@ -97,32 +99,26 @@ bool writeSvg(QIODevice &device, const QSize &size, const QString &title, const 
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
     generator.setTitle(title.toHtmlEscaped()); // it is written as it is
-    QPainter painter;
-    if (!painter.begin(&generator)) {
-        return false;
-    }
+    QPainter painter(&generator);
     draw(painter, size);
-    if (!painter.end()) {
-        return false;
-    }
-    const QByteArray svg = polished(buffer.data(), size);
-    return device.write(svg) == svg.size();
+    painter.end();
+    return polished(buffer.data(), size);
 }
 
-bool writePdf(QIODevice &device, const QSize &size, const QString &title, const FigureDrawing &draw)
+QByteArray pdfOf(const QSize &size, const QString &title, const FigureDrawing &draw)
 {
-    QPdfWriter writer(&device);
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
     writer.setResolution(kDotsPerInch);
     writer.setPageSize(QPageSize(QSizeF(size) * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch));
     writer.setPageMargins(QMarginsF());
     writer.setTitle(title);
     writer.setCreator(QCoreApplication::applicationName());
-    QPainter painter;
-    if (!painter.begin(&writer)) {
-        return false;
-    }
+    QPainter painter(&writer);
     draw(painter, size);
-    return painter.end();
+    painter.end();
+    return buffer.data();
 }
 
 } // namespace
@@ -142,6 +138,12 @@ std::optional<FigureFormat> figureFormatOf(const QString &path)
     return std::nullopt;
 }
 
+QByteArray pngOf(const QImage &image)
+{
+    QBuffer buffer;
+    return image.save(&buffer, "PNG") ? buffer.data() : QByteArray();
+}
+
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw)
 {
@@ -154,31 +156,22 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
     if (std::optional<QString> fault = findFault(wanted)) {
         return fault;
     }
-    QSaveFile file(path);
-    const auto failure = [&] {
-        return FigureExportText::tr("%1 cannot be written: %2.").arg(shown, file.errorString());
-    };
-    if (!file.open(QIODevice::WriteOnly)) {
-        return failure();
-    }
-    bool isDrawn = false;
+    QByteArray bytes;
     switch (*format) {
     case FigureFormat::Png: {
         QImage image = imageOf(wanted, draw);
-        if (image.isNull()) {
-            return FigureExportText::tr("There is not enough memory for a figure of that size.");
-        }
         image.setText(QStringLiteral("Title"), title);
-        isDrawn = image.save(&file, "PNG");
+        bytes = pngOf(image);
         break;
     }
-    case FigureFormat::Svg: isDrawn = writeSvg(file, wanted.size, title, draw); break;
-    case FigureFormat::Pdf: isDrawn = writePdf(file, wanted.size, title, draw); break;
+    case FigureFormat::Svg: bytes = svgOf(wanted.size, title, draw); break;
+    case FigureFormat::Pdf: bytes = pdfOf(wanted.size, title, draw); break;
     }
-    if (!isDrawn || !file.commit()) {
-        return failure();
+    if (bytes.isEmpty()) {
+        return FigureExportText::tr("There is not enough memory for a figure of that size.");
     }
-    return std::nullopt;
+    const std::optional<QString> reason = writeWhole(path, bytes);
+    return reason ? std::optional(FigureExportText::tr("%1 cannot be written: %2.").arg(shown, *reason)) : std::nullopt;
 }
 
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw)

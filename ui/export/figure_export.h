@@ -4,12 +4,14 @@
 // Figures to files and to the clipboard. Whatever can draw itself with a QPainter at a given size can be written; a
 // file is written whole or not at all.
 
+#include <QByteArray>
 #include <QSize>
 #include <QString>
 
 #include <functional>
 #include <optional>
 
+class QImage;
 class QPainter;
 
 namespace slidercrank
@@ -34,6 +36,9 @@ using FigureDrawing = std::function<void(QPainter &, const QSize &)>;
 /// there. `title`: for the file's own description.
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw);
+
+/// Empty when there is not enough memory.
+QByteArray pngOf(const QImage &image);
 
 /// As exportFigure(), an image to the clipboard.
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw);

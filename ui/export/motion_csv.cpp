@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/motion_csv.h"
 
+#include "ui/document/whole_file.h"
+
 #include <QCoreApplication>
 #include <QDir>
-#include <QSaveFile>
 
 #include <charconv>
 #include <cmath>
@@ -111,14 +112,13 @@ bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &chan
 std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
                                     std::stop_token stop, const std::function<void(double)> &progress)
 {
-    QSaveFile file(path);
+    WholeFile file(path);
     const auto failure = [&] {
         return MotionCsvText::tr("%1 cannot be written: %2. Choose another name or folder.")
-            .arg(QDir::toNativeSeparators(path), file.errorString());
+            .arg(QDir::toNativeSeparators(path), file.reason());
     };
     const std::vector<Channel> list = listed(channels);
-    const QByteArray header = csvHeader(list, AngleUnit::Degree);
-    if (!file.open(QIODevice::WriteOnly) || file.write(header) != header.size()) {
+    if (!file.open() || !file.write(csvHeader(list, AngleUnit::Degree))) {
         return failure();
     }
     const std::size_t count = result.summary.instants;
@@ -127,7 +127,7 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
         if (progress) {
             progress(static_cast<double>(before + instants) / static_cast<double>(count));
         }
-        return file.write(text) == text.size() && !stop.stop_requested();
+        return file.write(text) && !stop.stop_requested();
     };
     const auto take = [&](const Trajectory &piece) {
         const bool goesOn = writeCsvRows(piece, list, AngleUnit::Degree, sink);

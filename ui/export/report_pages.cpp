@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report_pages.h"
 
+#include "ui/document/whole_file.h"
 #include "ui/words/theme.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFontMetricsF>
@@ -10,7 +12,6 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cmath>
@@ -384,29 +385,22 @@ QString footerOf(const Result &result)
 
 std::optional<QString> exportReport(const QString &path, const ReportContent &content, const ReportDrawings &drawings)
 {
-    QSaveFile file(path);
-    const auto failure = [&] {
-        return ReportPages::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
-    };
-    if (!file.open(QIODevice::WriteOnly)) {
-        return failure();
-    }
     const std::vector<ReportBlock> blocks = reportOf(content);
-    QPdfWriter writer(&file);
+    QBuffer pdf; // the writer does not tell when a file takes no more
+    pdf.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&pdf);
     writer.setResolution(kDotsPerInch);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF());
     writer.setTitle(blocks.front().text);
     writer.setCreator(QCoreApplication::applicationName());
-    QPainter painter;
-    if (!painter.begin(&writer)) {
-        return failure();
-    }
+    QPainter painter(&writer);
     Pages(writer, painter, drawings, footerOf(*content.result)).put(blocks);
-    if (!painter.end() || !file.commit()) {
-        return failure();
-    }
-    return std::nullopt;
+    painter.end();
+    const std::optional<QString> reason = writeWhole(path, pdf.data());
+    return reason ? std::optional(
+                        ReportPages::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
 }
 
 } // namespace slidercrank

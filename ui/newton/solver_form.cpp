@@ -15,10 +15,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
-#include <QSignalBlocker>
-#include <QSpinBox>
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +27,18 @@ namespace
 {
 
 /// With few steps a warm start is far away and with many iterations nothing more comes: beyond these nobody gains.
-constexpr int kMostSteps = 1'000'000;
-constexpr int kMostIterations = 1000;
+constexpr double kMostSteps = 1e6;
+constexpr double kMostIterations = 1000.0;
 constexpr int kWideInLetters = 115; // from here on what came out has room beside the settings
+
+NumberBox *countBox(double most)
+{
+    auto *box = new NumberBox;
+    box->setRange({.smallest = 1.0, .largest = most, .isWhole = true});
+    box->setFixedDecimals(0);
+    box->setStep(1.0);
+    return box;
+}
 
 } // namespace
 
@@ -50,30 +56,34 @@ SolverForm::SolverForm(QWidget *parent)
         edit(m_sampling, with(m_solver, &SolverSettings::method, method));
     });
 
-    m_steps = named("stepsBox", new QSpinBox);
-    m_steps->setRange(1, kMostSteps);
-    m_steps->setKeyboardTracking(false);
-    m_steps->setAlignment(Qt::AlignRight);
+    m_steps = named("stepsBox", countBox(kMostSteps));
     m_steps->setToolTip(tr("Intervals; one instant more is computed"));
-    connect(m_steps, &QSpinBox::valueChanged, this,
-            [this](int steps) { edit(with(m_sampling, &Sampling::steps, steps), m_solver); });
+    connect(m_steps, &NumberBox::edited, this,
+            [this](double steps) { edit(with(m_sampling, &Sampling::steps, static_cast<int>(steps)), m_solver); });
 
     m_duration = named("durationBox", new NumberBox);
     m_duration->setSuffix(tr(" s"));
+    m_duration->setUnit(kSecond);
+    m_duration->setRange({.smallest = 0.0, .isOpen = true});
     m_duration->setToolTip(tr("From the first instant to the last"));
     connect(m_duration, &NumberBox::edited, this,
             [this](double seconds) { edit(with(m_sampling, &Sampling::duration, seconds), m_solver); });
 
     m_start = named("startBox", new NumberBox);
     m_start->setSuffix(tr(" s"));
+    m_start->setUnit(kSecond);
     m_start->setToolTip(tr("The first instant"));
     connect(m_start, &NumberBox::edited, this,
             [this](double seconds) { edit(with(m_sampling, &Sampling::start, seconds), m_solver); });
 
-    m_tolerance = named("toleranceBox", new QLineEdit);
-    m_tolerance->setAlignment(Qt::AlignRight);
+    m_tolerance = named("toleranceBox", new NumberBox);
+    m_tolerance->setRange({.smallest = 0.0});
     m_tolerance->setToolTip(tr("Iterates until ‖C‖ is at most this; 0: until it no longer falls"));
-    connect(m_tolerance, &QLineEdit::editingFinished, this, &SolverForm::editTolerance);
+    connect(m_tolerance, &NumberBox::edited, this, [this](double tolerance) {
+        SolverSettings solver = m_solver;
+        solver.newton.tolerance = tolerance;
+        edit(m_sampling, solver);
+    });
 
     m_toleranceKind = named("toleranceKindBox", new QComboBox);
     m_toleranceKind->addItem(tr("absolute"), static_cast<int>(ToleranceKind::Absolute));
@@ -87,14 +97,11 @@ SolverForm::SolverForm(QWidget *parent)
         edit(m_sampling, solver);
     });
 
-    m_iterations = named("iterationsBox", new QSpinBox);
-    m_iterations->setRange(1, kMostIterations);
-    m_iterations->setKeyboardTracking(false);
-    m_iterations->setAlignment(Qt::AlignRight);
+    m_iterations = named("iterationsBox", countBox(kMostIterations));
     m_iterations->setToolTip(tr("At one instant"));
-    connect(m_iterations, &QSpinBox::valueChanged, this, [this](int iterations) {
+    connect(m_iterations, &NumberBox::edited, this, [this](double iterations) {
         SolverSettings solver = m_solver;
-        solver.newton.maxIterations = iterations;
+        solver.newton.maxIterations = static_cast<int>(iterations);
         edit(m_sampling, solver);
     });
 
@@ -225,13 +232,11 @@ void SolverForm::colourExplanation()
 
 void SolverForm::showSettings()
 {
-    const QSignalBlocker quietSteps(m_steps);
-    const QSignalBlocker quietIterations(m_iterations);
     m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_solver.method)));
     m_steps->setValue(m_sampling.steps);
     m_duration->setValue(m_sampling.duration);
     m_start->setValue(m_sampling.start);
-    m_tolerance->setText(numberText(m_solver.newton.tolerance, QLocale::FloatingPointShortest));
+    m_tolerance->setValue(m_solver.newton.tolerance);
     m_toleranceKind->setCurrentIndex(m_toleranceKind->findData(static_cast<int>(m_solver.newton.toleranceKind)));
     m_iterations->setValue(m_solver.newton.maxIterations);
     const bool newton = m_solver.method == Method::Newton;
@@ -257,17 +262,6 @@ void SolverForm::edit(const Sampling &sampling, const SolverSettings &solver)
         const SolverSettings wantedSolver = m_solver;
         emit edited(wantedSampling, wantedSolver);
     }
-}
-
-void SolverForm::editTolerance()
-{
-    if (!m_tolerance->isModified()) {
-        return;
-    }
-    m_tolerance->setModified(false);
-    SolverSettings solver = m_solver;
-    solver.newton.tolerance = readNumber(m_tolerance->text()).value_or(m_solver.newton.tolerance);
-    edit(m_sampling, solver);
 }
 
 } // namespace slidercrank

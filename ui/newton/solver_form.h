@@ -12,8 +12,6 @@
 class QBoxLayout;
 class QComboBox;
 class QLabel;
-class QLineEdit;
-class QSpinBox;
 
 namespace slidercrank
 {
@@ -43,18 +41,17 @@ private:
     void showSettings();
     void colourExplanation();
     void edit(const Sampling &sampling, const SolverSettings &solver);
-    void editTolerance();
 
     Sampling m_sampling;
     SolverSettings m_solver;
     QBoxLayout *m_beside = nullptr;
     QComboBox *m_method = nullptr;
-    QSpinBox *m_steps = nullptr;
+    NumberBox *m_steps = nullptr;
     NumberBox *m_duration = nullptr;
     NumberBox *m_start = nullptr;
-    QLineEdit *m_tolerance = nullptr;
+    NumberBox *m_tolerance = nullptr;
     QComboBox *m_toleranceKind = nullptr;
-    QSpinBox *m_iterations = nullptr;
+    NumberBox *m_iterations = nullptr;
     QLabel *m_iterationsDone = nullptr;
     QLabel *m_residual = nullptr;
     QLabel *m_instants = nullptr;

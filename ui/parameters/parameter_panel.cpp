@@ -39,8 +39,9 @@ namespace
 {
 
 /// What a unit is called, and how the core's rad or rad/s become it.
-struct Unit {
+struct ShownUnit {
     QString name;
+    Unit unit;
     double halfTurn; ///< π rad in this unit
     double range;    ///< of the slider at first, either way
 };
@@ -48,21 +49,21 @@ struct Unit {
 enum OmegaUnit { RadiansPerSecond, DegreesPerSecond, TurnsPerMinute };
 enum AngleUnit { Degrees, Radians };
 
-Unit omegaUnit(int index)
+ShownUnit omegaUnit(int index)
 {
     switch (static_cast<OmegaUnit>(index)) {
-    case RadiansPerSecond: return {ParameterPanel::tr("rad/s"), std::numbers::pi, 20.0};
-    case DegreesPerSecond: return {ParameterPanel::tr("°/s"), 180.0, 1000.0};
-    case TurnsPerMinute: return {ParameterPanel::tr("rpm"), 30.0, 200.0};
+    case RadiansPerSecond: return {ParameterPanel::tr("rad/s"), kRadianPerSecond, std::numbers::pi, 20.0};
+    case DegreesPerSecond: return {ParameterPanel::tr("°/s"), kDegreePerSecond, 180.0, 1000.0};
+    case TurnsPerMinute: return {ParameterPanel::tr("rpm"), kTurnPerMinute, 30.0, 200.0};
     }
     return {};
 }
 
-Unit angleUnit(int index)
+ShownUnit angleUnit(int index)
 {
     switch (static_cast<AngleUnit>(index)) {
-    case Degrees: return {ParameterPanel::tr("°"), 180.0, 180.0};
-    case Radians: return {ParameterPanel::tr("rad"), std::numbers::pi, 3.2};
+    case Degrees: return {ParameterPanel::tr("°"), kDegree, 180.0, 180.0};
+    case Radians: return {ParameterPanel::tr("rad"), kRadian, std::numbers::pi, 3.2};
     }
     return {};
 }
@@ -70,6 +71,11 @@ Unit angleUnit(int index)
 bool isLength(Parameter parameter)
 {
     return parameter == Parameter::A || parameter == Parameter::B || parameter == Parameter::C;
+}
+
+bool isPositive(Parameter parameter)
+{
+    return parameter == Parameter::A || parameter == Parameter::B;
 }
 
 QString nounOf(Parameter parameter)
@@ -251,6 +257,10 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     connect(row.box, &NumberBox::edited, this, [this, &row](double value) { edit(row, fromUnitOf(row, value)); });
     if (isLength(row.parameter)) {
         row.box->setSuffix(tr(" mm"));
+        row.box->setUnit(kMillimetre);
+        if (isPositive(row.parameter)) {
+            row.box->setRange({.smallest = 0.0, .isOpen = true});
+        }
         grid->addWidget(row.box, line, 2, 1, 2);
     } else {
         row.box->setWidestText(QStringLiteral("-000.00"));
@@ -312,7 +322,12 @@ double ParameterPanel::halfTurnOf(const Row &row)
 double ParameterPanel::toUnitOf(const Row &row, double value)
 {
     const double halfTurn = halfTurnOf(row);
-    return halfTurn == 0.0 || halfTurn == std::numbers::pi ? value : value / std::numbers::pi * halfTurn;
+    if (halfTurn == 0.0 || halfTurn == std::numbers::pi) {
+        return value;
+    }
+    const double exact = value / std::numbers::pi * halfTurn;
+    const double written = QString::number(exact, 'g', 15).toDouble(); // 370 where it is 370.00000000000006
+    return fromUnitOf(row, written) == value ? written : exact;
 }
 
 double ParameterPanel::fromUnitOf(const Row &row, double value)
@@ -348,9 +363,14 @@ void ParameterPanel::showRow(const Row &row)
 {
     const double exact = valueOf(m_parameters, row.parameter);
     const double value = toUnitOf(row, exact);
-    const bool positive = row.parameter == Parameter::A || row.parameter == Parameter::B;
-    row.slider->setRangeAndValue(sliderRangeFor(row, value), positive, value);
+    row.slider->setRangeAndValue(sliderRangeFor(row, value), isPositive(row.parameter), value);
     row.slider->setSuffix(row.unit ? QLatin1Char(' ') + row.unit->currentText() : tr(" mm"));
+    if (row.unit) {
+        const int index = row.unit->currentIndex();
+        row.box->setUnit((row.parameter == Parameter::Omega2 ? omegaUnit(index) : angleUnit(index)).unit);
+        const double largest = toUnitOf(row, kLargestParameter);
+        row.box->setRange({.smallest = -largest, .largest = largest});
+    }
     row.box->setValue(value);
     row.reset->setEnabled(exact != valueOf(Parameters(), row.parameter));
 }

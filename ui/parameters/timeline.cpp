@@ -10,7 +10,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
@@ -143,15 +142,14 @@ Timeline::Timeline(QWidget *parent)
     m_timeBox->setToolTip(tr("Instant"));
     m_timeBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_timeBox->setSuffix(tr(" s"));
-    connect(m_timeBox, &NumberBox::edited, this, [this](double seconds) {
-        emit timeRequested(std::clamp(seconds, first(), last()));
-        showTime();
-    });
+    m_timeBox->setUnit(kSecond);
+    connect(m_timeBox, &NumberBox::edited, this, &Timeline::timeRequested);
 
     m_angleBox = named("angleBox", new NumberBox, tr("Crank angle in degrees"));
     m_angleBox->setToolTip(tr("Crank angle: type one to go where the crank first passes it"));
     m_angleBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_angleBox->setSuffix(tr("°"));
+    m_angleBox->setUnit(kDegree);
     m_angleBox->setFixedDecimals(2);
     m_angleBox->setStep(1.0);
     connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
@@ -183,9 +181,10 @@ Timeline::Timeline(QWidget *parent)
     auto *end = named("endButton", new PlaybackButton(Sign::End, tr("To the end"), tr("End")));
     m_loop = named("loopButton", new PlaybackButton(Sign::Loop, tr("Loop"), QString()));
     m_play->setToolTip(tr("Play or pause (Space)"));
-    m_loop->setToolTip(tr("Start again at the end"));
+    m_loop->setToolTip(tr("Start again at the end (Ctrl+L)"));
     m_loop->setCheckable(true);
     m_loop->setChecked(true);
+    connect(m_loop, &QToolButton::toggled, this, &Timeline::loopingChanged);
     for (PlaybackButton *button : {back, forward}) {
         button->setAutoRepeat(true);
     }
@@ -211,9 +210,6 @@ Timeline::Timeline(QWidget *parent)
     }
     playing->addSpacing(8);
     playing->addWidget(m_loop);
-    for (PlaybackButton *button : {start, back, m_play, forward, end, m_loop}) {
-        button->installEventFilter(this);
-    }
     playing->addStretch(1);
     playing->addWidget(m_speedBox);
 
@@ -243,6 +239,7 @@ void Timeline::setSampling(const Sampling &sampling)
     const int decimals = step > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9) : 3;
     m_timeBox->setFixedDecimals(decimals);
     m_timeBox->setStep(step);
+    m_timeBox->setRange({.smallest = first(), .largest = last(), .takesNearest = true});
     const double largest = std::max(std::abs(first()), std::abs(last()));
     m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
     {
@@ -333,21 +330,14 @@ void Timeline::setSpeed(double speed)
     }
 }
 
-bool Timeline::eventFilter(QObject *watched, QEvent *event)
+bool Timeline::isLooping() const
 {
-    // Space belongs to whoever plays and pauses, wherever the focus is; a focused button is pressed with Enter.
-    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
-        auto *key = static_cast<QKeyEvent *>(event);
-        if (key->key() == Qt::Key_Space) {
-            key->ignore();
-            return true;
-        }
-        if (event->type() == QEvent::KeyPress && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)) {
-            static_cast<QToolButton *>(watched)->click();
-            return true;
-        }
-    }
-    return QWidget::eventFilter(watched, event);
+    return m_loop->isChecked();
+}
+
+void Timeline::setLooping(bool looping)
+{
+    m_loop->setChecked(looping);
 }
 
 void Timeline::restartClock(double from)
@@ -363,7 +353,7 @@ void Timeline::nextFrame()
     double time = m_playedFrom + m_speed * (m_clock() - m_playedSince);
     bool ended = false;
     if (time >= last()) {
-        if (m_loop->isChecked() && run > 0.0) {
+        if (isLooping() && run > 0.0) {
             time = first() + std::fmod(time - first(), run);
         } else {
             time = last();

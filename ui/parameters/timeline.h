@@ -30,6 +30,7 @@ public:
     explicit Timeline(QWidget *parent = nullptr);
 
     bool isPlaying() const { return m_frames.isActive(); }
+    bool isLooping() const;
     double speed() const { return m_speed; } ///< model seconds a second of the clock
 
     /// It tells seconds since whenever.
@@ -49,14 +50,13 @@ public slots:
     void stepBack();
     void toStart();
     void toEnd();
+    void setLooping(bool looping);
     void setSpeed(double speed); ///< model seconds a second of the clock, 0.1 … 10
 
 signals:
     void timeRequested(double seconds);
     void playingChanged(bool playing);
-
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
+    void loopingChanged(bool looping);
 
 private:
     double first() const; ///< of the sampled range, s

@@ -4,6 +4,7 @@
 #include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
 #include "ui/controls/save_dialog.h"
+#include "ui/document/whole_file.h"
 #include "ui/export/figure_export.h"
 #include "ui/study/study_figure.h"
 #include "ui/words/axis_scale.h"
@@ -22,7 +23,6 @@
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QStringList>
@@ -434,12 +434,10 @@ std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
         return tr("There is nothing to export yet: run the study first.");
     }
     const bool json = path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
-    QSaveFile file(path);
-    const QByteArray bytes = QByteArray::fromStdString(json ? studyJson(*m_result) : studyCsv(*m_result));
-    const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
-    return written
-               ? std::nullopt
-               : std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), file.errorString()));
+    const std::optional<QString> reason =
+        writeWhole(path, QByteArray::fromStdString(json ? studyJson(*m_result) : studyCsv(*m_result)));
+    return reason ? std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
 }
 
 void StudyPanel::choosePicture()

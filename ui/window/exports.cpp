@@ -175,6 +175,26 @@ void Exports::writeAnimation(const QString &path)
     animation.duration = sampling.duration;
     animation.size = {m_rooms.mechanism->size(), kScale};
     animation.speed = m_rooms.timeline->speed();
+    const QStringList older = AnimationExport::olderFrames(path, animation.frameCount());
+    if (older.isEmpty()) {
+        film(path, animation);
+        return;
+    }
+    auto *question = new QMessageBox(QMessageBox::Question, tr("Older frames"),
+                                     tr("Older frames of this name are there: %1, from %2 to %3. Replace them?")
+                                         .arg(QString::number(older.size()), older.first(), older.last()),
+                                     QMessageBox::Cancel, m_window);
+    question->setObjectName(QStringLiteral("framesQuestion"));
+    question->setInformativeText(tr("All of them go; new ones, %1, take their place.").arg(animation.frameCount()));
+    question->addButton(tr("Replace"), QMessageBox::AcceptRole);
+    question->setDefaultButton(QMessageBox::Cancel);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QDialog::accepted, this, [this, path, animation] { film(path, animation); });
+    question->open();
+}
+
+void Exports::film(const QString &path, const Animation &animation)
+{
     const auto view = std::make_shared<MechanismView>();
     view->setResult(m_session->result());
     view->setLook(m_rooms.mechanism->look());
@@ -184,10 +204,16 @@ void Exports::writeAnimation(const QString &path)
         view->setGhost(ghost ? ghost(time) : ReferencePose());
         view->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
+    const QStringList frames = AnimationExport::frameNames(path, animation.frameCount());
+    const QFileInfo file(path);
+    const QString written =
+        frames.size() > 1 ? tr("%1 frames, %2 to %3, in %4")
+                                .arg(QString::number(frames.size()), frames.first(), frames.last(), file.absolutePath())
+                          : file.absoluteDir().filePath(frames.value(0, file.fileName()));
     m_animation = new AnimationExport(animation, draw, this);
     connect(m_animation, &AnimationExport::progressed, this,
             [this](int done, int all) { emit progressed(static_cast<double>(done) / all); });
-    connect(m_animation, &AnimationExport::finished, this, [this, path](const QString &problem) {
+    connect(m_animation, &AnimationExport::finished, this, [this, path = written](const QString &problem) {
         std::exchange(m_animation, nullptr)->deleteLater();
         tellWritten(path, problem.isEmpty() ? std::nullopt : std::optional(problem));
         emit busyChanged(false);

@@ -20,6 +20,7 @@ namespace slidercrank
 
 class AnimationExport;
 class Session;
+struct Animation;
 
 class Exports : public QObject
 {
@@ -63,7 +64,8 @@ public:
     void chooseReport();
     void writeReport(const QString &path);
 
-    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed.
+    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed. Older frames
+    /// are replaced when the person says so.
     void chooseAnimation();
     void writeAnimation(const QString &path);
 
@@ -74,6 +76,8 @@ signals:
     void progressed(double part);
 
 private:
+    void film(const QString &path, const Animation &animation);
+
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
     /// sentence where nothing was written.
     using Work = std::function<std::optional<QString>(const std::stop_token &, const WorkAside::Progress &)>;

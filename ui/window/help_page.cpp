@@ -80,6 +80,7 @@ QString shortcutsText(const QMenuBar &menus)
     }
     html += tableOf(HelpPage::tr("Everywhere"),
                     {{HelpPage::tr("To the next control, to the one before"), HelpPage::tr("Tab, Shift+Tab")},
+                     {HelpPage::tr("Press a button, open a list"), HelpPage::tr("Enter")},
                      {HelpPage::tr("Open a menu"), HelpPage::tr("Alt and the underlined letter")},
                      {HelpPage::tr("Open a file"), HelpPage::tr("Drop it on the window")}});
     html += tableOf(
@@ -94,7 +95,10 @@ QString shortcutsText(const QMenuBar &menus)
     html += tableOf(
         HelpPage::tr("Parameters"),
         {{HelpPage::tr("Change a little, a lot"), HelpPage::tr("On a slider: arrow keys, Page Up and Page Down")},
-         {HelpPage::tr("Type any number, in any unit on show"), HelpPage::tr("In a box: the number, then Enter")}});
+         {HelpPage::tr("Go there at once"), HelpPage::tr("Click the slider's line")},
+         {HelpPage::tr("Type any number, with any unit: 2.5 cm, 60 rpm"),
+          HelpPage::tr("In a box: the number, then Enter")},
+         {HelpPage::tr("Take back what is being typed"), QKeySequence(Qt::Key_Escape).toString()}});
     html += tableOf(
         HelpPage::tr("Plots"),
         {{HelpPage::tr("Go to an instant"), HelpPage::tr("Click")},
@@ -109,8 +113,9 @@ QString shortcutsText(const QMenuBar &menus)
     html += tableOf(HelpPage::tr("Tables"),
                     {{HelpPage::tr("Go where a row's value is"), HelpPage::tr("Click, or Enter")},
                      {HelpPage::tr("Light up a row's joint"), HelpPage::tr("Point at it, or the arrow keys")},
-                     {HelpPage::tr("Copy the table as CSV"), QKeySequence(QKeySequence::Copy).toString()},
-                     {HelpPage::tr("Fold the panels away"), HelpPage::tr("Click the current tab")}});
+                     {HelpPage::tr("Copy the rows that are chosen, or the table, as CSV"),
+                      QKeySequence(QKeySequence::Copy).toString()},
+                     {HelpPage::tr("Unfold the panels"), HelpPage::tr("Click a tab")}});
     return html;
 }
 

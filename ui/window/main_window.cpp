@@ -16,6 +16,7 @@
 #include "ui/study/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
+#include "ui/window/key_owner.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
 #include "ui/window/recovery.h"
@@ -24,17 +25,12 @@
 #include "ui/window/status_bar.h"
 
 #include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAbstractSlider>
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QKeyEvent>
 #include <QLocale>
 #include <QMimeData>
 #include <QScreen>
@@ -121,7 +117,7 @@ MainWindow::MainWindow(QWidget *parent)
     connectDocument();
     makeRooms(true);
     arrange(*this, rememberedLayout());
-    qApp->installEventFilter(this);
+    new KeyOwner(this);
     m_session->setTime(m_session->sampling().start);
     m_messages->greetOnce();
     m_recovery = new Recovery(m_session, m_scene, column, this);
@@ -461,29 +457,6 @@ void MainWindow::changeEvent(QEvent *event)
 bool MainWindow::event(QEvent *event)
 {
     return event->type() == QEvent::StatusTip || QMainWindow::event(event);
-}
-
-/// The playback keys (Space, arrows, Home, End) belong to the control that has the focus where it has a use for them.
-bool MainWindow::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::ShortcutOverride) {
-        const int key = static_cast<QKeyEvent *>(event)->key();
-        const bool activates = key == Qt::Key_Space && qobject_cast<QAbstractButton *>(watched);
-        const bool moves = (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home || key == Qt::Key_End) &&
-                           (qobject_cast<QAbstractSlider *>(watched) || qobject_cast<QComboBox *>(watched) ||
-                            qobject_cast<QAbstractItemView *>(watched) || watched->inherits("QTabBar"));
-        if (activates || moves) {
-            event->accept();
-            return true;
-        }
-        const bool isInNumber = qobject_cast<QAbstractSpinBox *>(watched) ||
-                                qobject_cast<QAbstractSpinBox *>(watched->parent()); // or in the line within
-        if (key == Qt::Key_Space && isInNumber) {
-            event->ignore(); // no number has a space
-            return true;
-        }
-    }
-    return QMainWindow::eventFilter(watched, event);
 }
 
 } // namespace slidercrank

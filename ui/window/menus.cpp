@@ -184,11 +184,16 @@ void Menus::addPlayback()
 {
     QMenu *playback = addMenu(tr("&Playback"));
     Timeline *timeline = m_rooms.timeline;
-    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), timeline, &Timeline::togglePlaying);
+    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), timeline, &Timeline::togglePlaying)
+        ->setAutoRepeat(false);
     playback->addAction(tr("Step &forward"), QKeySequence(Qt::Key_Right), timeline, &Timeline::stepForward);
     playback->addAction(tr("Step &back"), QKeySequence(Qt::Key_Left), timeline, &Timeline::stepBack);
     playback->addAction(tr("To the &start"), QKeySequence(Qt::Key_Home), timeline, &Timeline::toStart);
     playback->addAction(tr("To the &end"), QKeySequence(Qt::Key_End), timeline, &Timeline::toEnd);
+    QAction *loop = addSwitch(playback, tr("&Loop"), timeline->isLooping());
+    loop->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
+    connect(loop, &QAction::triggered, timeline, &Timeline::setLooping);
+    connect(timeline, &Timeline::loopingChanged, loop, &QAction::setChecked);
 }
 
 void Menus::addHelp()

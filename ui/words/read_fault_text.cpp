@@ -61,6 +61,8 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::Markup:
         return ReadFaultText::tr("The file is HTML or XML, not a table of text: export the table as CSV.");
     case Kind::NotText: return ReadFaultText::tr("the file holds bytes that are not text: export the table as CSV.");
+    case Kind::LineTooLong:
+        return ReadFaultText::tr("the line has more than a million characters: export the table as CSV, a row a line.");
     case Kind::UnitsContradict:
         return ReadFaultText::tr("the line of units contradicts the heading, %1: correct one of the two.")
             .arg(QString::fromUtf8(fault.heading));
@@ -100,6 +102,9 @@ QString sentenceOf(const ReadFault &fault)
         return ReadFaultText::tr("the time does not increase from the row before: sort the rows by time and keep one "
                                  "of each instant.");
     case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
+    case Kind::Unreadable: return ReadFaultText::tr("The file became shorter while it was read: open it again.");
+    case Kind::NoMemory:
+        return ReadFaultText::tr("There is not enough memory for a file of that size: leave out rows or columns.");
     }
     return {};
 }

@@ -39,19 +39,6 @@ QLocale localeWithoutGroups()
     return locale;
 }
 
-std::optional<double> readNumber(const QString &text)
-{
-    const QString number = text.trimmed();
-    for (const QLocale &locale : {localeWithoutGroups(), QLocale::c()}) {
-        bool read = false;
-        const double value = locale.toDouble(number, &read);
-        if (read && std::isfinite(value)) {
-            return value;
-        }
-    }
-    return std::nullopt;
-}
-
 QString numberText(double value, int significantDigits)
 {
     return withShortExponent(localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits));

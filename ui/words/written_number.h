@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Numbers as people write and read them.
+// Numbers as people read them.
 
 #include <QLocale>
 #include <QString>
@@ -10,10 +10,6 @@
 
 namespace slidercrank
 {
-
-/// A number as a person writes it: in the user's locale or with a decimal point; nothing where it is none, or not
-/// finite.
-std::optional<double> readNumber(const QString &text);
 
 /// At most so many significant digits, in the user's locale, no trailing zeros, no group separators.
 QString numberText(double value, int significantDigits = 6);

@@ -148,6 +148,18 @@ private slots:
         }
     }
 
+    void findsItWhereFewRowsHoldNothingOfAColumn()
+    {
+        const Parameters truth{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
+        Printing printing;
+        printing.rows = 401;
+        const ReferenceData data =
+            printedData(truth, printing, [](int row, std::size_t channel) { return channel == 0 && row % 130 != 3; });
+        const Identification found = identify(data, Mechanism());
+        QVERIFY(isFound(found));
+        QVERIFY(distance(found.parameters, truth) < 1e-4);
+    }
+
     void findsTheMechanismOfTheAuthorsFile()
     {
         QFile file(kAuthorsFile);

@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <new>
 #include <random>
 #include <string>
 
@@ -22,7 +25,49 @@ using namespace slidercrank;
 namespace
 {
 
+constexpr int kPlenty = std::numeric_limits<int>::max();
+std::atomic<int> allocationsLeft = kPlenty; // before there is no memory left
+
+void *allocated(std::size_t size)
+{
+    if (allocationsLeft != kPlenty && --allocationsLeft < 0) {
+        allocationsLeft = 0;
+        return nullptr;
+    }
+    return std::malloc(std::max<std::size_t>(size, 1));
+}
+
+} // namespace
+
+void *operator new(std::size_t size)
+{
+    if (void *memory = allocated(size)) {
+        return memory;
+    }
+    throw std::bad_alloc();
+}
+
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+    return allocated(size);
+}
+
+void operator delete(void *memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+
+namespace
+{
+
 using Kind = ReadFault::Kind;
+
+constexpr std::size_t kOnePiece = std::size_t{1} << 30U;
 
 std::variant<ReferenceData, ReadError> read(const QByteArray &bytes, std::stop_token stop = {})
 {
@@ -39,6 +84,11 @@ std::string exactText(double value)
 
 std::string described(const std::vector<double> &values)
 {
+    if (constexpr std::size_t kMany = 10'000; values.size() > kMany) {
+        const auto bytes = std::as_bytes(std::span(values));
+        const auto sum = std::hash<std::string_view>()({reinterpret_cast<const char *>(bytes.data()), bytes.size()});
+        return ' ' + std::to_string(values.size()) + " of " + std::to_string(sum);
+    }
     std::string text;
     for (const double value : values) {
         text += ' ' + (std::isnan(value) ? std::string("gap") : exactText(value));
@@ -99,16 +149,27 @@ QByteArray largeFile(const QByteArray &head, const QByteArray &lineEnd)
     return bytes;
 }
 
-ByteSource sourceOf(const QByteArray &bytes)
+ByteSource sourceOf(const QByteArray &bytes, std::size_t piece)
 {
     const auto size = static_cast<std::size_t>(bytes.size());
-    return {size, [bytes, size](std::size_t offset, std::span<char> room) {
-                if (offset > size || size - offset < room.size()) {
-                    return false;
-                }
-                std::copy_n(bytes.constData() + offset, room.size(), room.begin());
-                return true;
-            }};
+    const auto read = [bytes, size](std::size_t offset, std::span<char> room) {
+        if (offset > size || size - offset < room.size()) {
+            return false;
+        }
+        std::copy_n(bytes.constData() + offset, room.size(), room.begin());
+        return true;
+    };
+    return {size, read, piece};
+}
+
+QByteArray utf16Of(const QByteArray &text)
+{
+    QByteArray bytes;
+    for (const char c : text) {
+        bytes += c;
+        bytes += '\0';
+    }
+    return bytes;
 }
 
 /// What each column became: "time R4_x theta3? -", with a question mark where it was guessed.
@@ -142,6 +203,33 @@ std::string formOf(const FileLayout &layout)
     form += layout.decimalSign == DecimalSign::Comma ? " comma" : " point";
     form += " line " + std::to_string(layout.headerLine);
     return form + (layout.unitsLine > 0 ? " units " + std::to_string(layout.unitsLine) : "");
+}
+
+/// All that a person could come to see.
+QString told(const std::variant<ReferenceData, ReadError> &outcome)
+{
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    const FileLayout &layout = data ? data->layout : std::get<ReadError>(outcome).layout;
+    std::string text = "; " + formOf(layout) + "; " + rolesOf(layout);
+    for (const std::vector<std::string> &row : layout.rows) {
+        for (const std::string &cell : row) {
+            text += '|' + cell;
+        }
+    }
+    if (!data) {
+        const ReadError &error = std::get<ReadError>(outcome);
+        text += "; " + std::to_string(error.line) + ':' + std::to_string(error.column) + ' ' + error.text + ' ' +
+                error.fault.heading;
+    } else {
+        const auto add = [&text](const Rounding &rounding) {
+            text += "; rounded " + exactText(rounding.stepAt(1.0)) + ' ' + std::to_string(rounding.digits);
+        };
+        add(data->timeRounding);
+        for (const ReferenceSeries &series : data->series) {
+            add(series.rounding);
+        }
+    }
+    return described(outcome) + QString::fromStdString(text);
 }
 
 std::variant<ReferenceData, ReadError> read(const QByteArray &bytes, const std::vector<ColumnChoice> &choices)
@@ -377,7 +465,7 @@ private slots:
             done.push_back(bytesDone);
             all = ofAll;
         };
-        readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
+        readReferenceData(sourceOf(bytes, 10'000), {}, options);
         QVERIFY(done.size() >= 4);
         QVERIFY(std::is_sorted(done.begin(), done.end()));
         QVERIFY(done.back() > all / 2 && done.back() <= all);
@@ -574,7 +662,8 @@ private slots:
         const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
         QVERIFY(data);
         QVERIFY(data->time == time);
-        QCOMPARE(described(data->series[0].values), described(values));
+        QVERIFY(std::ranges::equal(data->series[0].values, values,
+                                   [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); }));
         QCOMPARE(data->series[0].rounding.digits, 3);
         QCOMPARE(data->skipped.size(), badLines.size());
         for (std::size_t i = 0; i < badLines.size(); ++i) {
@@ -592,87 +681,156 @@ private slots:
         }
     }
 
-    void aLargePlainFileReadsInPiecesAsItReadsAsAWhole_data()
+    void aFileReadsTheSameInPiecesOfAnySize_data()
     {
-        QTest::addColumn<QByteArray>("head");
-        QTest::addColumn<QByteArray>("lineEnd");
-        QTest::addColumn<QByteArray>("tail");
-        QTest::newRow("plain") << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray();
-        QTest::newRow("CR LF") << QByteArray("time,theta3,R4_x\r\n") << QByteArray("\r\n") << QByteArray();
-        QTest::newRow("last line not ended")
-            << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray("1e9,1,2");
-        QTest::newRow("preamble, units, a mark") << QByteArray("\xEF\xBB\xBF"
-                                                               "A title\ntime,theta3,R4_x\ns,\xC2\xB0,m\n")
-                                                 << QByteArray("\n") << QByteArray();
-        QTest::newRow("a column left out") << QByteArray("time,theta3,notes\n") << QByteArray("\n") << QByteArray();
-        QTest::newRow("blank lines at the end")
-            << QByteArray("time,theta3,R4_x\n") << QByteArray("\n") << QByteArray("\n\n\n");
+        QTest::addColumn<QByteArray>("bytes");
+        for (const GoodFile &file : goodFiles()) {
+            QTest::newRow(file.name.c_str()) << QByteArray::fromStdString(file.bytes);
+        }
+        for (const BadFile &file : badFiles()) {
+            QTest::newRow(file.name.c_str()) << QByteArray::fromStdString(file.bytes);
+        }
+        QTest::newRow("rows left out, all over")
+            << QByteArray("time,R4_x\r\n0,1\r\n\r\n1,x\n2,3\r3,\"\n\n4,5\r\n,,\r\n5,6,7\r\n6,y");
     }
 
-    void aLargePlainFileReadsInPiecesAsItReadsAsAWhole()
+    void aFileReadsTheSameInPiecesOfAnySize()
     {
-        QFETCH(const QByteArray, head);
-        QFETCH(const QByteArray, lineEnd);
-        QFETCH(const QByteArray, tail);
-        const QByteArray bytes = largeFile(head, lineEnd) + tail;
-        std::vector<std::size_t> told;
-        ReadOptions options;
-        options.progress = [&told](std::size_t done, std::size_t) { told.push_back(done); };
-        const std::optional<ReferenceData> inPieces = readPlainReferenceData(sourceOf(bytes), {}, options);
-        QVERIFY(inPieces);
-        QVERIFY(told.size() > 3 && std::is_sorted(told.begin(), told.end()));
-        const auto outcome = read(bytes);
-        const ReferenceData &whole = std::get<ReferenceData>(outcome);
-        QCOMPARE(inPieces->time, whole.time);
-        QVERIFY(described(*inPieces) == described(outcome));
-        QCOMPARE(rolesOf(inPieces->layout), rolesOf(whole.layout));
-        QCOMPARE(inPieces->layout.headerLine, whole.layout.headerLine);
-        QCOMPARE(inPieces->layout.unitsLine, whole.layout.unitsLine);
-        QCOMPARE(inPieces->layout.byteOrderMark, whole.layout.byteOrderMark);
-        QCOMPARE(inPieces->layout.rows, whole.layout.rows);
-        QVERIFY(inPieces->timeRounding == whole.timeRounding);
-        for (std::size_t i = 0; i < whole.series.size(); ++i) {
-            QVERIFY(inPieces->series[i].rounding == whole.series[i].rounding);
+        QFETCH(const QByteArray, bytes);
+        const QString whole = told(readReferenceData(sourceOf(bytes, kOnePiece)));
+        for (const std::size_t piece : {1, 2, 3, 5, 7, 10, 16, 33, 64}) {
+            QCOMPARE(told(readReferenceData(sourceOf(bytes, piece))), whole);
         }
     }
 
-    void whatIsNotPlainIsLeftToWhoReadsItAsAWhole_data()
+    void aLargeFileReadsInPiecesAsItReadsAsAWhole_data()
     {
-        QTest::addColumn<QByteArray>("head");
-        QTest::addColumn<QByteArray>("lineEnd");
-        QTest::addColumn<QByteArray>("tail");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("end");
         const QByteArray names = "time,theta3,R4_x\n";
-        QTest::newRow("a row that cannot be read") << names << QByteArray("\n") << QByteArray("1e9,oops,2\n");
-        QTest::newRow("a time that does not increase") << names << QByteArray("\n") << QByteArray("0,1,2\n");
-        QTest::newRow("beyond ASCII, late") << names << QByteArray("\n") << QByteArray("1e9,1,2,\xB0\n");
-        QTest::newRow("no text, late") << names << QByteArray("\n") << QByteArray("1e9,1,\0\n", 8);
-        QTest::newRow("a very long line")
-            << names << QByteArray("\n") << "1e9,1,2" + QByteArray(300000, ' ') + "\n1e10,1,2";
-        QTest::newRow("lines end with CR") << QByteArray("time,theta3,R4_x\r") << QByteArray("\r") << QByteArray();
-        QTest::newRow("names that leave a guess")
-            << QByteArray("t,P[1] (deg),P[2] (mm)\n") << QByteArray("\n") << QByteArray();
-        QTest::newRow("names that say nothing") << QByteArray("a,b,c\n") << QByteArray("\n") << QByteArray();
-        QTest::newRow("a web page") << QByteArray("<html>\n") + names << QByteArray("\n") << QByteArray();
+        const QString good = QStringLiteral("fine");
+        const auto row = [](const char *name, const QByteArray &bytes, const QString &end) {
+            QTest::newRow(name) << bytes << end;
+        };
+        row("plain", largeFile(names, "\n"), good);
+        row("CR LF", largeFile("time,theta3,R4_x\r\n", "\r\n"), good);
+        row("CR", largeFile("time,theta3,R4_x\r", "\r"), good);
+        row("last line not ended", largeFile(names, "\n") + "1e9,1,2", good);
+        row("preamble, units, a mark",
+            largeFile("\xEF\xBB\xBF"
+                      "A title\ntime,theta3,R4_x\ns,\xC2\xB0,m\n",
+                      "\n"),
+            good);
+        row("a column left out", largeFile("time,theta3,notes\n", "\n"), good);
+        row("blank lines at the end", largeFile(names, "\n") + "\n\n\n", good);
+        row("names that leave a guess", largeFile("t,P[1] (deg),P[2] (mm)\n", "\n"), good);
+        row("a row that cannot be read, late", largeFile(names, "\n") + "1e9,oops,2\n1e10,1,2", good);
+        row("beyond ASCII, late", largeFile(names, "\n") + "1e9,1,2,\xB0\n", good);
+        row("Latin-1", largeFile("time,theta3 [\xB0],R4_x\n", "\n"), good);
+        row("a long line, late", largeFile(names, "\n") + "1e9,1,2" + QByteArray(300'000, ' ') + "\n1e10,1,2", good);
+        row("a very long line, late", largeFile(names, "\n") + "1e9,1,2" + QByteArray(1'100'000, ' ') + "\n1e10,1,2",
+            QStringLiteral("line 220002: reason %1").arg(static_cast<int>(Kind::LineTooLong)));
+        row("no text, late", largeFile(names, "\n") + QByteArray("1e9,1,2\n1e10,1,\0\n", 18),
+            QStringLiteral("line 220003: reason %1").arg(static_cast<int>(Kind::NotText)));
+        row("zeros to the end", largeFile(names, "\n") + QByteArray(3'000'000, '\0'),
+            QStringLiteral("line 220002: reason %1").arg(static_cast<int>(Kind::NotText)));
+        row("a time that does not increase, and worse behind",
+            largeFile(names, "\n") + "0,1,2\n" + QByteArray(3'000'000, '\0'),
+            QStringLiteral("line 220002: reason %1").arg(static_cast<int>(Kind::TimeNotRising)));
+        row("UTF-16", utf16Of(largeFile(names, "\r\n")), good);
+        row("UTF-16, half a character at the end", utf16Of(largeFile(names, "\n")) + 'x', good);
     }
 
-    void whatIsNotPlainIsLeftToWhoReadsItAsAWhole()
+    void aLargeFileReadsInPiecesAsItReadsAsAWhole()
     {
-        QFETCH(const QByteArray, head);
-        QFETCH(const QByteArray, lineEnd);
-        QFETCH(const QByteArray, tail);
-        QVERIFY(!readPlainReferenceData(sourceOf(largeFile(head, lineEnd) + tail)));
+        QFETCH(const QByteArray, bytes);
+        QFETCH(const QString, end);
+        const auto whole = readReferenceData(sourceOf(bytes, kOnePiece));
+        for (const std::size_t piece : {std::size_t{1} << 18U, std::size_t{99'991}}) {
+            const auto inPieces = readReferenceData(sourceOf(bytes, piece));
+            QVERIFY(told(inPieces) == told(whole));
+        }
+        if (const ReadError *error = std::get_if<ReadError>(&whole)) {
+            QCOMPARE(QStringLiteral("line %1: reason %2").arg(error->line).arg(static_cast<int>(error->fault.kind)),
+                     end);
+        } else {
+            QCOMPARE(QStringLiteral("fine"), end);
+            QVERIFY(std::get<ReferenceData>(whole).time.size() >= 220'000);
+        }
     }
 
-    void aFileThatShrinksWhileItIsReadIsNotPlain()
+    void ofALargeFileThatIsNoTableLittleIsRead_data()
+    {
+        QTest::addColumn<QByteArray>("again"); // and again, to the end
+        QTest::addColumn<int>("fault");
+        QTest::newRow("zeros") << QByteArray(1, '\0') << static_cast<int>(Kind::NotText);
+        QTest::newRow("one line") << QByteArray("x") << static_cast<int>(Kind::LineTooLong);
+        QTest::newRow("blank lines") << QByteArray("\n") << static_cast<int>(Kind::Empty);
+        QTest::newRow("prose") << QByteArray("and so on\n") << static_cast<int>(Kind::NoTime);
+        QTest::newRow("numbers") << QByteArray("3,2\n") << static_cast<int>(Kind::NamesMissing);
+        QTest::newRow("a page") << QByteArray("<html>\n") << static_cast<int>(Kind::Markup);
+    }
+
+    void ofALargeFileThatIsNoTableLittleIsRead()
+    {
+        QFETCH(const QByteArray, again);
+        QFETCH(const int, fault);
+        std::size_t read = 0;
+        const auto repeat = [&](std::size_t offset, std::span<char> room) {
+            for (std::size_t i = 0; i < room.size(); ++i) {
+                room[i] = again[static_cast<qsizetype>((offset + i) % static_cast<std::size_t>(again.size()))];
+            }
+            read += room.size();
+            return true;
+        };
+        const auto outcome = readReferenceData(ByteSource{std::size_t{1} << 40U, repeat});
+        QCOMPARE(static_cast<int>(std::get<ReadError>(outcome).fault.kind), fault);
+        QVERIFY(read <= std::size_t{64} << 20U); // the beginning, and some lines from all over
+    }
+
+    void saysWhenAFileBecomesShorter()
     {
         const QByteArray bytes = largeFile("time,theta3,R4_x\n", "\n");
-        ByteSource source = sourceOf(bytes);
-        source.size += 1000;
-        QVERIFY(!readPlainReferenceData(source));
-        std::stop_source stop;
-        stop.request_stop();
-        QVERIFY(!readPlainReferenceData(sourceOf(bytes), stop.get_token()));
-        QVERIFY(!readPlainReferenceData(sourceOf("time,theta3,R4_x\n0,1,2\n"))); // small: nothing to gain
+        for (const std::size_t cut : {std::size_t{1}, std::size_t{1} << 20U, std::size_t{5} << 20U}) {
+            ByteSource source = sourceOf(bytes.chopped(static_cast<qsizetype>(cut)), 1U << 18U);
+            source.size += cut;
+            const auto outcome = readReferenceData(source);
+            QCOMPARE(std::get<ReadError>(outcome).fault.kind, Kind::Unreadable);
+            QCOMPARE(std::get<ReadError>(outcome).line, std::size_t(0));
+        }
+    }
+
+    void saysWhenThereIsNoMemory_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<std::size_t>("piece");
+        QTest::addColumn<int>("step");
+        QTest::newRow("one thread") << largeFile("t;P[1] (deg);P[2] (mm)\n", "\n").left(30'000).replace(',', ';') + '"'
+                                    << std::size_t{4'000} << 1;
+        QTest::newRow("several threads") << largeFile("time,theta3,R4_x\n", "\n") << std::size_t{600'000} << 7;
+    }
+
+    /// Whatever is the first thing that there is no memory for, in whatever thread.
+    void saysWhenThereIsNoMemory()
+    {
+        QFETCH(const QByteArray, bytes);
+        QFETCH(const std::size_t, piece);
+        QFETCH(const int, step);
+        const ByteSource source = sourceOf(bytes, piece);
+        const QString expected = told(readReferenceData(source));
+        int refused = 0;
+        for (int some = 0;; some += step) {
+            allocationsLeft = some;
+            const auto outcome = readReferenceData(source);
+            allocationsLeft = kPlenty;
+            const ReadError *error = std::get_if<ReadError>(&outcome);
+            if (!error || error->fault.kind != Kind::NoMemory) {
+                QCOMPARE(told(outcome), expected);
+                break;
+            }
+            ++refused;
+        }
+        QVERIFY2(refused > 20, qPrintable(QString::number(refused)));
     }
 
     void stopsWhenAsked()

@@ -237,7 +237,7 @@ private slots:
     void tellsHowFarALargeFileIsRead()
     {
         QByteArray bytes = "time,theta3,R4_x\n";
-        for (int row = 0; row < 200000; ++row) {
+        for (int row = 0; row < 1'000'000; ++row) {
             bytes += QByteArray::number(row) + ",20,75\n";
         }
         QTemporaryDir folder;
@@ -246,7 +246,7 @@ private slots:
         QSignalSpy parts(&session, &Session::readingProgressed);
         session.loadReference(writeFile(folder, QStringLiteral("large.csv"), bytes));
         QVERIFY(loaded.wait(kPatience));
-        QVERIFY(parts.count() > 10);
+        QVERIFY(parts.count() > 5);
         double before = 0.0;
         for (const QList<QVariant> &told : parts) {
             const double part = told.first().toDouble();

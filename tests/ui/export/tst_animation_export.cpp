@@ -4,6 +4,7 @@
 #include "tests/support/waiting.h"
 
 #include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QPainter>
 #include <QProcess>
@@ -34,6 +35,18 @@ Animation shortAnimation()
     return animation;
 }
 
+void putOlder(const QString &path)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("older") == 5);
+}
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
 /// Until it is finished: the problem told.
 QString run(AnimationExport &animation, const QString &path)
 {
@@ -54,6 +67,9 @@ class TstAnimationExport : public QObject
 private slots:
     void hasAFrameAtBothEnds();
     void writesNumberedFrames();
+    void takesThePlaceOfOlderFrames_data();
+    void takesThePlaceOfOlderFrames();
+    void bringsOlderFramesBackWhenItFails();
     void leavesNothingBehindWhenCancelled();
     void saysWhyItCannotWrite_data();
     void saysWhyItCannotWrite();
@@ -88,6 +104,75 @@ void TstAnimationExport::writesNumberedFrames()
     const QImage sixth(folder.filePath(QStringLiteral("motion_006.png")));
     QCOMPARE(sixth.size(), QSize(61, 41));
     QCOMPARE(sixth.pixelColor(30, 20).red(), 128); // half a second
+}
+
+void TstAnimationExport::takesThePlaceOfOlderFrames_data()
+{
+    QTest::addColumn<QStringList>("there");
+    QTest::addColumn<QStringList>("left"); // of these
+    const auto frames = [](int from, int to, int digits) {
+        QStringList names;
+        for (int frame = from; frame <= to; ++frame) {
+            names += QStringLiteral("motion_%1.png").arg(frame, digits, 10, QLatin1Char('0'));
+        }
+        return names;
+    };
+    QTest::newRow("as many") << frames(1, 11, 3) << QStringList();
+    QTest::newRow("more") << frames(1, 40, 3) << QStringList();
+    QTest::newRow("fewer") << frames(1, 2, 3) << QStringList();
+    QTest::newRow("so many that they have more digits") << frames(1, 1001, 4) << QStringList();
+    QTest::newRow("without the first") << frames(8, 11, 3) << QStringList();
+    const QStringList others{"motion.png", "motion_012.png", "motion_2024.png", "motion_a.png", "other_001.png"};
+    QTest::newRow("other things") << others << others;
+}
+
+void TstAnimationExport::takesThePlaceOfOlderFrames()
+{
+    QFETCH(const QStringList, there);
+    QFETCH(const QStringList, left);
+    const QTemporaryDir folder;
+    for (const QString &name : there) {
+        putOlder(folder.filePath(name));
+    }
+    const QString path = folder.filePath(QStringLiteral("motion.png"));
+    const QStringList older = AnimationExport::olderFrames(path, 11);
+    QCOMPARE(older.size() + left.size(), there.size());
+    AnimationExport animation(shortAnimation(), drawGrey);
+    QCOMPARE(run(animation, path), QString());
+    const QStringList names = AnimationExport::frameNames(path, 11);
+    QCOMPARE(names.last(), QStringLiteral("motion_011.png"));
+    QStringList expected = names + left;
+    expected.sort();
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name), expected);
+    for (const QString &name : names) {
+        QCOMPARE(QImage(folder.filePath(name)).size(), QSize(61, 41));
+    }
+    for (const QString &name : left) {
+        QCOMPARE(contentOf(folder.filePath(name)), QByteArray("older"));
+    }
+}
+
+void TstAnimationExport::bringsOlderFramesBackWhenItFails()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motion.png"));
+    AnimationExport animation(shortAnimation(), drawGrey);
+    for (const QString &name : AnimationExport::frameNames(path, 14)) {
+        putOlder(folder.filePath(name));
+    }
+    const QStringList before = QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name);
+    connect(&animation, &AnimationExport::progressed, this, [&folder](int done) {
+        const QStringList aside = QDir(folder.path()).entryList({QStringLiteral("frames-*")}, QDir::Dirs);
+        if (done == 11) { // where the last of the older ones would go, something is in the way
+            QVERIFY(QDir(folder.filePath(aside.value(0))).mkpath(QStringLiteral("older_motion_014.png/x")));
+        }
+    });
+    const QString problem = run(animation, path);
+    QVERIFY2(problem.contains(QStringLiteral("motion.png cannot be written")), qPrintable(problem));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name), before);
+    for (const QString &name : before) {
+        QCOMPARE(contentOf(folder.filePath(name)), QByteArray("older"));
+    }
 }
 
 void TstAnimationExport::leavesNothingBehindWhenCancelled()

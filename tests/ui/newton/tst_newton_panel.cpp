@@ -15,9 +15,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
 
@@ -114,11 +112,11 @@ private slots:
         panel.setSettings({0.5, 2.5, 400}, {Method::Newton, {25, 1e-10}});
         QCOMPARE(m_edits, 0);
         QCOMPARE(child<QComboBox>(panel, "methodBox")->currentText(), QString("Newton-Raphson"));
-        QCOMPARE(child<QSpinBox>(panel, "stepsBox")->value(), 400);
+        QCOMPARE(child<NumberBox>(panel, "stepsBox")->value(), 400.0);
         QCOMPARE(child<NumberBox>(panel, "durationBox")->value(), 2.5);
         QCOMPARE(child<NumberBox>(panel, "startBox")->value(), 0.5);
-        QCOMPARE(child<QLineEdit>(panel, "toleranceBox")->text(), QString("1e-10"));
-        QCOMPARE(child<QSpinBox>(panel, "iterationsBox")->value(), 25);
+        QCOMPARE(child<NumberBox>(panel, "toleranceBox")->text(), QString("1e-10"));
+        QCOMPARE(child<NumberBox>(panel, "iterationsBox")->value(), 25.0);
     }
 
     void eachControlChangesItsOwnSettingOnly()
@@ -129,7 +127,7 @@ private slots:
         panel.setSettings(sampling, solver);
         listenTo(panel);
 
-        type(child<QSpinBox>(panel, "stepsBox"), "500");
+        type(child<NumberBox>(panel, "stepsBox"), "500");
         QCOMPARE(m_edits, 1);
         QCOMPARE(m_sampling, (Sampling{0.5, 2.5, 500}));
         QCOMPARE(m_solver, solver);
@@ -138,11 +136,11 @@ private slots:
         type(child<NumberBox>(panel, "startBox"), "-1");
         QCOMPARE(m_sampling, (Sampling{-1.0, 3.25, 500}));
         QCOMPARE(m_solver, solver);
-        type(child<QLineEdit>(panel, "toleranceBox"), "3e-7");
+        type(child<NumberBox>(panel, "toleranceBox"), "3e-7");
         QCOMPARE(m_solver, (SolverSettings{Method::Newton, {25, 3e-7}}));
-        type(child<QLineEdit>(panel, "toleranceBox"), "0");
+        type(child<NumberBox>(panel, "toleranceBox"), "0");
         QCOMPARE(m_solver, (SolverSettings{Method::Newton, {25, 0.0}}));
-        type(child<QSpinBox>(panel, "iterationsBox"), "40");
+        type(child<NumberBox>(panel, "iterationsBox"), "40");
         QCOMPARE(m_solver, (SolverSettings{Method::Newton, {40, 0.0}}));
         QCOMPARE(m_sampling, (Sampling{-1.0, 3.25, 500}));
         QCOMPARE(m_edits, 6);
@@ -154,7 +152,7 @@ private slots:
         QCOMPARE(m_edits, 8);
         QCOMPARE(m_solver, (SolverSettings{Method::ClosedForm, {40, 0.0, ToleranceKind::Relative}}));
         QVERIFY(!child<QComboBox>(panel, "toleranceKindBox")->isEnabled());
-        QVERIFY(!child<QLineEdit>(panel, "toleranceBox")->isEnabled());
+        QVERIFY(!child<NumberBox>(panel, "toleranceBox")->isEnabled());
     }
 
     void whatCannotBeIsNotTakenOver()
@@ -162,15 +160,44 @@ private slots:
         NewtonPanel panel;
         panel.setSettings({}, {});
         listenTo(panel);
-        type(child<QLineEdit>(panel, "toleranceBox"), "small");
-        type(child<QLineEdit>(panel, "toleranceBox"), "-1e-8");
+        type(child<NumberBox>(panel, "toleranceBox"), "small");
+        type(child<NumberBox>(panel, "toleranceBox"), "-1e-8");
         type(child<NumberBox>(panel, "durationBox"), "0");
         type(child<NumberBox>(panel, "durationBox"), "-2");
         type(child<NumberBox>(panel, "startBox"), "1e13");
         QCOMPARE(m_edits, 0);
-        QCOMPARE(child<QLineEdit>(panel, "toleranceBox")->text(), QString("1e-8"));
+        QCOMPARE(child<NumberBox>(panel, "toleranceBox")->value(), 1e-8);
         QCOMPARE(child<NumberBox>(panel, "durationBox")->value(), 1.0);
         QCOMPARE(child<NumberBox>(panel, "startBox")->value(), 0.0);
+    }
+
+    void stepsBeyondTheLimitAreRefusedWithTheLimit_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::newRow("one too many") << "1000001";
+        QTest::newRow("in groups") << "1 000 001";
+        QTest::newRow("none") << "0";
+        QTest::newRow("not whole") << "12.5";
+    }
+
+    void stepsBeyondTheLimitAreRefusedWithTheLimit()
+    {
+        QFETCH(const QString, typed);
+        NewtonPanel panel;
+        panel.show();
+        panel.setSettings({}, {});
+        listenTo(panel);
+        auto *box = child<NumberBox>(panel, "stepsBox");
+        type(box, typed);
+        QCOMPARE(m_edits, 0);
+        QCOMPARE(box->text(), typed);
+        const auto *refusal = box->parentWidget()->findChild<QLabel *>("refusalLabel");
+        QVERIFY(refusal && refusal->isVisible());
+        QCOMPARE(refusal->text(), QString("This must be a whole number from 1 to 1000000."));
+        type(box, "1 000 000");
+        QCOMPARE(m_edits, 1);
+        QCOMPARE(m_sampling.steps, 1'000'000);
+        QVERIFY(!refusal->isVisible());
     }
 
     void listenersMayAnswerAtOnce()
@@ -183,7 +210,7 @@ private slots:
             panel.setSettings({}, solver);
             steps = sampling.steps;
         });
-        type(child<QSpinBox>(panel, "stepsBox"), "300");
+        type(child<NumberBox>(panel, "stepsBox"), "300");
         QCOMPARE(steps, 300);
     }
 

@@ -6,6 +6,7 @@
 #include "tests/support/waiting.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
@@ -34,7 +35,9 @@ void type(NumberBox *box, const QString &text)
 {
     box->setFocus();
     box->selectAll();
-    QTest::keyClicks(box, text);
+    for (const QChar sign : text) { // also those on no key
+        QTest::sendKeyEvent(QTest::Click, box, Qt::Key_unknown, QString(sign), Qt::NoModifier);
+    }
     QTest::keyClick(box, Qt::Key_Return);
 }
 
@@ -140,6 +143,9 @@ private slots:
         QTest::newRow("with its unit, no space") << "70.5mm" << 70.5;
         QTest::newRow("far beyond the slider") << "123456.5" << 123456.5;
         QTest::newRow("power of ten") << "1e-3" << 1e-3;
+        QTest::newRow("centimetres") << "2.5cm" << 25.0;
+        QTest::newRow("an inch") << "1 in" << 25.4;
+        QTest::newRow("groups of three") << "1 000" << 1000.0;
     }
     void takesTypedNumbers()
     {
@@ -156,27 +162,102 @@ private slots:
         QVERIFY(child<QSlider>(panel, "slider_b")->maximum() >= child<QSlider>(panel, "slider_b")->value());
     }
 
-    void keepsTheOldNumber_data()
+    void saysWhyNotAndKeepsTheText_data()
     {
         QTest::addColumn<QString>("typed");
-        QTest::newRow("nonsense") << "sixty";
-        QTest::newRow("nothing") << " ";
-        QTest::newRow("zero") << "0";
-        QTest::newRow("negative") << "-5";
-        QTest::newRow("infinite") << "inf";
-        QTest::newRow("not a number") << "nan";
-        QTest::newRow("too large") << "1e13";
+        QTest::addColumn<QString>("says");
+        QTest::newRow("nonsense") << "sixty"
+                                  << "“sixty” is not a number.";
+        QTest::newRow("a quotient") << "20/3"
+                                    << "“20/3” is not a number.";
+        QTest::newRow("a comma") << "30,5"
+                                 << "The decimal sign here is “.”: 30.5.";
+        QTest::newRow("another unit") << "30 s"
+                                      << "“30 s”: the units here are mm, cm, m, in.";
+        QTest::newRow("zero") << "0"
+                              << "This must be greater than 0 mm.";
+        QTest::newRow("negative") << "-5"
+                                  << "This must be greater than 0 mm.";
+        QTest::newRow("infinite") << "inf"
+                                  << "“inf” is not a number.";
+        QTest::newRow("not a number") << "nan"
+                                      << "“nan” is not a number.";
+        QTest::newRow("too large") << "1e13"
+                                   << "This must be at most 1e12 mm.";
     }
-    void keepsTheOldNumber()
+    void saysWhyNotAndKeepsTheText()
     {
         QFETCH(QString, typed);
+        QFETCH(QString, says);
         ParameterPanel panel;
         panel.setParameters(m_given);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
         listenTo(panel);
         auto *box = child<NumberBox>(panel, "box_b");
         type(box, typed);
         QCOMPARE(m_edits, 0);
+        QCOMPARE(textOf(box), typed);
+        const auto *refusal = child<QLabel>(panel, "refusalLabel");
+        QVERIFY(refusal->isVisible());
+        QCOMPARE(refusal->text(), says);
+        QCOMPARE(box->accessibleDescription(), says);
+        QVERIFY(panel.rect().contains(refusal->geometry()) && !refusal->geometry().intersects(box->geometry()));
+        QVERIFY(refusal->heightForWidth(refusal->width()) <= refusal->height());
+
+        child<NumberBox>(panel, "box_a")->setFocus(); // it stays when the box is left, and when something else changes
+        Parameters other = m_given;
+        other.a = 30.0;
+        panel.setParameters(other);
+        QCOMPARE(textOf(box), typed);
+        QVERIFY(refusal->isVisible());
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Escape);
         QCOMPARE(textOf(box), QString("66 mm"));
+        QVERIFY(!refusal->isVisible());
+        QCOMPARE(box->accessibleDescription(), QString());
+        QCOMPARE(m_edits, 0);
+    }
+
+    void nothingTypedIsNothingAsked()
+    {
+        ParameterPanel panel;
+        panel.setParameters(m_given);
+        listenTo(panel);
+        auto *box = child<NumberBox>(panel, "box_b");
+        type(box, " ");
+        QCOMPARE(m_edits, 0);
+        QCOMPARE(textOf(box), QString("66 mm"));
+    }
+
+    void aRightNumberTakesTheRefusalBack()
+    {
+        ParameterPanel panel;
+        panel.setParameters(m_given);
+        panel.show();
+        listenTo(panel);
+        auto *box = child<NumberBox>(panel, "box_b");
+        type(box, "20/3");
+        const auto *refusal = child<QLabel>(panel, "refusalLabel");
+        QVERIFY(refusal->isVisible());
+        type(box, "6.5 cm");
+        QVERIFY(!refusal->isVisible());
+        QCOMPARE(m_received.b, 65.0);
+        QCOMPARE(textOf(box), QString("65 mm"));
+    }
+
+    void aNumberFromElsewhereTakesTheRefusalBack()
+    {
+        ParameterPanel panel;
+        panel.setParameters(m_given);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto *box = child<NumberBox>(panel, "box_b");
+        type(box, "20/3");
+        child<NumberBox>(panel, "box_a")->setFocus();
+        child<QSlider>(panel, "slider_b")->setValue(70);
+        QCOMPARE(textOf(box), QString("70 mm"));
+        QVERIFY(!child<QLabel>(panel, "refusalLabel")->isVisible());
     }
 
     void typingCountsWhenTheBoxIsLeft()
@@ -305,6 +386,81 @@ private slots:
         QCOMPARE(textOf(box), QString("1.5708"));
         type(box, "0.25");
         QCOMPARE(m_received.theta20, 0.25);
+    }
+
+    void takesSpeedsAndAnglesInAnyUnit_data()
+    {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<int>("shown"); // unit
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<double>("value"); // rad/s, rad
+        const double pi = std::numbers::pi;
+        QTest::newRow("rpm among rad/s") << "omega2" << 0 << "60 rpm" << 2.0 * pi;
+        QTest::newRow("deg/s among rad/s") << "omega2" << 0 << "360deg/s" << 2.0 * pi;
+        QTest::newRow("rad/s among rpm") << "omega2" << 2 << "4 rad/s" << 4.0;
+        QTest::newRow("backwards, with a minus sign") << "omega2" << 2 << "−90 °/s" << -pi / 2.0;
+        QTest::newRow("degrees as displayed") << "theta20" << 0 << "30°" << pi / 6.0;
+        QTest::newRow("degrees among radians") << "theta20" << 1 << "30 deg" << pi / 6.0;
+        QTest::newRow("radians among degrees") << "theta20" << 0 << "0.25rad" << 0.25;
+    }
+    void takesSpeedsAndAnglesInAnyUnit()
+    {
+        QFETCH(const QString, key);
+        QFETCH(const int, shown);
+        QFETCH(const QString, typed);
+        QFETCH(const double, value);
+        ParameterPanel panel;
+        panel.setParameters(m_given);
+        child<QComboBox>(panel, "unit_" + key)->setCurrentIndex(shown);
+        listenTo(panel);
+        type(child<NumberBox>(panel, "box_" + key), typed);
+        QCOMPARE(m_edits, 1);
+        const double received = key == "omega2" ? m_received.omega2 : m_received.theta20;
+        QVERIFY2(std::abs(received - value) <= 1e-15 * std::abs(value), qPrintable(QString::number(received, 'g', 17)));
+    }
+
+    void anAngleReadsAsItWasTypedAlsoWhileEdited()
+    {
+        for (const int degrees : {370, 10, 30, 100, 123, -725}) {
+            ParameterPanel panel;
+            panel.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&panel));
+            panel.activateWindow();
+            listenTo(panel);
+            auto *box = child<NumberBox>(panel, "box_theta20");
+            type(box, QString::number(degrees));
+            panel.setParameters(m_received);
+            QCOMPARE(textOf(box), QString::number(degrees));
+            AWAIT(box->hasFocus());
+            child<NumberBox>(panel, "box_a")->setFocus();
+            QCOMPARE(textOf(box), QString::number(degrees));
+            box->setFocus();
+            QCOMPARE(textOf(box), QString::number(degrees));
+        }
+    }
+
+    void aLongNumberShowsItsFirstDigits()
+    {
+        Parameters exact;
+        exact.b = 60.12345678901234;
+        ParameterPanel panel;
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        panel.activateWindow();
+        panel.setParameters(exact);
+        auto *box = child<NumberBox>(panel, "box_b");
+        const auto *edit = box->findChild<QLineEdit *>();
+        for (const Qt::FocusReason reason : {Qt::TabFocusReason, Qt::OtherFocusReason}) {
+            box->setFocus(reason);
+            AWAIT(box->hasFocus());
+            QCOMPARE(edit->text(), QString("60.12345678901234 mm"));
+            QVERIFY(edit->fontMetrics().horizontalAdvance(edit->text()) > edit->width());
+            QCOMPARE(edit->cursorPosition(), 0);
+            QTest::keyClick(box, Qt::Key_Return);
+            QCOMPARE(edit->cursorPosition(), 0);
+            child<NumberBox>(panel, "box_a")->setFocus();
+            QCOMPARE(edit->cursorPosition(), 0);
+        }
     }
 
     void theBranchIsChosen()

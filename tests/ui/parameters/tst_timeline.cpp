@@ -192,6 +192,33 @@ private slots:
         QVERIFY(std::abs(bench.requested.back() - 0.05) < 1e-9);
     }
 
+    void goesWhereItsLineIsClicked_data()
+    {
+        QTest::addColumn<int>("steps");
+        QTest::newRow("many steps") << 200;
+        QTest::newRow("few steps") << 3;
+    }
+    void goesWhereItsLineIsClicked()
+    {
+        QFETCH(const int, steps);
+        Bench bench({}, {0.0, 1.0, steps});
+        bench.timeline.resize(430, bench.timeline.sizeHint().height());
+        bench.timeline.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.timeline));
+        auto *slider = child<QSlider>(bench.timeline, "timeSlider");
+        const int middle = slider->height() / 2;
+        const double handle = 13.0 / slider->width(); // of its way, s
+        const auto isAt = [&](double part) { return std::abs(bench.session.time() - part) < handle + 0.5 / steps; };
+        QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, {slider->width() * 7 / 10, middle});
+        QVERIFY2(isAt(0.7), qPrintable(QString::number(bench.session.time())));
+        QTest::mouseMove(slider, {slider->width() * 2 / 10, middle}); // and is dragged on
+        QVERIFY2(isAt(0.2), qPrintable(QString::number(bench.session.time())));
+        QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, {slider->width() * 2 / 10, middle});
+        QVERIFY(isAt(0.2));
+        QTest::mouseClick(slider, Qt::LeftButton, Qt::NoModifier, {slider->width() - 2, middle});
+        QCOMPARE(bench.session.time(), 1.0);
+    }
+
     void goesOnFromWhereSomebodyScrubbed()
     {
         Bench bench({}, {0.0, 100.0, 200});
@@ -332,29 +359,6 @@ private slots:
         QCOMPARE(box->currentText(), QString("10×"));
         QCOMPARE(box->itemText(0), QString("0.1×"));
         QCOMPARE(box->itemText(box->count() - 1), QString("10×"));
-    }
-
-    void aFocusedButtonLeavesSpaceToTheWindow()
-    {
-        class Window : public QWidget
-        {
-        public:
-            int spaces = 0;
-
-        protected:
-            void keyPressEvent(QKeyEvent *event) override { spaces += event->key() == Qt::Key_Space ? 1 : 0; }
-        };
-        Window window;
-        auto *timeline = new Timeline(&window);
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        auto *loop = child<QToolButton>(*timeline, "loopButton");
-        loop->setFocus();
-        QTest::keyClick(loop, Qt::Key_Space);
-        QCOMPARE(window.spaces, 1);
-        QVERIFY(loop->isChecked());
-        QTest::keyClick(loop, Qt::Key_Return);
-        QVERIFY(!loop->isChecked());
     }
 
     void aRunningInstantLeavesAloneWhatSomebodyTypes()

@@ -99,6 +99,27 @@ private:
     std::unique_ptr<MainWindow> m_window;
     QStringList m_faults;
 
+    /// A number is told as one: how large it is, and how small and large it may become.
+    void judgeNumber(QWidget *box)
+    {
+        QAccessibleInterface *told = QAccessible::queryAccessibleInterface(box);
+        QAccessibleValueInterface *number = told->valueInterface();
+        if (!number) {
+            m_faults << QStringLiteral("%1 is no number").arg(described(box));
+            return;
+        }
+        bool areNumbers[3] = {};
+        const double current = number->currentValue().toDouble(&areNumbers[0]);
+        const double smallest = number->minimumValue().toDouble(&areNumbers[1]);
+        const double largest = number->maximumValue().toDouble(&areNumbers[2]);
+        if (!areNumbers[0] || !areNumbers[1] || !areNumbers[2] ||
+            !(smallest < largest && smallest <= current && current <= largest)) {
+            m_faults << QStringLiteral("%1 is %2, from %3 to %4")
+                            .arg(described(box), number->currentValue().toString(), number->minimumValue().toString(),
+                                 number->maximumValue().toString());
+        }
+    }
+
     void judge(QWidget *window)
     {
         QHash<std::pair<const QWidget *, QString>, const QWidget *> names;
@@ -122,6 +143,9 @@ private:
                 const QString value = accessible(widget, QAccessible::Value);
                 if (value.isEmpty()) {
                     m_faults << QStringLiteral("%1 \"%2\" has no value").arg(described(widget), name);
+                }
+                if (qobject_cast<QAbstractSpinBox *>(widget)) {
+                    judgeNumber(widget);
                 }
                 if (qobject_cast<QSlider *>(widget) && value[value.size() - 1].isDigit()) {
                     m_faults << QStringLiteral("%1 \"%2\" has no unit: %3").arg(described(widget), name, value);
@@ -249,6 +273,19 @@ private slots:
         QCOMPARE(dialogs, 5);
         m_faults.removeDuplicates();
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+    }
+
+    void aNumberSetFromOutsideIsAnEdit()
+    {
+        auto *box = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("box_b"));
+        QAccessibleValueInterface *number = QAccessible::queryAccessibleInterface(box)->valueInterface();
+        QVERIFY(number);
+        QCOMPARE(number->currentValue().toDouble(), 65.0);
+        number->setCurrentValue(70.0);
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+        number->setCurrentValue(-1.0);
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+        QVERIFY(accessible(box, QAccessible::Description).contains(QStringLiteral("greater than 0")));
     }
 
     void theTabKeyReachesEveryControlAndTheFocusIsSeen_data() { everyControlHasANameOfItsOwnAndAValue_data(); }

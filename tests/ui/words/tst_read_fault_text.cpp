@@ -66,7 +66,10 @@ const std::vector<Said> &allFaults()
         {{Kind::NoValues}, "no column beside the time holds a number."},
         {{Kind::TimeNotRising},
          "the time does not increase from the row before: sort the rows by time and keep one of each instant."},
+        {{Kind::LineTooLong}, "the line has more than a million characters: export the table as CSV, a row a line."},
         {{Kind::Stopped}, "Reading was stopped."},
+        {{Kind::Unreadable}, "The file became shorter while it was read: open it again."},
+        {{Kind::NoMemory}, "There is not enough memory for a file of that size: leave out rows or columns."},
     };
     return all;
 }
@@ -128,7 +131,7 @@ private slots:
         setLanguage(Language::English);
         // None was forgotten above: the enumerators end with these.
         QCOMPARE(kRows.size(), static_cast<std::size_t>(RowFault::NotListed) + 1);
-        for (int kind = 0; kind <= static_cast<int>(Kind::Stopped); ++kind) {
+        for (int kind = 0; kind <= static_cast<int>(Kind::NoMemory); ++kind) {
             const bool said = std::any_of(allFaults().begin(), allFaults().end(), [kind](const Said &each) {
                 return each.fault.kind == static_cast<Kind>(kind);
             });

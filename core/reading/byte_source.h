@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Where a file's bytes come from.
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+namespace slidercrank
+{
+
+/// Bytes that are asked for in pieces, by several threads at once.
+struct ByteSource {
+    std::size_t size = 0;
+
+    /// Fills `room` from that offset on; false where there is not so much, or it cannot be had.
+    std::function<bool(std::size_t offset, std::span<char> room)> read;
+
+    /// How many a thread takes at a time: any number gives the same. These stay in the processor's cache.
+    std::size_t piece = std::size_t{1} << 18U;
+};
+
+} // namespace slidercrank

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/quantity.h"
+
+#include "core/reading/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::string_view kMinus = "\u2212";
+constexpr std::array<std::string_view, 4> kSpaces{" ", "\u00A0", "\u2009", "\u202F"}; // also between groups of three
+
+bool isDecimal(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+std::size_t digitsAt(std::string_view text, std::size_t at)
+{
+    const auto first = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
+    return static_cast<std::size_t>(std::find_if_not(first, text.end(), isDecimal) - first);
+}
+
+std::size_t spaceAt(std::string_view text, std::size_t at)
+{
+    const auto found = std::ranges::find_if(
+        kSpaces, [&](std::string_view space) { return text.substr(std::min(at, text.size())).starts_with(space); });
+    return found == kSpaces.end() ? 0 : found->size();
+}
+
+/// With "-" for a minus sign, and without what stands between groups of three digits.
+std::string withPlainSigns(std::string_view text)
+{
+    std::string plain;
+    while (!text.empty()) {
+        const bool minus = text.starts_with(kMinus);
+        plain += minus ? '-' : text.front();
+        text.remove_prefix(minus ? kMinus.size() : 1);
+    }
+    std::size_t at = plain.starts_with('-') || plain.starts_with('+') ? 1 : 0;
+    const std::size_t first = digitsAt(plain, at);
+    at += first;
+    while (first >= 1 && first <= 3) {
+        const std::size_t space = spaceAt(plain, at);
+        if (space == 0 || digitsAt(plain, at + space) != 3) {
+            break;
+        }
+        plain.erase(at, space);
+        at += 3;
+    }
+    return plain;
+}
+
+/// How much of the text is a number, by its signs: "-2.5e-3" of "-2.5e-3 m".
+std::size_t numberLength(std::string_view text)
+{
+    std::size_t at = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+    const std::size_t whole = digitsAt(text, at);
+    at += whole;
+    std::size_t decimals = 0;
+    if (at < text.size() && text[at] == '.') {
+        decimals = digitsAt(text, at + 1);
+        at += 1 + decimals;
+    }
+    if (whole + decimals == 0) {
+        return 0;
+    }
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        std::size_t exponent = at + 1;
+        exponent += exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+') ? 1 : 0;
+        if (const std::size_t digits = digitsAt(text, exponent); digits > 0) {
+            at = exponent + digits;
+        }
+    }
+    return at;
+}
+
+/// Without the tail that 4.35 · 100 has: what was written has no more digits than these.
+double withoutTail(double value)
+{
+    constexpr int kDigits = 15;
+    std::array<char, 32> text{};
+    const auto written =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
+    std::from_chars(text.data(), written.ptr, value);
+    return value;
+}
+
+/// How much half a turn is: divided by that first, 360°/s, 60 rpm and 90° become exactly the double nearest to 2π, 2π
+/// and π/2.
+double halfTurnIn(const Unit &unit)
+{
+    return unit.factor == kDegreesPerRadian ? std::numbers::pi : 180.0 / unit.factor;
+}
+
+double converted(double value, const Unit &from, const Unit &to)
+{
+    if (from.factor == to.factor) {
+        return value;
+    }
+    switch (from.dimension) {
+    case Dimension::Angle: return value / halfTurnIn(from) * halfTurnIn(to);
+    case Dimension::Length: return withoutTail(value * from.factor / to.factor);
+    case Dimension::Time: return withoutTail(value / from.factor * to.factor);
+    }
+    return value;
+}
+
+} // namespace
+
+Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
+{
+    const auto refused = [](QuantityFault fault) { return Quantity{.fault = fault}; };
+    const std::string plain = withPlainSigns(text);
+    const std::size_t length = numberLength(plain);
+    const CellNumber number = readNumber(std::string_view(plain).substr(0, length), DecimalSign::Point);
+    if (length == 0 || number.fault) {
+        return refused(length > 0 && *number.fault == RowFault::TooLarge ? QuantityFault::TooLarge
+                                                                         : QuantityFault::NotANumber);
+    }
+    std::string_view rest = std::string_view(plain).substr(length);
+    if (rest.starts_with(',') && digitsAt(rest, 1) > 0) {
+        return refused(QuantityFault::CommaForPoint);
+    }
+    while (const std::size_t space = spaceAt(rest, 0)) {
+        rest.remove_prefix(space);
+    }
+    if (rest.empty()) {
+        return {number.value, {}};
+    }
+    if (rest.find_first_of("0123456789+-*/.,") == 0) {
+        return refused(QuantityFault::NotANumber); // more than one, or a sum
+    }
+    const std::optional<Unit> unit = unitOf(rest);
+    if (!unit) {
+        return refused(QuantityFault::UnknownUnit);
+    }
+    if (!wanted || unit->dimension != wanted->dimension || unit->order != wanted->order) {
+        return refused(QuantityFault::WrongUnit);
+    }
+    return {converted(number.value, *unit, *wanted), {}};
+}
+
+} // namespace slidercrank

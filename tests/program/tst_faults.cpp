@@ -1,0 +1,597 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is written while things go wrong: each call by which a file is changed fails once, the disk is too small, the
+// program is killed. Then what was there before is there, or all that is new is; whoever wrote it knows which; and
+// nothing else lies about.
+
+#include "tests/support/failing_calls.h"
+#include "tests/support/long_tests.h"
+#include "tests/support/study_of_a_turn.h"
+#include "tests/support/waiting.h"
+#include "ui/controls/message_bar.h"
+#include "ui/document/scene.h"
+#include "ui/study/study_panel.h"
+#include "ui/window/exports.h"
+#include "ui/window/main_window.h"
+#include "ui/window/scene_file.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDir>
+#include <QDirIterator>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QImage>
+#include <QJsonDocument>
+#include <QMessageBox>
+#include <QProcess>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+
+#include <csignal>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+
+#include <sys/resource.h>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+const QByteArray kOlder = "what was there before\n";
+
+/// A way to write a file.
+struct Save {
+    const char *name;
+    QString file;
+    int frames = 0;             ///< numbered, in place of the file; two more lie there before
+    QStringList arguments = {}; ///< of the program, --output to come
+    std::function<void(const QString &path)> inWindow = {}; ///< told in the message bar
+
+    QStringList files(bool isOlder) const
+    {
+        QStringList names;
+        for (int frame = 1; frame <= frames + (isOlder && frames > 0 ? 2 : 0); ++frame) {
+            names += QStringLiteral("%1_%2.png").arg(QFileInfo(file).baseName()).arg(frame, 3, 10, QLatin1Char('0'));
+        }
+        return frames > 0 ? names : QStringList(file);
+    }
+};
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Nothing of it is missing, by what its format says about itself. `lines`: how many there should be of a table.
+bool isWhole(const QString &path, qsizetype lines)
+{
+    const QByteArray bytes = contentOf(path);
+    const QString suffix = QFileInfo(path).suffix();
+    if (suffix == QLatin1String("png")) {
+        return bytes.endsWith(QByteArray::fromHex("49454e44ae426082")) && !QImage::fromData(bytes).isNull();
+    }
+    if (suffix == QLatin1String("svg")) {
+        return bytes.trimmed().endsWith("</svg>");
+    }
+    if (suffix == QLatin1String("pdf")) {
+        const qsizetype reference = bytes.lastIndexOf("startxref\n");
+        const qsizetype table = bytes.mid(reference + 10).split('\n').first().toLongLong();
+        return bytes.startsWith("%PDF") && reference > 0 && bytes.mid(table, 4) == "xref" &&
+               bytes.trimmed().endsWith("%%EOF");
+    }
+    if (suffix == QLatin1String("json")) {
+        return QJsonDocument::fromJson(bytes).isObject();
+    }
+    return bytes.endsWith('\n') && bytes.count('\n') == lines;
+}
+
+struct Outcome {
+    bool isWritten = false; ///< so it says; else that it is not
+    QString fault;          ///< it says neither
+};
+
+/// Ignoring the signal, as a disk that is full sends none.
+class SmallDisk
+{
+public:
+    explicit SmallDisk(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit small{bytes, m_before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallDisk() { setrlimit(RLIMIT_FSIZE, &m_before); }
+    Q_DISABLE_COPY_MOVE(SmallDisk)
+
+private:
+    rlimit m_before{};
+};
+
+QProcessEnvironment environment(const QString &folder = {}, int call = 0, const QString &end = {})
+{
+    QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    if (call > 0) {
+        all.insert(QStringLiteral("LD_PRELOAD"), QStringLiteral(SLIDERCRANK_FAILING_CALLS));
+        all.insert(QLatin1String(kFailingFolder), folder);
+        all.insert(QLatin1String(kFailingCall), QString::number(call));
+        all.insert(QLatin1String(kFailingEnd), end);
+        const QString options = all.value(QStringLiteral("ASAN_OPTIONS"));
+        all.insert(QStringLiteral("ASAN_OPTIONS"), options + QStringLiteral(":verify_asan_link_order=0"));
+    }
+    return all;
+}
+
+/// `disk`: bytes that a file may have.
+Outcome run(const QStringList &arguments, const QProcessEnvironment &environment, std::optional<rlim_t> disk = {})
+{
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    if (disk) {
+        program.setChildProcessModifier([bytes = *disk] {
+            std::signal(SIGXFSZ, SIG_IGN);
+            const rlimit small{bytes, bytes};
+            setrlimit(RLIMIT_FSIZE, &small);
+        });
+    }
+    program.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+    program.waitForFinished(kPatience);
+    const QByteArray said = program.readAllStandardError();
+    const bool isNormal = program.exitStatus() == QProcess::NormalExit;
+    if (isNormal && program.exitCode() == 0 && said.isEmpty()) {
+        return {true, {}};
+    }
+    const bool isReason = said.count('\n') == 1 && said.endsWith('\n') && !said.contains("Unknown error");
+    if (isNormal && program.exitCode() == 3 && isReason) {
+        return {false, {}};
+    }
+    return {false, QStringLiteral("exit %1, %2").arg(program.exitCode()).arg(QString::fromLocal8Bit(said))};
+}
+
+QStringList namesIn(const QString &folder)
+{
+    return QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden | QDir::System, QDir::Name);
+}
+
+/// A folder with what was there before.
+class Place
+{
+public:
+    explicit Place(const Save &save)
+        : m_save(save)
+    {
+        for (const QString &name : save.files(true)) {
+            QFile file(m_folder.filePath(name));
+            if (!file.open(QIODevice::WriteOnly) || file.write(kOlder) != kOlder.size()) {
+                qFatal("A test has no room for what is there before");
+            }
+        }
+    }
+
+    QString folder() const { return m_folder.path(); }
+    QString path() const { return m_folder.filePath(m_save.file); }
+    qint64 size() const { return QFileInfo(m_folder.filePath(m_save.files(false).first())).size(); }
+    qsizetype lines() const { return contentOf(path()).count('\n'); }
+
+    /// Empty where all is as it was said to be.
+    QString fault(const Outcome &outcome, qsizetype lines) const
+    {
+        if (!outcome.fault.isEmpty()) {
+            return outcome.fault;
+        }
+        const QString said = outcome.isWritten ? QStringLiteral("done; ") : QStringLiteral("an error; ");
+        const QStringList names = namesIn(folder());
+        if (names != m_save.files(!outcome.isWritten)) {
+            return said + QStringLiteral("there are ") + names.join(u' ');
+        }
+        for (const QString &name : names) {
+            const QString file = m_folder.filePath(name);
+            if (outcome.isWritten ? !isWhole(file, lines) : contentOf(file) != kOlder) {
+                return said + QStringLiteral("%1 has %2 bytes").arg(name).arg(QFileInfo(file).size());
+            }
+        }
+        return {};
+    }
+
+    /// The same of one that could say nothing any more. What it was about to put there may lie beside; so may, of
+    /// frames, the older ones: they are never gone before the new ones are there, and never among them.
+    QString faultAfterKill(qsizetype lines) const
+    {
+        std::set<bool> isOlder;
+        int count = 0;
+        for (const QString &name : m_save.files(true)) {
+            const QString file = m_folder.filePath(name);
+            if (QFile::exists(file)) {
+                isOlder.insert(contentOf(file) == kOlder);
+                ++count;
+                if (contentOf(file) != kOlder && !isWhole(file, lines)) {
+                    return QStringLiteral("%1 has %2 bytes").arg(name).arg(QFileInfo(file).size());
+                }
+            }
+        }
+        if (isOlder.size() > 1) {
+            return QStringLiteral("older ones and new ones");
+        }
+        const bool isNew = isOlder.contains(false) && count == m_save.files(false).size();
+        int older = 0;
+        QDirIterator walk(folder(), QDir::Files, QDirIterator::Subdirectories);
+        while (walk.hasNext()) {
+            older += contentOf(walk.next()) == kOlder ? 1 : 0;
+        }
+        return isNew || older == m_save.files(true).size() ? QString()
+                                                           : QStringLiteral("neither the older nor the new");
+    }
+
+private:
+    const Save &m_save;
+    QTemporaryDir m_folder;
+};
+
+/// Full after nothing, at the ends of buffers, almost at the end.
+std::set<rlim_t> disksFor(qint64 size)
+{
+    std::set<rlim_t> disks;
+    for (const qint64 bytes : {qint64(0), qint64(1), qint64(4096), qint64(16384), size / 2, size - 1}) {
+        if (bytes < size) {
+            disks.insert(static_cast<rlim_t>(bytes));
+        }
+    }
+    return disks;
+}
+
+QList<Save> commands()
+{
+    const QStringList frames{"render", "--what", "frames", "--duration", "0.03", "--size", "200x200"};
+    return {{"solve to CSV", "x.csv", 0, {"solve"}},
+            {"solve to JSON", "x.json", 0, {"solve", "--format", "json"}},
+            {"compare", "x.csv", 0, {"compare", kSample, "--format", "csv"}},
+            {"identify", "x.json", 0, {"identify", kSample, "--format", "json"}},
+            {"study", "x.json", 0, {"study", "--format", "json"}},
+            {"render PNG", "x.png", 0, {"render"}},
+            {"render SVG", "x.svg", 0, {"render", "--what", "mechanism"}},
+            {"render PDF", "x.pdf", 0, {"render"}},
+            {"render a report", "x.pdf", 0, {"render", "--what", "report"}},
+            {"render frames", "x.png", 2, frames}};
+}
+
+/// Until it is killed.
+int saveScenes(const QString &path)
+{
+    for (int i = 0;; ++i) {
+        Scene scene;
+        scene.parameters.b = i % 2 == 0 ? 50.0 : 60.0;
+        writeScene(scene, path);
+    }
+}
+
+} // namespace
+
+class TstFaults : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void cleanupTestCase();
+    void cleanup();
+
+    void aCallOfACommandFails_data() { nameCommands(); }
+    void aCallOfACommandFails();
+    void aCommandHasLittleRoom_data() { nameCommands(); }
+    void aCommandHasLittleRoom();
+    void aCommandIsKilledAtACall_data() { nameCommands({"solve to CSV", "render frames"}); }
+    void aCommandIsKilledAtACall();
+    void standardOutputHasNoRoom();
+    void aCallOfTheWindowFails_data() { nameSaves(); }
+    void aCallOfTheWindowFails();
+    void theWindowHasLittleRoom_data() { nameSaves(); }
+    void theWindowHasLittleRoom();
+    void isKilledAtAnyInstant();
+
+private:
+    void nameCommands(const QByteArrayList &usually = {}) const;
+    void nameSaves();
+    QList<Save> savesOfTheWindow();
+    Outcome saveInWindow(const Save &save, const QString &path);
+    void judge(const QString &what, const QString &fault);
+
+    QTemporaryDir m_settings;
+    QTemporaryDir m_marks;
+    std::unique_ptr<MainWindow> m_window;
+    StudyPanel *m_study = nullptr;
+    int m_tried = 0;
+    int m_wrong = 0;
+    QStringList m_faults; ///< of this test
+};
+
+void TstFaults::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+    m_window = std::make_unique<MainWindow>();
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+}
+
+void TstFaults::cleanupTestCase()
+{
+    m_window.reset();
+    qInfo("%d faults tried, %d gone wrong", m_tried, m_wrong);
+}
+
+void TstFaults::cleanup()
+{
+    m_faults.clear();
+}
+
+void TstFaults::judge(const QString &what, const QString &fault)
+{
+    ++m_tried;
+    if (!fault.isEmpty()) {
+        ++m_wrong;
+        m_faults += what + QStringLiteral(": ") + fault;
+    }
+}
+
+/// `usually`: without the others, which do the same.
+void TstFaults::nameCommands(const QByteArrayList &usually) const
+{
+    QTest::addColumn<int>("index");
+    int index = 0;
+    for (const Save &save : commands()) {
+        if (usually.isEmpty() || usually.contains(save.name) || runs(0, 1) == 1) {
+            QTest::newRow(save.name) << index;
+        }
+        ++index;
+    }
+}
+
+void TstFaults::aCallOfACommandFails()
+{
+    QFETCH(const int, index);
+    const Save save = commands()[index];
+    const QString mark = m_marks.filePath(QStringLiteral("failed"));
+    qsizetype lines = 0;
+    for (int call = 0;; ++call) {
+        const Place place(save);
+        QFile::remove(mark);
+        const Outcome outcome = run(save.arguments + QStringList{QStringLiteral("--output"), place.path()},
+                                    environment(place.folder(), call, mark));
+        if (call == 0) { // none fails
+            lines = place.lines();
+        } else if (!QFile::exists(mark)) { // there are fewer
+            QVERIFY2(call > 3, "Nothing fails: the library with the calls that do is not loaded");
+            QCOMPARE(place.fault(outcome, lines), QString());
+            QVERIFY(outcome.isWritten);
+            break;
+        } else {
+            judge(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
+        }
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+void TstFaults::aCommandHasLittleRoom()
+{
+    QFETCH(const int, index);
+    const Save save = commands()[index];
+    const Place whole(save);
+    QVERIFY(run(save.arguments + QStringList{QStringLiteral("--output"), whole.path()}, environment()).isWritten);
+    for (const rlim_t disk : disksFor(whole.size())) {
+        const Place place(save);
+        const Outcome outcome =
+            run(save.arguments + QStringList{QStringLiteral("--output"), place.path()}, environment(), disk);
+        judge(QStringLiteral("%1 bytes").arg(disk), place.fault(outcome, whole.lines()));
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+void TstFaults::aCommandIsKilledAtACall()
+{
+    QFETCH(const int, index);
+    const Save save = commands()[index];
+    qsizetype lines = 0;
+    for (int call = 0;; ++call) {
+        const Place place(save);
+        const Outcome outcome = run(save.arguments + QStringList{QStringLiteral("--output"), place.path()},
+                                    environment(place.folder(), call, QStringLiteral("kill")));
+        if (call == 0) {
+            lines = place.lines();
+        } else if (outcome.isWritten) {
+            QVERIFY(call > 3);
+            break;
+        } else {
+            judge(QStringLiteral("call %1").arg(call), place.faultAfterKill(lines));
+        }
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+void TstFaults::standardOutputHasNoRoom()
+{
+    for (const char *line : {"solve", "solve --format json", "study", "--help", "--version"}) {
+        QProcess program;
+        program.setStandardOutputFile(QStringLiteral("/dev/full"));
+        program.start(QStringLiteral(SLIDERCRANK_PROGRAM), QProcess::splitCommand(QString::fromLatin1(line)));
+        QVERIFY(program.waitForFinished(kPatience));
+        const QByteArray said = program.readAllStandardError();
+        const bool isTold = program.exitCode() == 3 && said.count('\n') == 1 && said.contains("No space left");
+        judge(QLatin1String(line), isTold ? QString() : QString::fromLocal8Bit(said));
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+QList<Save> TstFaults::savesOfTheWindow()
+{
+    Exports &exports = m_window->exports();
+    MessageBar *bar = m_window->findChild<MessageBar *>();
+    const auto picture = [&exports](Exports::Picture (Exports::*which)() const) {
+        return [&exports, which](const QString &path) { exports.write((exports.*which)(), path); };
+    };
+    const auto plot = [&exports](const QString &path) {
+        exports.write(exports.plot(QStringLiteral("plot_theta3")), path);
+    };
+    const auto study = [this, bar](std::optional<QString> (StudyPanel::*write)(const QString &) const) {
+        return [this, bar, write](const QString &path) {
+            const std::optional<QString> problem = (m_study->*write)(path);
+            bar->showMessage(MessageBar::Kind::Hint, problem.value_or(QStringLiteral("Written: ")));
+        };
+    };
+    const auto frames = [this, &exports](const QString &path) {
+        exports.writeAnimation(path);
+        if (const auto *question = m_window->findChild<QMessageBox *>()) {
+            for (QAbstractButton *button : question->buttons()) {
+                if (question->buttonRole(button) == QMessageBox::AcceptRole) {
+                    button->click();
+                }
+            }
+        }
+    };
+    return {{"scene", "x.json", 0, {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
+            {"figure as PNG", "x.png", 0, {}, picture(&Exports::figure)},
+            {"figure as SVG", "x.svg", 0, {}, picture(&Exports::figure)},
+            {"figure as PDF", "x.pdf", 0, {}, picture(&Exports::figure)},
+            {"mechanism", "x.pdf", 0, {}, picture(&Exports::mechanism)},
+            {"plot", "x.png", 0, {}, plot},
+            {"report", "x.pdf", 0, {}, [&exports](const QString &path) { exports.writeReport(path); }},
+            {"data", "x.csv", 0, {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }},
+            {"study as CSV", "x.csv", 0, {}, study(&StudyPanel::exportNumbers)},
+            {"study as JSON", "x.json", 0, {}, study(&StudyPanel::exportNumbers)},
+            {"study as PNG", "x.png", 0, {}, study(&StudyPanel::exportPicture)},
+            {"frames", "x.png", 2, {}, frames}};
+}
+
+void TstFaults::nameSaves()
+{
+    Sampling sampling;
+    sampling.duration = 0.03;
+    m_window->session().setSampling(sampling);
+    if (!m_study) {
+        m_study = new StudyPanel(m_window.get());
+        m_study->setResult(studyOfATurn());
+    }
+    QTest::addColumn<int>("index");
+    int index = 0;
+    for (const Save &save : savesOfTheWindow()) {
+        QTest::newRow(save.name) << index++;
+    }
+}
+
+Outcome TstFaults::saveInWindow(const Save &save, const QString &path)
+{
+    auto *bar = m_window->findChild<MessageBar *>();
+    bar->showMessage(MessageBar::Kind::Hint, {});
+    save.inWindow(path);
+    settle(); // questions that are answered go
+    const bool isTold = QTest::qWaitFor([bar] { return !bar->text().isEmpty(); }, kPatience);
+    const QString text = bar->text();
+    const bool isWritten = text.startsWith(QLatin1String("Written: ")) || text.startsWith(QLatin1String("Saved: "));
+    const bool isReason = text.contains(QLatin1String("cannot be written")) && !text.contains(QLatin1String("Unknown"));
+    return {isWritten, isTold && (isWritten || isReason) ? QString() : QStringLiteral("said: ") + text};
+}
+
+void TstFaults::aCallOfTheWindowFails()
+{
+    QFETCH(const int, index);
+    const Save save = savesOfTheWindow()[index];
+    qsizetype lines = 0;
+    for (int call = 0;; ++call) {
+        const Place place(save);
+        failCall(qPrintable(place.folder()), call);
+        const Outcome outcome = saveInWindow(save, place.path());
+        const bool isLast = call > 0 && !hasFailed();
+        failCall("", 0);
+        if (call == 0) {
+            lines = place.lines();
+        } else if (isLast) {
+            QVERIFY2(call > 3, "Nothing fails: the calls of the C library are not ours");
+            QCOMPARE(place.fault(outcome, lines), QString());
+            QVERIFY(outcome.isWritten);
+            break;
+        } else {
+            judge(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
+        }
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+void TstFaults::theWindowHasLittleRoom()
+{
+    QFETCH(const int, index);
+    const Save save = savesOfTheWindow()[index];
+    const Place whole(save);
+    const Outcome all = saveInWindow(save, whole.path());
+    QCOMPARE(whole.fault(all, whole.lines()), QString());
+    for (const rlim_t disk : disksFor(whole.size())) {
+        const Place place(save);
+        Outcome outcome;
+        {
+            const SmallDisk small(disk);
+            outcome = saveInWindow(save, place.path());
+        }
+        judge(QStringLiteral("%1 bytes").arg(disk), place.fault(outcome, whole.lines()));
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+void TstFaults::isKilledAtAnyInstant()
+{
+    const QList<Save> saves{{"a long table", "x.csv", 0, {"solve", "--steps", "20000", "--channels", "all"}},
+                            {"a figure", "x.svg", 0, {"render"}},
+                            {"a report", "x.pdf", 0, {"render", "--what", "report"}},
+                            {"frames", "x.png", 31, {"render", "--what", "frames", "--size", "100x100"}},
+                            {"scene after scene", "x.json", 0, {}}};
+    std::mt19937 random(12);
+    for (const Save &save : saves) {
+        const bool isScene = save.arguments.isEmpty();
+        const QString program = isScene ? QCoreApplication::applicationFilePath() : QStringLiteral(SLIDERCRANK_PROGRAM);
+        const auto argumentsFor = [&](const Place &place) {
+            return isScene ? QStringList{QStringLiteral("--save-scenes"), place.path()}
+                           : save.arguments + QStringList{QStringLiteral("--output"), place.path()};
+        };
+        qint64 duration = 200; // ms
+        qsizetype lines = 0;
+        if (!isScene) {
+            const Place place(save);
+            QElapsedTimer clock;
+            clock.start();
+            QVERIFY(run(argumentsFor(place), environment()).isWritten);
+            duration = clock.elapsed();
+            lines = place.lines();
+        }
+        for (int i = 0; i < runs(4, 40); ++i) {
+            const Place place(save);
+            QProcess process;
+            process.start(program, argumentsFor(place));
+            QVERIFY(process.waitForStarted(kPatience));
+            QThread::usleep(
+                std::uniform_int_distribution<unsigned long>(0, 1000UL * static_cast<unsigned long>(duration))(random));
+            process.kill();
+            process.waitForFinished(kPatience);
+            judge(QStringLiteral("%1, %2").arg(QLatin1String(save.name)).arg(i), place.faultAfterKill(lines));
+        }
+    }
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+int main(int argc, char *argv[])
+{
+    if (argc == 3 && QByteArrayView(argv[1]) == "--save-scenes") {
+        return saveScenes(QString::fromLocal8Bit(argv[2]));
+    }
+    const QApplication application(argc, argv);
+    TstFaults test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_faults.moc"

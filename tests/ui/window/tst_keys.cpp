@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Keys and wheel as a person uses them: pressed on the window, wherever the focus is.
+
+#include "ui/controls/folding_tabs.h"
+#include "ui/controls/message_bar.h"
+#include "ui/parameters/timeline.h"
+#include "ui/window/main_window.h"
+
+#include "tests/support/waiting.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTabBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+#include <QWindow>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+
+QString described(const QWidget *widget)
+{
+    return QStringLiteral("%1 \"%2\"").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
+}
+
+/// What Space could have changed.
+QVariantList stateOf(const QWidget *widget)
+{
+    const auto *button = qobject_cast<const QAbstractButton *>(widget);
+    const auto *list = qobject_cast<const QComboBox *>(widget);
+    const auto *box = qobject_cast<const QAbstractSpinBox *>(widget);
+    const auto *table = qobject_cast<const QAbstractItemView *>(widget);
+    return {button ? button->isChecked() : false,
+            button ? button->isDown() : false,
+            list ? list->currentIndex() : -1,
+            box ? box->text() : QString(),
+            table ? table->currentIndex().row() : -1,
+            QApplication::activePopupWidget() != nullptr,
+            QApplication::activeModalWidget() != nullptr};
+}
+
+} // namespace
+
+class TestKeys : public QObject
+{
+    Q_OBJECT
+
+private:
+    const QTemporaryDir m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    Timeline *m_timeline = nullptr;
+
+    template <typename Widget>
+    Widget *child(const QString &name) const
+    {
+        auto *widget = m_window->findChild<Widget *>(name);
+        if (!widget) {
+            qFatal("no widget named %s", qPrintable(name));
+        }
+        return widget;
+    }
+
+    /// As the window system delivers it: to the window, which finds the focus.
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
+    {
+        QWindow *window = QApplication::activePopupWidget() ? QApplication::activePopupWidget()->windowHandle()
+                                                            : m_window->windowHandle();
+        QTest::keyClick(window, key, modifiers);
+    }
+
+    void typeInto(const QString &box, const QString &text) const
+    {
+        child<QWidget>(box)->setFocus(Qt::TabFocusReason);
+        for (const QChar letter : text) {
+            QTest::keyClick(m_window->windowHandle(), letter.toLatin1());
+        }
+    }
+
+    static void turnWheelOver(QWidget *widget)
+    {
+        const QPointF centre = widget->rect().center();
+        QWheelEvent wheel(centre, widget->mapToGlobal(centre), QPoint(), QPoint(0, -120), Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(widget, &wheel);
+    }
+
+    /// Every place that the Tab key comes to.
+    void atEveryStop(const std::function<void(QWidget *)> &look) const
+    {
+        QSet<QWidget *> seen;
+        press(Qt::Key_Tab);
+        for (QWidget *stop = QApplication::focusWidget(); stop && !seen.contains(stop);
+             stop = QApplication::focusWidget()) {
+            seen << stop;
+            look(stop);
+            stop->setFocus();
+            press(Qt::Key_Tab);
+            if (stop->hasFocus()) {
+                press(Qt::Key_Tab); // from a label to its link, and on
+            }
+        }
+        QVERIFY(seen.size() > 20);
+    }
+
+    QStringList m_faults;
+
+    void pressSpaceAtEveryStop()
+    {
+        atEveryStop([this](QWidget *stop) {
+            for (const bool before : {false, true}) {
+                const QVariantList state = stateOf(stop);
+                press(Qt::Key_Space);
+                if (m_timeline->isPlaying() == before) {
+                    m_faults << QStringLiteral("at %1 Space does not %2")
+                                    .arg(described(stop), before ? QStringLiteral("pause") : QStringLiteral("play"));
+                }
+                if (stop != child<QWidget>(QStringLiteral("playButton")) && stateOf(stop) != state) {
+                    m_faults << QStringLiteral("Space changes %1").arg(described(stop));
+                }
+                if (m_timeline->isPlaying() == before) {
+                    m_timeline->togglePlaying();
+                }
+            }
+        });
+    }
+
+private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void init()
+    {
+        QSettings().clear();
+        m_faults.clear();
+        m_window = std::make_unique<MainWindow>();
+        m_timeline = m_window->findChild<Timeline *>();
+        m_timeline->setClock([] { return 0.0; });
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void spacePlaysFromTheFirstSecondOn()
+    {
+        press(Qt::Key_Space);
+        QVERIFY(m_timeline->isPlaying());
+        press(Qt::Key_Space);
+        QVERIFY(!m_timeline->isPlaying());
+    }
+
+    void spacePausesAfterAClickOnPlay()
+    {
+        auto *play = child<QAbstractButton>(QStringLiteral("playButton"));
+        QTest::mouseClick(m_window->windowHandle(), Qt::LeftButton, Qt::NoModifier,
+                          play->mapTo(m_window.get(), play->rect().center()));
+        QVERIFY(m_timeline->isPlaying());
+        press(Qt::Key_Space);
+        QVERIFY(!m_timeline->isPlaying());
+    }
+
+    void spacePlaysWhateverHasTheFocus_data()
+    {
+        QTest::addColumn<QString>("reference");
+        QTest::addColumn<int>("tab");
+        QTest::addColumn<int>("page");
+        const char *const tabs[] = {"errors", "reference", "newton", "study", "limits"};
+        for (int tab = 0; tab < 5; ++tab) {
+            for (const QString &file : {QString(), kSample}) {
+                const QByteArray with = file.isEmpty() ? QByteArray() : QByteArray(", with a file");
+                for (int page = 0; page < (tab == 2 ? 5 : 1); ++page) {
+                    QTest::newRow(QByteArray(tabs[tab]) + ' ' + QByteArray::number(page) + with) << file << tab << page;
+                }
+            }
+        }
+    }
+
+    void spacePlaysWhateverHasTheFocus()
+    {
+        QFETCH(const QString, reference);
+        QFETCH(const int, tab);
+        QFETCH(const int, page);
+        if (!reference.isEmpty()) {
+            m_window->openReference(reference);
+            AWAIT(m_window->session().diagnosis());
+        }
+        child<QTabBar>(QStringLiteral("tabBar"))->setCurrentIndex(tab);
+        if (page > 0) {
+            child<QAbstractButton>(QStringLiteral("segment%1").arg(page))->click();
+        }
+        settle(*m_window);
+        pressSpaceAtEveryStop();
+        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+    }
+
+    void spaceIsPartOfWhatIsTyped()
+    {
+        typeInto(QStringLiteral("box_b"), QStringLiteral("25 mm"));
+        QVERIFY(!m_timeline->isPlaying());
+        QCOMPARE(child<QAbstractSpinBox>(QStringLiteral("box_b"))->text(), QStringLiteral("25 mm"));
+        press(Qt::Key_Return);
+        QCOMPARE(m_window->session().parameters().b, 25.0);
+        press(Qt::Key_Space); // taken over: the box only has the focus
+        QVERIFY(m_timeline->isPlaying());
+    }
+
+    void spaceIsPartOfWhatWasRefused()
+    {
+        typeInto(QStringLiteral("box_b"), QStringLiteral("20/3"));
+        press(Qt::Key_Return);
+        press(Qt::Key_End);
+        press(Qt::Key_Space);
+        QCOMPARE(child<QAbstractSpinBox>(QStringLiteral("box_b"))->text(), QStringLiteral("20/3 "));
+        QVERIFY(!m_timeline->isPlaying());
+        press(Qt::Key_Escape);
+        press(Qt::Key_Space);
+        QVERIFY(m_timeline->isPlaying());
+    }
+
+    void spaceBelongsToAnOpenList()
+    {
+        auto *list = child<QComboBox>(QStringLiteral("branchBox"));
+        list->setFocus();
+        press(Qt::Key_Return); // opens it
+        AWAIT(QApplication::activePopupWidget());
+        press(Qt::Key_Down);
+        press(Qt::Key_Space);
+        QVERIFY(!m_timeline->isPlaying());
+        press(Qt::Key_Return);
+        AWAIT(!QApplication::activePopupWidget());
+        QCOMPARE(m_window->session().parameters().branch, Branch::Crossed);
+        press(Qt::Key_Space);
+        QVERIFY(m_timeline->isPlaying());
+    }
+
+    void enterPressesAButton_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"playButton", "loopButton", "startButton", "endButton", "forwardButton", "segment2",
+                                 "copyTableButton", "messageRemedy"}) {
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+    }
+
+    void enterPressesAButton()
+    {
+        QFETCH(const QString, name);
+        child<QTabBar>(QStringLiteral("tabBar"))->setCurrentIndex(2);
+        child<QAbstractButton>(QStringLiteral("segment1"))->click();
+        settle(*m_window);
+        auto *button = child<QAbstractButton>(name);
+        QVERIFY(button->isVisible());
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+            button->setFocus();
+            QSignalSpy clicked(button, &QAbstractButton::clicked);
+            press(key);
+            QCOMPARE(clicked.count(), 1);
+            if (!button->isVisible()) {
+                break; // a message that was answered
+            }
+        }
+    }
+
+    void theLoopHasAKey()
+    {
+        const auto *button = child<QAbstractButton>(QStringLiteral("loopButton"));
+        QVERIFY(button->isChecked());
+        press(Qt::Key_L, Qt::ControlModifier);
+        QVERIFY(!button->isChecked() && !m_timeline->isLooping());
+        press(Qt::Key_L, Qt::ControlModifier);
+        QVERIFY(button->isChecked());
+        child<QAbstractButton>(QStringLiteral("loopButton"))->click(); // the menu follows
+        for (const QAction *action : m_window->findChildren<QAction *>()) {
+            if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_L)) {
+                QVERIFY(action->isCheckable() && !action->isChecked());
+            }
+        }
+    }
+
+    void theWindowsKeysWorkInEveryBox_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"box_a", "box_omega2", "box_theta20", "timeBox", "angleBox", "branchBox", "speedBox",
+                                 "unit_omega2", "stepsBox", "durationBox", "startBox", "toleranceBox", "iterationsBox",
+                                 "methodBox", "toleranceKindBox", "slider_b"}) {
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+    }
+
+    void theWindowsKeysWorkInEveryBox()
+    {
+        QFETCH(const QString, name);
+        child<QTabBar>(QStringLiteral("tabBar"))->setCurrentIndex(2);
+        m_window->session().setSolver({Method::Newton, {}});
+        m_window->session().setParameter(Parameter::B, 70.0);
+        child<QWidget>(name)->setFocus(Qt::TabFocusReason);
+        QVERIFY(child<QWidget>(name)->hasFocus());
+        press(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters().b, 65.0);
+        press(Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+        QAction *figure = nullptr;
+        for (QAction *action : m_window->findChildren<QAction *>()) {
+            if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_E)) {
+                figure = action;
+            }
+        }
+        QVERIFY(figure);
+        figure->disconnect(); // it would ask for a file
+        QSignalSpy asked(figure, &QAction::triggered);
+        press(Qt::Key_E, Qt::ControlModifier);
+        QCOMPARE(asked.count(), 1);
+    }
+
+    void whatIsBeingTypedIsUndoneInItsBox()
+    {
+        m_window->session().setParameter(Parameter::B, 70.0);
+        typeInto(QStringLiteral("box_a"), QStringLiteral("33"));
+        press(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+        QCOMPARE(child<QAbstractSpinBox>(QStringLiteral("box_a"))->text(), QStringLiteral("20 mm"));
+        press(Qt::Key_Z, Qt::ControlModifier); // nothing of its own is left
+        QCOMPARE(m_window->session().parameters().b, 65.0);
+    }
+
+    void theWheelScrollsAndTurnsNothingThatHasNoFocus_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"slider_b", "box_b", "timeSlider", "timeBox", "angleBox", "branchBox", "unit_omega2",
+                                 "speedBox", "stepsBox", "methodBox"}) {
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+    }
+
+    void theWheelScrollsAndTurnsNothingThatHasNoFocus()
+    {
+        QFETCH(const QString, name);
+        child<QTabBar>(QStringLiteral("tabBar"))->setCurrentIndex(2);
+        m_window->session().setSolver({Method::Newton, {}});
+        m_window->session().setTime(0.5);
+        auto *control = child<QWidget>(name);
+        const auto stateNow = [&] {
+            const Session &session = m_window->session();
+            return QVariantList{stateOf(control), session.parameters().b, session.time(), session.sampling().steps};
+        };
+        const QVariantList state = stateNow();
+        child<QWidget>(QStringLiteral("mechanismView"))->setFocus();
+        turnWheelOver(control);
+        QCOMPARE(stateNow(), state);
+        QVERIFY(!control->hasFocus() && !(control->focusPolicy() & (Qt::WheelFocus & ~Qt::StrongFocus)));
+        control->setFocus();
+        turnWheelOver(control);
+        QVERIFY(stateNow() != state);
+    }
+
+    void aClickOnTheCurrentTabHidesNothing()
+    {
+        auto *tabs = m_window->findChild<FoldingTabs *>();
+        auto *bar = child<QTabBar>(QStringLiteral("tabBar"));
+        const auto click = [bar](int tab) {
+            QTest::mouseClick(bar, Qt::LeftButton, Qt::NoModifier, bar->tabRect(tab).center());
+        };
+        click(1);
+        click(1);
+        QVERIFY(!tabs->isFolded());
+        press(Qt::Key_F9);
+        QVERIFY(tabs->isFolded());
+        click(1); // the current one also folds out
+        QVERIFY(!tabs->isFolded());
+    }
+
+    void aClickInASlidersLineIsOneStepToUndo()
+    {
+        auto *slider = child<QSlider>(QStringLiteral("slider_b"));
+        const QPoint there(slider->width() * 3 / 4, slider->height() / 2);
+        QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, there);
+        QTest::mouseMove(slider, there + QPoint(9, 0));
+        QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, there + QPoint(9, 0));
+        const double b = m_window->session().parameters().b;
+        QVERIFY2(std::abs(b - 156.0) < 12.0, qPrintable(QString::number(b)));
+        QCOMPARE(m_window->session().undoStack().count(), 1);
+    }
+};
+
+QTEST_MAIN(TestKeys)
+#include "tst_keys.moc"

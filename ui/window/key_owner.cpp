@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/key_owner.h"
+
+#include "ui/controls/number_box.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QSlider>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+bool needsSpace(const QWidget &widget)
+{
+    if (const auto *box = qobject_cast<const NumberBox *>(&widget)) {
+        return box->isTyping(); // "25 mm"; a box that only has the focus needs none
+    }
+    return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QCheckBox *>(&widget) ||
+           qobject_cast<const QMenuBar *>(&widget);
+}
+
+bool needsArrows(const QWidget &widget)
+{
+    return qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QComboBox *>(&widget) ||
+           qobject_cast<const QAbstractItemView *>(&widget) || widget.inherits("QTabBar");
+}
+
+/// Enter on a button, or on a list that is closed.
+bool press(QWidget &widget, const QKeyEvent &key)
+{
+    if (auto *button = qobject_cast<QAbstractButton *>(&widget)) {
+        if (!key.isAutoRepeat() || button->autoRepeat()) {
+            button->click();
+        }
+        return true;
+    }
+    if (auto *list = qobject_cast<QComboBox *>(&widget)) {
+        list->showPopup();
+        return true;
+    }
+    return false;
+}
+
+bool turnsWithTheWheel(const QWidget &widget)
+{
+    return qobject_cast<const QSlider *>(&widget) || qobject_cast<const QComboBox *>(&widget) ||
+           qobject_cast<const QAbstractSpinBox *>(&widget);
+}
+
+} // namespace
+
+KeyOwner::KeyOwner(QWidget *window)
+    : QObject(window)
+    , m_window(window)
+{
+    qApp->installEventFilter(this);
+}
+
+bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
+{
+    auto *widget = qobject_cast<QWidget *>(watched);
+    if (!widget || widget->window() != m_window) {
+        return false; // open lists and dialogs are windows of their own
+    }
+    switch (event->type()) {
+    case QEvent::Show:
+        if (auto *list = qobject_cast<QComboBox *>(widget)) {
+            list->setFocusPolicy(Qt::StrongFocus); // not by the wheel
+        }
+        break;
+    case QEvent::Wheel:
+        if (turnsWithTheWheel(*widget) && !widget->hasFocus()) {
+            event->ignore();
+            return true;
+        }
+        break;
+    case QEvent::ShortcutOverride: {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        const bool moves = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
+                           key->key() == Qt::Key_End;
+        if (moves && needsArrows(*widget)) {
+            event->accept();
+            return true;
+        }
+        if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier && !needsSpace(*widget)) {
+            event->ignore();
+            return true;
+        }
+        break;
+    }
+    case QEvent::KeyPress: {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        return (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) && press(*widget, *key);
+    }
+    default: break;
+    }
+    return false;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Who gets a key that several could use, and the wheel. Space plays and pauses wherever the focus is, but where it is
+// part of what somebody types, ticks a box or chooses from an open list; buttons are pressed with Enter. Arrows, Home
+// and End belong to the control that has a use for them. The wheel turns only what has the focus: elsewhere it scrolls.
+
+#include <QObject>
+
+class QKeyEvent;
+class QWidget;
+
+namespace slidercrank
+{
+
+class KeyOwner : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit KeyOwner(QWidget *window);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    QWidget *m_window;
+};
+
+} // namespace slidercrank
