@@ -86,8 +86,8 @@ constexpr OptionEntry kRenderOptions[] = {
     {"output", "FILE",
      QT_TRANSLATE_NOOP(
          "slidercrank::CommandLine",
-         "a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered), or, a video "
-         "by ffmpeg, in .mp4, .webm or .gif; needed")},
+         "a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered, and older ones of "
+         "that name go), or, a video by ffmpeg, in .mp4, .webm or .gif; needed")},
     {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to draw beside it")},
     {"size", "WxH",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",

@@ -900,10 +900,6 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
         <translation>figure (las nueve gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
-        <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
-        <translation>un nombre que termine en .png, .svg o .pdf; el de frames, en .png (entonces van numerados), o, para un vídeo hecho con ffmpeg, en .mp4, .webm o .gif; obligatorio</translation>
-    </message>
-    <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
@@ -1109,6 +1105,10 @@ none          ni siquiera eso
     <message>
         <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
         <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
+    <message>
+        <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered, and older ones of that name go), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
+        <translation>un nombre que termine en .png, .svg o .pdf; el de frames, en .png (entonces van numerados, y desaparecen los anteriores de ese nombre), o, para un vídeo hecho con ffmpeg, en .mp4, .webm o .gif; obligatorio</translation>
     </message>
     <message>
         <source>There is no file %1.</source>
@@ -3025,6 +3025,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>The run is now that of %1: %2 s to %3 s.</source>
         <translation>El recorrido es ahora el de %1: de %2 s a %3 s.</translation>
     </message>
+    <message>
+        <source>The row is in the clipboard, as CSV with its headings.</source>
+        <translation>La fila está en el portapapeles, como CSV con sus encabezados.</translation>
+    </message>
+    <message>
+        <source>%1 rows are in the clipboard, as CSV with their headings.</source>
+        <translation>%1 filas están en el portapapeles, como CSV con sus encabezados.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MotionCsvText</name>
@@ -4392,38 +4400,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
 </context>
 <context>
-    <name>slidercrank::SaveDialogText</name>
-    <message>
-        <source>%1 is there already. Replace it?</source>
-        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>This cannot be written as .%1: choose a name that ends in .%2.</source>
-        <translation>Esto no se puede escribir como .%1: elija un nombre que termine en .%2.</translation>
-    </message>
-    <message>
-        <source> or .</source>
-        <comment>between the endings of file names</comment>
-        <translation> o .</translation>
-    </message>
-    <message>
-        <source>PNG images (*.png)</source>
-        <translation>Imágenes PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>SVG drawings (*.svg)</source>
-        <translation>Dibujos SVG (*.svg)</translation>
-    </message>
-    <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documentos PDF (*.pdf)</translation>
-    </message>
-</context>
-<context>
     <name>slidercrank::SceneFile</name>
     <message>
         <source>Unsaved changes</source>
@@ -5287,20 +5263,20 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
 <context>
     <name>slidercrank::Recovery</name>
     <message>
-        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
-        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
-    </message>
-    <message>
-        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
-        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
-    </message>
-    <message>
         <source>Restore</source>
         <translation>Recuperar</translation>
     </message>
     <message>
         <source>Discard</source>
         <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
+    </message>
+    <message>
+        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
     </message>
 </context>
 <context>
@@ -5347,6 +5323,38 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>“%1”: no unit belongs to this number.</source>
         <translation>«%1»: este número no lleva unidad.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::SaveDialogText</name>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>This cannot be written as .%1: choose a name that ends in .%2.</source>
+        <translation>Esto no se puede escribir como .%1: elija un nombre que termine en .%2.</translation>
+    </message>
+    <message>
+        <source> or .</source>
+        <comment>between the endings of file names</comment>
+        <translation> o .</translation>
+    </message>
+    <message>
+        <source>PNG images (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>Dibujos SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documentos PDF (*.pdf)</translation>
     </message>
 </context>
 </TS>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What the window costs: a slider moved until nine plots are painted, playing, doing nothing, starting, memory. Run
-// with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display.
+// with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display; with SLIDERCRANK_BENCH_SIZE=1920x1080
+// and QT_SCALE_FACTOR=2 as on a large one.
 
 #include "ui/limits/limits_panel.h"
 #include "ui/mechanism/mechanism_view.h"
@@ -79,6 +80,10 @@ void waitUntilPainted(const PaintWatch &watch)
 std::unique_ptr<MainWindow> shownWindow()
 {
     auto window = std::make_unique<MainWindow>();
+    const QStringList size = qEnvironmentVariable("SLIDERCRANK_BENCH_SIZE").split(u'x');
+    if (size.size() == 2) {
+        window->resize(size[0].toInt(), size[1].toInt());
+    }
     PaintWatch watch(*window);
     window->show();
     waitUntilPainted(watch);

@@ -4,13 +4,12 @@
 // reason that hold together, whatever a person then chooses of the columns.
 
 #include "core/reading/reference_data.h"
+#include "tests/fuzz/promise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <string_view>
 #include <variant>
@@ -19,14 +18,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-void require(bool holds, const char *what)
-{
-    if (!holds) {
-        std::fprintf(stderr, "Broken promise: %s\n", what);
-        std::abort();
-    }
-}
 
 void check(const FileLayout &layout)
 {

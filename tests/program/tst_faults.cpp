@@ -10,10 +10,13 @@
 #include "tests/support/waiting.h"
 #include "ui/controls/message_bar.h"
 #include "ui/document/scene.h"
+#include "ui/document/whole_file.h"
 #include "ui/study/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
+#include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
+#include "ui/words/language.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -31,6 +34,7 @@
 #include <QTest>
 #include <QThread>
 
+#include <cerrno>
 #include <csignal>
 #include <functional>
 #include <memory>
@@ -296,6 +300,8 @@ private slots:
     void aCallOfTheWindowFails();
     void theWindowHasLittleRoom_data() { nameSaves(); }
     void theWindowHasLittleRoom();
+    void theDiskLosesWhatItTook();
+    void theSettingsHaveNoRoom();
     void isKilledAtAnyInstant();
 
 private:
@@ -542,6 +548,42 @@ void TstFaults::theWindowHasLittleRoom()
         judge(QStringLiteral("%1 bytes").arg(disk), place.fault(outcome, whole.lines()));
     }
     QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+/// Which only shows when it is asked, after opening and writing, and once: Qt asks again, and does not listen.
+void TstFaults::theDiskLosesWhatItTook()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("x.txt"));
+    failCall(qPrintable(folder.path()), 3);
+    const std::optional<QString> reason = writeWhole(path, kOlder);
+    QVERIFY(hasFailed());
+    failCall("", 0);
+    QCOMPARE(reason, qt_error_string(EIO));
+    QCOMPARE(namesIn(folder.path()), QStringList());
+}
+
+void TstFaults::theSettingsHaveNoRoom()
+{
+    rememberLanguage(Language::Spanish);
+    rememberTheme(Theme::Dark);
+    rememberLayout(windowLayoutOf(*m_window, true));
+    const QString path = QSettings().fileName();
+    const QByteArray before = contentOf(path);
+    QVERIFY(before.contains("theme") && before.contains("language"));
+    for (const rlim_t disk : disksFor(before.size())) {
+        const SmallDisk small(disk);
+        rememberTheme(Theme::Light);
+        rememberFile(kRecentScenes, QStringLiteral("x.json"));
+        rememberLanguage(Language::English);
+        rememberLayout(windowLayoutOf(*m_window, true));
+        judge(QStringLiteral("%1 bytes").arg(disk),
+              contentOf(path) == before ? QString() : QString::fromUtf8(contentOf(path)));
+    }
+    QCOMPARE(namesIn(QFileInfo(path).path()), QStringList(QFileInfo(path).fileName()));
+    QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+    rememberLanguage(Language::System); // there is room again
+    QVERIFY(!contentOf(path).contains("language"));
 }
 
 void TstFaults::isKilledAtAnyInstant()

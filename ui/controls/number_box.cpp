@@ -273,8 +273,8 @@ void NumberBox::showValue()
     const QString text = textFor(m_value) + m_suffix;
     if (text != lineEdit()->text()) {
         lineEdit()->setText(text);
+        lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
     }
-    lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
     m_typed = false;
     takeBackRefusal();
 }
@@ -332,8 +332,8 @@ void NumberBox::refuse(const QString &sentence)
         m_refusal->setForegroundRole(QPalette::ToolTipText);
     }
     m_refusal->setText(sentence);
-    const int frame = 2 * (m_refusal->margin() + m_refusal->frameWidth()) + 1;
-    const int width = std::min(around->width(), m_refusal->fontMetrics().horizontalAdvance(sentence) + frame);
+    constexpr int kAir = 12; // px: margin, frame, and what rounding takes
+    const int width = std::min(around->width(), m_refusal->fontMetrics().horizontalAdvance(sentence) + kAir);
     QRect place(0, 0, width, m_refusal->heightForWidth(width));
     place.moveTopRight(geometry().bottomRight() + QPoint(0, 1));
     if (place.bottom() > around->height() && geometry().top() >= place.height()) {

@@ -9,6 +9,7 @@
 #include "core/reading/quantity.h"
 
 #include <QAbstractSpinBox>
+#include <QPointer>
 #include <QString>
 
 class QLabel;
@@ -104,9 +105,9 @@ private:
     int m_fixedDecimals = -1; ///< negative: as many as it takes
     QString m_suffix;
     QString m_widestText;
-    bool m_editing = false;      ///< has the focus: every digit is shown
-    bool m_typed = false;        ///< the text is somebody's and not taken over yet
-    QLabel *m_refusal = nullptr; ///< why it was not; null: never yet
+    bool m_editing = false;     ///< has the focus: every digit is shown
+    bool m_typed = false;       ///< the text is somebody's and not taken over yet
+    QPointer<QLabel> m_refusal; ///< why it was not, beside the box; null: never yet
 };
 
 } // namespace slidercrank

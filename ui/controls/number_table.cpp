@@ -3,6 +3,7 @@
 
 #include "ui/controls/named.h"
 #include "ui/words/theme.h"
+#include "ui/words/written_number.h"
 
 #include <QAbstractTableModel>
 #include <QApplication>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -232,7 +234,8 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     setModel(m_model);
     setItemDelegate(m_delegate);
     setSelectionBehavior(QAbstractItemView::SelectRows);
-    setSelectionMode(QAbstractItemView::SingleSelection);
+    setSelectionMode(look == TableLook::Dense ? QAbstractItemView::SingleSelection
+                                              : QAbstractItemView::ExtendedSelection);
     setTabKeyNavigation(false);
     setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
@@ -263,6 +266,13 @@ void NumberTable::setRows(std::vector<TableRow> rows)
 
 QString NumberTable::csv() const
 {
+    std::vector<int> all(m_model->rows().size());
+    std::iota(all.begin(), all.end(), 0);
+    return csv(all);
+}
+
+QString NumberTable::csv(const std::vector<int> &rows) const
+{
     QStringList lines;
     QStringList fields;
     for (const TableColumn &column : m_model->columns()) {
@@ -270,20 +280,30 @@ QString NumberTable::csv() const
     }
     lines << fields.join(u',');
     const QLocale plain = QLocale::c();
-    for (const TableRow &row : m_model->rows()) {
+    for (const int row : rows) {
         fields.clear();
-        for (const TableCell &cell : row.cells) {
-            fields << csvField(cell.number ? plain.toString(*cell.number, 'g', QLocale::FloatingPointShortest)
-                                           : cell.text);
+        for (const TableCell &cell : m_model->row(row).cells) {
+            const QString &text = cell.csv.isEmpty() ? cell.text : cell.csv;
+            fields << csvField(cell.number      ? plain.toString(*cell.number, 'g', QLocale::FloatingPointShortest)
+                               : text == dash() ? QString()
+                                                : text);
         }
         lines << fields.join(u',');
     }
     return lines.join(u'\n') + u'\n';
 }
 
-void NumberTable::copy() const
+void NumberTable::copy()
 {
-    QApplication::clipboard()->setText(csv());
+    std::vector<int> rows;
+    if (selectionMode() == ExtendedSelection) {
+        for (const QModelIndex &index : selectionModel()->selectedRows()) {
+            rows.push_back(index.row());
+        }
+        std::sort(rows.begin(), rows.end());
+    }
+    QApplication::clipboard()->setText(rows.empty() ? csv() : csv(rows));
+    emit copied(rows.empty() ? m_model->rowCount() : static_cast<int>(rows.size()));
 }
 
 void NumberTable::setColumnText(int column, const QString &longest)

@@ -23,7 +23,7 @@ struct TableColumn {
 };
 
 struct TableCell {
-    QString text;           ///< on screen; in the CSV too where there is no number
+    QString text;           ///< on screen; in the CSV too where there is no number and nothing else for it
     QString shortText = {}; ///< on screen where `text` does not fit; empty: `text`, cut off
     std::optional<double> number = {};
     double tint = 0.0; ///< -1 … 1: how strongly, and by the sign in which colour, the cell is filled
@@ -31,6 +31,7 @@ struct TableCell {
     QColor ink = {};                    ///< invalid: that of the palette
     QString spoken = {};                ///< by a screen reader, where it is not the text
     std::optional<double> instant = {}; ///< s, where a click on it leads
+    QString csv = {};                   ///< in the CSV instead of the text
 };
 
 struct TableRow {
@@ -41,7 +42,7 @@ struct TableRow {
 
 enum class TableLook {
     Dense,  ///< rows as high as their text, the one under the mouse lit
-    Striped ///< with air, every other row tinted
+    Striped ///< with air, every other row tinted; several can be chosen
 };
 
 class NumberTableModel;
@@ -59,8 +60,9 @@ public:
     /// Only the cells that change are painted anew.
     void setRows(std::vector<TableRow> rows);
 
-    /// All of it, a line a row.
+    /// A line a row: all of them, or those.
     QString csv() const;
+    QString csv(const std::vector<int> &rows) const;
 
     /// Room in a column for such a text, whatever it holds now; without: the rest of the width.
     void setColumnText(int column, const QString &longest);
@@ -78,9 +80,10 @@ public:
     QString shownText(const QModelIndex &index) const;
 
 public slots:
-    void copy() const; ///< as CSV
+    void copy(); ///< as CSV: the rows that are chosen where several may be, else all
 
 signals:
+    void copied(int rows);
     void partHovered(slidercrank::MechanismPart part); ///< None: no row is pointed at
     void instantRequested(double seconds);             ///< somebody wants to see the mechanism there
 

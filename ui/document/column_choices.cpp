@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/column_choices.h"
 
+#include "ui/words/remember.h"
+
 #include <QCryptographicHash>
 #include <QFileInfo>
 #include <QSettings>
@@ -74,12 +76,7 @@ void rememberChoices(const FileLayout &layout, const QString &path, const std::v
         lines << QStringList{QString::number(choice.column), roleName(choice), QString::fromStdString(choice.unit)}
                      .join(QLatin1Char(kSeparator));
     }
-    QSettings settings;
-    if (lines.isEmpty()) {
-        settings.remove(keyOf(layout, path));
-    } else {
-        settings.setValue(keyOf(layout, path), lines);
-    }
+    remember({{keyOf(layout, path), lines.isEmpty() ? QVariant() : lines}});
 }
 
 } // namespace slidercrank

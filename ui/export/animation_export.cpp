@@ -176,6 +176,11 @@ void AnimationExport::start(const QString &path)
     QTimer::singleShot(0, this, &AnimationExport::drawNext);
 }
 
+QString AnimationExport::filmPath() const
+{
+    return m_folder->filePath(QFileInfo(m_path).fileName());
+}
+
 void AnimationExport::startFilming()
 {
     m_film = new QProcess(this);
@@ -198,7 +203,7 @@ void AnimationExport::startFilming()
             end(tr("ffmpeg could not be started: %1.").arg(m_film->errorString()));
         }
     });
-    m_film->start(ffmpeg(), input + output + colours + QStringList{m_folder->filePath(QFileInfo(m_path).fileName())});
+    m_film->start(ffmpeg(), input + output + colours + QStringList{filmPath()});
 }
 
 void AnimationExport::drawNext()
@@ -250,9 +255,8 @@ QString AnimationExport::putInPlace()
         if (reason.isEmpty()) {
             continue;
         }
-        const bool isUndone = std::all_of(std::make_reverse_iterator(move), moves.rend(), [](const Move &before) {
-            return made({before.to, before.from}).isEmpty();
-        });
+        const auto fails = [](const Move &before) { return !made({before.to, before.from}).isEmpty(); };
+        const bool isUndone = std::count_if(std::make_reverse_iterator(move), moves.rend(), fails) == 0;
         m_folder->setAutoRemove(isUndone);
         return isUndone
                    ? notWritten(m_path, reason)
@@ -265,7 +269,7 @@ QString AnimationExport::putInPlace()
 void AnimationExport::finishFilm(int exitCode)
 {
     const QString words = QString::fromLocal8Bit(m_film->readAll()).simplified();
-    const bool complete = m_frame == m_animation.frameCount();
+    const bool complete = m_frame == m_animation.frameCount() && QFileInfo(filmPath()).size() > 0;
     if (exitCode != 0 || m_film->exitStatus() != QProcess::NormalExit || !complete) {
         end(tr("ffmpeg could not make the video: %1").arg(words.isEmpty() ? tr("it ended early.") : words));
         return;

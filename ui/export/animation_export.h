@@ -67,6 +67,7 @@ signals:
 private:
     void drawNext();
     QString putInPlace();
+    QString filmPath() const; ///< until it is complete
     void startFilming();
     void finishFilm(int exitCode);
     void end(const QString &problem);

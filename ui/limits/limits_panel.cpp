@@ -41,6 +41,13 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double runLen
             cells.push_back({.text = text, .explanation = explanation});
         }
         cells[Name].spoken = fact.name;
+        cells[Name].csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit);
+        cells[Value].number = fact.number;
+        cells[Instant].number = fact.instant;
+        if (fact.theta2) {
+            const double degrees = kDegreesPerRadian * *fact.theta2;
+            cells[Angle].number = degrees < 0.0 ? degrees + 360.0 : degrees;
+        }
         cells[Instant].ink = fact.instant ? link : QColor();
         rows.push_back({MechanismPart::None, std::move(cells), fact.instant});
         above = fact.name;
@@ -94,17 +101,19 @@ LimitsPanel::LimitsPanel(QWidget *parent)
     m_sentence = named("mobilityLabel", new Paragraph);
     m_sentence->setTextFormat(Qt::PlainText);
 
-    const TableColumn value{tr("value"), tr("Positions are Rₓ⁴, those of the slider")};
-    const TableColumn signedValue{tr("value"), tr("With its sign: x to the right, angles counter-clockwise")};
-    const TableColumn angle{tr("θ₂ [°]"), tr("Crank angle, 0 to 360°")};
-    const TableColumn instant{tr("t [s]"), tr("The first instant of the run with the crank there")};
-    const TableColumn limit{
-        tr("limit"), tr("Where slider and crank turn back, and how long the strokes take"), {}, false};
+    const QString valueName = QStringLiteral("value");
+    const TableColumn value{tr("value"), tr("Positions are Rₓ⁴, those of the slider"), valueName};
+    const TableColumn signedValue{tr("value"), tr("With its sign: x to the right, angles counter-clockwise"),
+                                  valueName};
+    const TableColumn angle{tr("θ₂ [°]"), tr("Crank angle, 0 to 360°"), QStringLiteral("theta2 [°]")};
+    const TableColumn instant{tr("t [s]"), tr("The first instant of the run with the crank there"),
+                              QStringLiteral("time [s]")};
+    const TableColumn limit{tr("limit"), tr("Where slider and crank turn back, and how long the strokes take"),
+                            QStringLiteral("limit"), false};
     const TableColumn peak{tr("peak of a turn"),
                            tr("The largest speeds and accelerations over a whole turn of the "
                               "crank, whatever part of it is sampled"),
-                           {},
-                           false};
+                           QStringLiteral("peak"), false};
     m_positions =
         createTable(QStringLiteral("positionTable"), tr("Limits of the motion"), {limit, value, angle, instant});
     m_peaks = createTable(QStringLiteral("peakTable"), tr("Peaks of speed and acceleration"),
@@ -137,6 +146,7 @@ NumberTable *LimitsPanel::createTable(const QString &name, const QString &title,
     table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // they scroll together
     table->setMinimumWidth(1);
     connect(table, &NumberTable::instantRequested, this, &LimitsPanel::timeRequested);
+    connect(table, &NumberTable::copied, this, &LimitsPanel::rowsCopied);
     connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this, table](const QModelIndex &index) {
                 const QRect row = table->visualRect(index);

@@ -34,6 +34,7 @@ public slots:
 
 signals:
     void timeRequested(double seconds); ///< somebody wants to see the mechanism there
+    void rowsCopied(int count);
 
 protected:
     void showEvent(QShowEvent *event) override;

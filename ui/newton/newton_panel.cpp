@@ -75,7 +75,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     m_copy->setText(tr("Copy as CSV"));
     m_copy->setToolTip(tr("The table with every digit (Ctrl+C in the table)"));
     connect(m_copy, &QToolButton::clicked, this, [this] {
-        if (const NumberTable *table = m_tables[static_cast<std::size_t>(m_pages->currentIndex())]) {
+        if (NumberTable *table = m_tables[static_cast<std::size_t>(m_pages->currentIndex())]) {
             table->copy();
         }
     });
@@ -121,6 +121,7 @@ void NewtonPanel::addPage(Page page, const QString &title, QWidget *widget, Numb
     m_tables.push_back(table);
     if (table) {
         connect(table, &NumberTable::partHovered, this, &NewtonPanel::partHovered);
+        connect(table, &NumberTable::copied, this, &NewtonPanel::rowsCopied);
     }
 }
 

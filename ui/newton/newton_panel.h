@@ -40,6 +40,7 @@ public slots:
     void setPose(const slidercrank::Pose &pose);
 
 signals:
+    void rowsCopied(int count);
     void edited(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
 
     /// What the row under the mouse, or the current one, is about; None: nothing is pointed at.

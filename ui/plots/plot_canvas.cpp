@@ -107,6 +107,10 @@ void PlotCanvas::display(const PlotPicture &picture, const QMargins &margins)
 
 void PlotCanvas::paintEvent(QPaintEvent *)
 {
+    if (devicePixelRatioF() != bufferDevicePixelRatio()) { // on another screen, or it was scaled anew
+        setBufferDevicePixelRatio(devicePixelRatioF());
+        replot(rpQueuedRefresh);
+    }
     QCPPainter painter(this);
     for (const auto &buffer : mPaintBuffers) {
         buffer->draw(&painter);

@@ -142,23 +142,35 @@ TableRow errorRowOf(const ChannelComparison &channel, const SeriesColours &colou
     if (channel.maxPercent) {
         percent.instant = percentAt.instant = channel.timeOfMaxPercent;
     }
-    return {MechanismPart::None,
-            {cell(ErrorPanel::tr("%1 [%2]").arg(symbolOf(channel.channel), unit), nameTip), outcome,
-             cell(shortNumber(channel.maxAbs, kErrorDigits),
-                  exists ? ErrorPanel::tr("max |model − reference| = %1\n%2")
-                               .arg(withUnit(shortNumber(channel.maxAbs, kErrorDigits)), goThere)
-                         : QString()),
-             cell(exists ? numberText(channel.timeOfMaxAbs) : dash(), goThere),
-             cell(shortNumber(channel.rms, kErrorDigits), ErrorPanel::tr("√( mean of (model − reference)² ) = %1")
-                                                              .arg(withUnit(shortNumber(channel.rms, kErrorDigits)))),
-             percent, percentAt,
-             cell(shortNumber(channel.percentOfPeak, kErrorDigits),
-                  ErrorPanel::tr("max |model − reference| / max |reference| · 100")),
-             cell(numberText(channel.roundingStep, kErrorDigits),
-                  channel.roundingStep ? ErrorPanel::tr("The file writes this channel in steps of %1 at most")
-                                             .arg(withUnit(numberText(channel.roundingStep, kErrorDigits)))
-                                       : ErrorPanel::tr("The file does not show how it was rounded"))},
-            exists ? std::optional(channel.timeOfMaxAbs) : std::nullopt};
+    TableRow row{
+        MechanismPart::None,
+        {cell(ErrorPanel::tr("%1 [%2]").arg(symbolOf(channel.channel), unit), nameTip), outcome,
+         cell(shortNumber(channel.maxAbs, kErrorDigits),
+              exists ? ErrorPanel::tr("max |model − reference| = %1\n%2")
+                           .arg(withUnit(shortNumber(channel.maxAbs, kErrorDigits)), goThere)
+                     : QString()),
+         cell(exists ? numberText(channel.timeOfMaxAbs) : dash(), goThere),
+         cell(shortNumber(channel.rms, kErrorDigits), ErrorPanel::tr("√( mean of (model − reference)² ) = %1")
+                                                          .arg(withUnit(shortNumber(channel.rms, kErrorDigits)))),
+         percent, percentAt,
+         cell(shortNumber(channel.percentOfPeak, kErrorDigits),
+              ErrorPanel::tr("max |model − reference| / max |reference| · 100")),
+         cell(numberText(channel.roundingStep, kErrorDigits),
+              channel.roundingStep ? ErrorPanel::tr("The file writes this channel in steps of %1 at most")
+                                         .arg(withUnit(numberText(channel.roundingStep, kErrorDigits)))
+                                   : ErrorPanel::tr("The file does not show how it was rounded"))},
+        exists ? std::optional(channel.timeOfMaxAbs) : std::nullopt};
+    row.cells[0].csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel.channel), unit);
+    row.cells[1].csv = verdictText(channel);
+    const std::optional<double> numbers[] = {channel.maxAbs,      row.instant,       channel.rms,
+                                             channel.maxPercent,  percentAt.instant, channel.percentOfPeak,
+                                             channel.roundingStep};
+    for (std::size_t i = 0; i < std::size(numbers); ++i) {
+        TableCell &number = row.cells[2 + i];
+        number.number = numbers[i];
+        number.csv = dash(); // where there is none
+    }
+    return row;
 }
 
 } // namespace
@@ -192,24 +204,28 @@ QWidget *ErrorPanel::createTablePage()
 
     m_table = new NumberTable(
         QStringLiteral("errorTable"), tr("Errors, a row a channel"),
-        {{tr("channel"), tr("What is compared, and its unit"), {}, false},
+        {{tr("channel"), tr("What is compared, and its unit"), QStringLiteral("channel"), false},
          {tr("verdict"),
           tr("agrees: at least 95 % of the values within the file's rounding, none beyond ten times that\n"
              "close: none beyond a hundred times\n"
              "differs: anything else, and what lies beyond the rounding by 1 % of half the motion's range"),
-          {},
-          false},
-         {tr("max error"), tr("max |model − reference|, in the channel's unit")},
-         {tr("at [s]"), tr("Instant of the largest error")},
-         {tr("rms"), tr("√( mean of (model − reference)² ), in the channel's unit")},
-         {tr("max %"), tr("max |model − reference| / |reference| · 100, as in the report, over the instants where the "
-                          "reference is not zero")},
-         {tr("at [s]"), tr("Instant of the largest percentage")},
-         {tr("% of peak"), tr("max |model − reference| / max |reference| · 100")},
-         {tr("step"), tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
-                         "channel's unit. Rounding alone makes an error of half of it.")}},
+          QStringLiteral("verdict"), false},
+         {tr("max error"), tr("max |model − reference|, in the channel's unit"), QStringLiteral("max_error")},
+         {tr("at [s]"), tr("Instant of the largest error"), QStringLiteral("max_error_at [s]")},
+         {tr("rms"), tr("√( mean of (model − reference)² ), in the channel's unit"), QStringLiteral("rms")},
+         {tr("max %"),
+          tr("max |model − reference| / |reference| · 100, as in the report, over the instants where the "
+             "reference is not zero"),
+          QStringLiteral("max_percent")},
+         {tr("at [s]"), tr("Instant of the largest percentage"), QStringLiteral("max_percent_at [s]")},
+         {tr("% of peak"), tr("max |model − reference| / max |reference| · 100"), QStringLiteral("percent_of_peak")},
+         {tr("step"),
+          tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
+             "channel's unit. Rounding alone makes an error of half of it."),
+          QStringLiteral("step")}},
         TableLook::Striped);
     connect(m_table, &NumberTable::instantRequested, this, &ErrorPanel::timeRequested);
+    connect(m_table, &NumberTable::copied, this, &ErrorPanel::rowsCopied);
 
     m_findings = new FindingList;
     connect(m_findings, &FindingList::remedyRequested, this, &ErrorPanel::remedyRequested);

@@ -36,6 +36,7 @@ public slots:
 
 signals:
     void timeRequested(double seconds); ///< somebody wants to see where an error is largest
+    void rowsCopied(int count);
     void remedyRequested(const slidercrank::Finding &finding);
     void openReferenceRequested();
     void openSampleRequested();

@@ -67,11 +67,15 @@ KeyOwner::KeyOwner(QWidget *window)
 
 bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
 {
+    const QEvent::Type type = event->type(); // first: every event of the program comes by
+    if (type != QEvent::Show && type != QEvent::Wheel && type != QEvent::ShortcutOverride && type != QEvent::KeyPress) {
+        return false;
+    }
     auto *widget = qobject_cast<QWidget *>(watched);
     if (!widget || widget->window() != m_window) {
         return false; // open lists and dialogs are windows of their own
     }
-    switch (event->type()) {
+    switch (type) {
     case QEvent::Show:
         if (auto *list = qobject_cast<QComboBox *>(widget)) {
             list->setFocusPolicy(Qt::StrongFocus); // not by the wheel

@@ -268,6 +268,7 @@ void MainWindow::connectRooms()
     follow(&Session::resultChanged, m_rooms.errors, &ErrorPanel::setResult, m_session->result());
     follow(&Session::diagnosisChanged, m_rooms.errors, &ErrorPanel::setDiagnosis, m_session->diagnosis());
     connect(m_rooms.errors, &ErrorPanel::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.errors, &ErrorPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     connect(m_rooms.errors, &ErrorPanel::remedyRequested, m_messages, &Messages::remedy);
     connect(m_rooms.errors, &ErrorPanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_rooms.errors, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
@@ -301,6 +302,7 @@ QWidget *MainWindow::makeNewtonPanel()
     follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
 
     auto *highlight = new PartHighlight(m_rooms.mechanism);
+    connect(panel, &NewtonPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     connect(panel, &NewtonPanel::partHovered, highlight, &PartHighlight::setPart);
     follow(&Session::resultChanged, highlight, &PartHighlight::setResult, m_session->result());
     follow(&Session::timeChanged, highlight, &PartHighlight::setPose, m_session->pose());
@@ -320,6 +322,7 @@ QWidget *MainWindow::makeLimitsPanel()
     auto *panel = new LimitsPanel(this);
     follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
+    connect(panel, &LimitsPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     return panel;
 }
 

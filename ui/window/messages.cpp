@@ -4,6 +4,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/document/session.h"
 #include "ui/window/scene_file.h"
+#include "ui/words/remember.h"
 #include "ui/words/written_number.h"
 
 #include <QDir>
@@ -50,7 +51,7 @@ void Messages::greetOnce()
 {
     const QString key = QStringLiteral("greeted");
     if (!QSettings().value(key).toBool()) {
-        QSettings().setValue(key, true);
+        remember({{key, true}});
         greet();
     }
 }
@@ -79,6 +80,12 @@ void Messages::sayAgain()
 void Messages::tell(const QString &sentence)
 {
     m_bar->showMessage(MessageBar::Kind::Hint, sentence);
+}
+
+void Messages::tellRowsCopied(int count)
+{
+    tell(count == 1 ? tr("The row is in the clipboard, as CSV with its headings.")
+                    : tr("%1 rows are in the clipboard, as CSV with their headings.").arg(count));
 }
 
 void Messages::tellProblem(const QString &sentence)

@@ -34,6 +34,7 @@ public:
 public slots:
     void tell(const QString &sentence);
     void tellProblem(const QString &sentence);
+    void tellRowsCopied(int count);
     void remedy(const slidercrank::Finding &finding);
 
 signals:

@@ -2,6 +2,7 @@
 #include "ui/window/remembered.h"
 
 #include "ui/controls/folding_tabs.h"
+#include "ui/words/remember.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -34,7 +35,7 @@ void rememberFile(const QString &kind, const QString &path)
     QStringList paths = recentFiles(kind);
     paths.removeAll(path);
     paths.prepend(path);
-    QSettings().setValue(kind, paths.mid(0, kMostRecentFiles));
+    remember({{kind, paths.mid(0, kMostRecentFiles)}});
 }
 
 Theme chosenTheme()
@@ -44,7 +45,7 @@ Theme chosenTheme()
 
 void rememberTheme(Theme theme)
 {
-    QSettings().setValue(kTheme, static_cast<int>(theme));
+    remember({{kTheme, static_cast<int>(theme)}});
 }
 
 WindowLayout windowLayoutOf(const QMainWindow &window, bool foldedByHand)
@@ -107,17 +108,17 @@ void arrange(QMainWindow &window, const WindowLayout &layout)
 
 void rememberLayout(const WindowLayout &layout)
 {
-    QSettings settings;
-    settings.beginGroup(kLayout);
-    settings.setValue(kWindow, layout.window);
+    const QString group = kLayout + u'/';
+    QVariantMap choices{{group + kWindow, layout.window}};
     for (const auto &[name, state] : layout.splitters.asKeyValueRange()) {
         if (!name.isEmpty()) {
-            settings.setValue(name, state);
+            choices.insert(group + name, state);
         }
     }
     if (layout.folded) {
-        settings.setValue(kFolded, *layout.folded);
+        choices.insert(group + kFolded, *layout.folded);
     }
+    remember(choices);
 }
 
 WindowLayout rememberedLayout()

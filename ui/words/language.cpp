@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/language.h"
 
+#include "ui/words/remember.h"
+
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -68,11 +70,8 @@ Language chosenLanguage()
 
 void rememberLanguage(Language language)
 {
-    if (language == Language::System) {
-        QSettings().remove(kKey);
-    } else {
-        QSettings().setValue(kKey, codeOf(language == Language::Spanish ? QLocale::Spanish : QLocale::English));
-    }
+    const QString code = codeOf(language == Language::Spanish ? QLocale::Spanish : QLocale::English);
+    remember({{kKey, language == Language::System ? QVariant() : code}});
 }
 
 } // namespace slidercrank

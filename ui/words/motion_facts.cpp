@@ -24,26 +24,33 @@ struct MotionFacts {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionFacts)
 };
 
-QString amount(double value, const QString &unit)
+struct Amount {
+    QString text;
+    double number;
+    QString unit;
+};
+
+Amount amount(double value, const QString &unit)
 {
     constexpr int kDigits = 6;
     const double size = std::abs(value);
     const bool plain = size == 0.0 || (size >= 1e-3 && size < 1e7);
     const QString number = plain ? numberText(value, kDigits) : shortNumber(value, kDigits);
-    return QStringLiteral("%1 %2").arg(number, unit);
+    return {QStringLiteral("%1 %2").arg(number, unit), value, unit};
 }
 
 /// `reach`: a + b + |c|; what is nothing but its rounding is 0.
-QString lengthText(double value, double reach)
+Amount lengthOf(double value, double reach)
 {
     constexpr double kNothing = 1e-14;
     return amount(std::abs(value) < kNothing * reach ? 0.0 : value, MotionFacts::tr("mm"));
 }
 
 /// An angle between two others, 0 to 360° both included.
-QString turnText(double radians)
+Amount turnOf(double radians)
 {
-    return QStringLiteral("%1°").arg(QLocale().toString(kDegreesPerRadian * radians, 'f', 2));
+    const double degrees = kDegreesPerRadian * radians;
+    return {QStringLiteral("%1°").arg(QLocale().toString(degrees, 'f', 2)), degrees, QStringLiteral("°")};
 }
 
 /// With as many digits as it takes to tell the two apart.
@@ -164,14 +171,21 @@ public:
     {
     }
 
-    void addAt(double theta2, const QString &name, const QString &value, const QString &explanation)
+    void addAt(double theta2, const QString &name, const Amount &value, const QString &explanation)
     {
-        m_facts.push_back({name, value, explanation, theta2, {}, instantWithin(m_mechanism, m_run, theta2)});
+        m_facts.push_back({name,
+                           value.text,
+                           value.number,
+                           value.unit,
+                           explanation,
+                           theta2,
+                           {},
+                           instantWithin(m_mechanism, m_run, theta2)});
     }
 
-    void add(const QString &name, const QString &value, const QString &explanation, const QString &remark = {})
+    void add(const QString &name, const Amount &value, const QString &explanation, const QString &remark = {})
     {
-        m_facts.push_back({name, value, explanation, {}, remark, {}});
+        m_facts.push_back({name, value.text, value.number, value.unit, explanation, {}, remark, {}});
     }
 
     const std::vector<MotionFact> &facts() const { return m_facts; }
@@ -185,11 +199,11 @@ private:
 void addDeadCentres(FactList &list, const MotionLimits &limits, double reach)
 {
     if (limits.outer) {
-        list.addAt(limits.outer->theta2, MotionFacts::tr("outer dead centre"), lengthText(limits.outer->R4x, reach),
+        list.addAt(limits.outer->theta2, MotionFacts::tr("outer dead centre"), lengthOf(limits.outer->R4x, reach),
                    MotionFacts::tr("Where the slider (Rₓ⁴) turns back with crank and coupler stretched"));
     }
     if (limits.inner) {
-        list.addAt(limits.inner->theta2, MotionFacts::tr("inner dead centre"), lengthText(limits.inner->R4x, reach),
+        list.addAt(limits.inner->theta2, MotionFacts::tr("inner dead centre"), lengthOf(limits.inner->R4x, reach),
                    MotionFacts::tr("Where the slider (Rₓ⁴) turns back with crank and coupler folded"));
     }
 }
@@ -198,7 +212,7 @@ void addDeadCentres(FactList &list, const MotionLimits &limits, double reach)
 void addEnds(FactList &list, const Mechanism &mechanism, const MotionLimits &limits, double reach)
 {
     const auto add = [&](const QString &name, double theta2) {
-        list.addAt(theta2, name, lengthText(mechanism.a() * std::cos(theta2), reach),
+        list.addAt(theta2, name, lengthOf(mechanism.a() * std::cos(theta2), reach),
                    MotionFacts::tr("The crank can go no further: the coupler stands square to the slider's line. The "
                                    "value is the slider's position Rₓ⁴."));
     };
@@ -220,12 +234,12 @@ void addStrokeTimes(FactList &list, const Mechanism &mechanism, const MotionLimi
                    ? QString()
                    : MotionFacts::tr("in %1 s").arg(secondsText(angle / speed, 2.0 * std::numbers::pi / speed));
     };
-    list.add(MotionFacts::tr("forward stroke"), turnText(*limits.angleOutwards),
+    list.add(MotionFacts::tr("forward stroke"), turnOf(*limits.angleOutwards),
              MotionFacts::tr("The crank's turn from the inner to the outer dead centre"),
              timeOf(*limits.angleOutwards));
-    list.add(MotionFacts::tr("return stroke"), turnText(*limits.angleInwards),
+    list.add(MotionFacts::tr("return stroke"), turnOf(*limits.angleInwards),
              MotionFacts::tr("The crank's turn from the outer to the inner dead centre"), timeOf(*limits.angleInwards));
-    list.add(MotionFacts::tr("time ratio"), numberText(*limits.timeRatio),
+    list.add(MotionFacts::tr("time ratio"), {numberText(*limits.timeRatio), *limits.timeRatio, {}},
              MotionFacts::tr("The slower stroke's time over the faster one's"));
 }
 
@@ -238,7 +252,7 @@ QString peakName(Channel channel)
     return speed ? MotionFacts::tr("coupler speed") : MotionFacts::tr("coupler acceleration");
 }
 
-QString peakText(Channel channel, double value)
+Amount peakOf(Channel channel, double value)
 {
     return amount(inAuthorUnit(channel, value), QString::fromUtf8(authorUnitOf(channel)));
 }
@@ -247,10 +261,10 @@ void addPeak(FactList &list, const Peak &peak)
 {
     const QString explanation = MotionFacts::tr("The largest over a whole turn: where its own derivative vanishes");
     for (const PeakPlace &place : inOrder(peak.places)) {
-        list.addAt(place.theta2, peakName(peak.channel), peakText(peak.channel, place.value), explanation);
+        list.addAt(place.theta2, peakName(peak.channel), peakOf(peak.channel, place.value), explanation);
     }
     if (peak.places.empty()) {
-        list.add(peakName(peak.channel), peakText(peak.channel, peak.magnitude), explanation,
+        list.add(peakName(peak.channel), peakOf(peak.channel, peak.magnitude), explanation,
                  peak.magnitude > 0.0 ? MotionFacts::tr("throughout") : MotionFacts::tr("crank at rest"));
     }
 }
@@ -308,7 +322,7 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
         break;
     case Mobility::FullTurn: addDeadCentres(list, limits, reach); break;
     }
-    list.add(MotionFacts::tr("stroke"), lengthText(*limits.stroke, reach),
+    list.add(MotionFacts::tr("stroke"), lengthOf(*limits.stroke, reach),
              MotionFacts::tr("How far the slider goes: its largest position less its smallest"));
     if (limits.mobility == Mobility::Rocker) {
         return list.facts();
@@ -316,7 +330,7 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
     addStrokeTimes(list, mechanism, limits);
     const auto addTransmission = [&](double theta2) {
         list.addAt(theta2, MotionFacts::tr("least transmission angle"),
-                   turnText(0.5 * std::numbers::pi - limits.largestPressureAngle),
+                   turnOf(0.5 * std::numbers::pi - limits.largestPressureAngle),
                    MotionFacts::tr("Between the coupler and the normal to the slider's line: 90° − |θ³| at its least. "
                                    "Mechanisms with less than 40° or so tend to jam."));
     };
@@ -347,7 +361,7 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
         for (const PeakPlace &place : inOrder(unbounded->places)) {
             list.addAt(place.theta2,
                        turns ? MotionFacts::tr("accelerations") : MotionFacts::tr("speeds, accelerations"),
-                       MotionFacts::tr("unbounded"),
+                       {MotionFacts::tr("unbounded"), unbounded->magnitude, {}}, // of several units
                        turns ? MotionFacts::tr("The coupler stands square to the slider's line and the speeds jump")
                              : MotionFacts::tr("Towards the crank's limit slider and coupler get ever faster"));
         }

@@ -20,6 +20,8 @@ namespace slidercrank
 struct MotionFact {
     QString name;
     QString value;
+    double number = 0.0; ///< the same, every digit, in the unit
+    QString unit;        ///< empty: a ratio
     QString explanation;
     std::optional<double> theta2; ///< rad
     QString remark;

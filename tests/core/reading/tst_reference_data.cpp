@@ -698,7 +698,7 @@ private slots:
     {
         QFETCH(const QByteArray, bytes);
         const QString whole = told(readReferenceData(sourceOf(bytes, kOnePiece)));
-        for (const std::size_t piece : {1, 2, 3, 5, 7, 10, 16, 33, 64}) {
+        for (const std::size_t piece : {1, 3, 7, 16, 64}) {
             QCOMPARE(told(readReferenceData(sourceOf(bytes, piece))), whole);
         }
     }
@@ -746,10 +746,7 @@ private slots:
         QFETCH(const QByteArray, bytes);
         QFETCH(const QString, end);
         const auto whole = readReferenceData(sourceOf(bytes, kOnePiece));
-        for (const std::size_t piece : {std::size_t{1} << 18U, std::size_t{99'991}}) {
-            const auto inPieces = readReferenceData(sourceOf(bytes, piece));
-            QVERIFY(told(inPieces) == told(whole));
-        }
+        QVERIFY(told(readReferenceData(sourceOf(bytes, 99'991))) == told(whole));
         if (const ReadError *error = std::get_if<ReadError>(&whole)) {
             QCOMPARE(QStringLiteral("line %1: reason %2").arg(error->line).arg(static_cast<int>(error->fault.kind)),
                      end);

@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QProcess>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -74,6 +75,8 @@ private slots:
     void saysWhyItCannotWrite_data();
     void saysWhyItCannotWrite();
     void filmsWithFfmpeg();
+    void keepsTheOlderVideoUntilTheNewOneIsThere_data();
+    void keepsTheOlderVideoUntilTheNewOneIsThere();
 };
 
 void TstAnimationExport::hasAFrameAtBothEnds()
@@ -235,6 +238,45 @@ void TstAnimationExport::filmsWithFfmpeg()
                           QStringLiteral("-of"), QStringLiteral("csv=p=0"), path});
     QVERIFY(process.waitForFinished(kPatience));
     QCOMPARE(QString::fromLatin1(process.readAll()).trimmed(), QStringLiteral("62,42,11"));
+}
+
+void TstAnimationExport::keepsTheOlderVideoUntilTheNewOneIsThere_data()
+{
+    QTest::addColumn<QByteArray>("lastLine"); // of a program that takes ffmpeg's place
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("written") << QByteArray("printf newer > $film") << QByteArray("newer") << QString();
+    QTest::newRow("cut short") << QByteArray("printf ne > $film; echo full >&2; exit 1") << QByteArray("older")
+                               << QStringLiteral("could not make the video: full");
+    QTest::newRow("empty") << QByteArray(": > $film") << QByteArray("older") << QStringLiteral("ended early");
+    QTest::newRow("nothing written") << QByteArray("true") << QByteArray("older") << QStringLiteral("ended early");
+}
+
+void TstAnimationExport::keepsTheOlderVideoUntilTheNewOneIsThere()
+{
+#ifdef Q_OS_WIN
+    QSKIP("There is no shell to write a program in.");
+#endif
+    QFETCH(const QByteArray, lastLine);
+    QFETCH(const QByteArray, content);
+    QFETCH(const QString, words);
+    const QTemporaryDir programs;
+    QFile program(programs.filePath(QStringLiteral("ffmpeg")));
+    QVERIFY(program.open(QIODevice::WriteOnly));
+    program.write("#!/bin/sh\nfor film; do :; done\ncat > /dev/null\n" + lastLine + '\n');
+    QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
+    program.close();
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", QFile::encodeName(programs.path()) + ':' + path);
+    const auto restore = qScopeGuard([&path] { qputenv("PATH", path); });
+
+    const QTemporaryDir folder;
+    putOlder(folder.filePath(QStringLiteral("motion.mp4")));
+    AnimationExport animation(shortAnimation(), drawGrey);
+    const QString problem = run(animation, folder.filePath(QStringLiteral("motion.mp4")));
+    QVERIFY2(problem.contains(words) && problem.isEmpty() == words.isEmpty(), qPrintable(problem));
+    QCOMPARE(contentOf(folder.filePath(QStringLiteral("motion.mp4"))), content);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 1);
 }
 
 QTEST_MAIN(TstAnimationExport)

@@ -601,6 +601,30 @@ private slots:
         QCOMPARE(m_received.b, 1.234);
     }
 
+    void readsTheNumbersOfEveryLocale_data()
+    {
+        QTest::addColumn<QLocale>("locale");
+        QTest::newRow("Swedish: another minus, another exponent") << QLocale(QLocale::Swedish);
+        QTest::newRow("Arabic: other digits") << QLocale(QLocale::Arabic, QLocale::Egypt);
+        QTest::newRow("Persian: other digits, another minus") << QLocale(QLocale::Persian);
+        QTest::newRow("Swiss German") << QLocale(QLocale::German, QLocale::Switzerland);
+    }
+    void readsTheNumbersOfEveryLocale()
+    {
+        QFETCH(const QLocale, locale);
+        QLocale::setDefault(locale);
+        ParameterPanel panel;
+        listenTo(panel);
+        auto *box = child<NumberBox>(panel, "box_c");
+        QList<double> read;
+        for (const double value : {-26.5, -1.5e-7, 1234.5}) {
+            type(box, QLocale(locale).toString(value, 'g', 6).remove(locale.groupSeparator()) + " mm");
+            read << m_received.c;
+        }
+        QLocale::setDefault(QLocale::c());
+        QCOMPARE(read, (QList<double>{-26.5, -1.5e-7, 1234.5}));
+    }
+
     void everyControlHasANameForThoseWhoCannotSee()
     {
         ParameterPanel panel;

@@ -381,6 +381,59 @@ private slots:
         QVERIFY(stateNow() != state);
     }
 
+    void copiesTheRowsThatAreChosen_data()
+    {
+        QTest::addColumn<int>("tab");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("heading");
+        QTest::addColumn<QString>("second");
+        QTest::newRow("errors") << 0 << QStringLiteral("errorTable")
+                                << QStringLiteral("channel,verdict,max_error,max_error_at [s],rms,max_percent,"
+                                                  "max_percent_at [s],percent_of_peak,step")
+                                << QStringLiteral("R4_x_diff [mm/s],differs,9.46935096");
+        QTest::newRow("motion limits") << 4 << QStringLiteral("positionTable")
+                                       << QStringLiteral("limit,value,theta2 [°],time [s]")
+                                       << QStringLiteral("inner dead centre [mm],37.4165738");
+        QTest::newRow("peaks") << 4 << QStringLiteral("peakTable") << QStringLiteral("peak,value,theta2 [°],time [s]")
+                               << QStringLiteral("slider acceleration [mm/s²],-1109.55770");
+    }
+
+    void copiesTheRowsThatAreChosen()
+    {
+        QFETCH(const int, tab);
+        QFETCH(const QString, name);
+        QFETCH(const QString, heading);
+        QFETCH(const QString, second);
+        m_window->openReference(kSample);
+        AWAIT(m_window->session().diagnosis());
+        child<QTabBar>(QStringLiteral("tabBar"))->setCurrentIndex(tab);
+        settle(*m_window);
+        auto *table = child<QTableView>(name);
+        const auto copied = [&] {
+            press(Qt::Key_C, Qt::ControlModifier);
+            return QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+        };
+        const auto said = [this] { return m_window->findChild<MessageBar *>()->text(); };
+        table->setFocus();
+        table->clearSelection();
+        QCOMPARE(copied().size(), 1 + table->model()->rowCount());
+        QVERIFY(said().startsWith(QString::number(table->model()->rowCount()) + QStringLiteral(" rows are in the")));
+
+        table->selectRow(1);
+        QCOMPARE(copied().size(), 2);
+        QCOMPARE(copied()[0], heading);
+        QVERIFY2(copied()[1].startsWith(second), qPrintable(copied()[1]));
+        QVERIFY(said().startsWith(QStringLiteral("The row is in the clipboard, as CSV")));
+
+        press(Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(copied().size(), 3);
+        QVERIFY(said().startsWith(QStringLiteral("2 rows are in the clipboard, as CSV")));
+
+        child<QWidget>(QStringLiteral("mechanismView"))->setFocus(); // anywhere else the figure
+        press(Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
+    }
+
     void aClickOnTheCurrentTabHidesNothing()
     {
         auto *tabs = m_window->findChild<FoldingTabs *>();

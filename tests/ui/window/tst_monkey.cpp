@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Somebody who does anything: random, seeded events of mouse, keys, drops, menus, dialogs, sizes, themes and languages.
-// Nothing may crash, hang or end in a state that is none; best run under the sanitizers. SLIDERCRANK_MONKEY_EVENTS and
-// SLIDERCRANK_MONKEY_SEED choose how many and which.
+// Somebody who does anything: random, seeded events of mouse, keys, drops, menus, dialogs, sizes, screens, themes and
+// languages; who opens files, right and wrong ones, and cancels what is under way. Nothing may crash, hang or end in a
+// state that is none; best run under the sanitizers. SLIDERCRANK_MONKEY_EVENTS and SLIDERCRANK_MONKEY_SEED choose how
+// many and which.
 
 #include "ui/document/session.h"
 #include "ui/window/main_window.h"
+#include "ui/window/scene_file.h"
+#include "ui/window/status_bar.h"
 
 #include "tests/support/long_tests.h"
 #include "tests/support/waiting.h"
@@ -48,7 +51,7 @@ namespace
 {
 
 constexpr int kEvents = 1500;
-constexpr int kManyEvents = 20'000;
+constexpr int kManyEvents = 100'000;
 constexpr int kSeed = 1;
 
 const char *const kTexts[] = {
@@ -105,7 +108,10 @@ public:
                                           {"a menu", 8, &Monkey::trigger},
                                           {"a context menu", 2, &Monkey::askContextMenu},
                                           {"a drop", 2, &Monkey::drop},
+                                          {"a file", 3, &Monkey::open},
+                                          {"cancel", 3, &Monkey::cancel},
                                           {"the size", 3, &Monkey::resize},
+                                          {"the place", 1, &Monkey::move},
                                           {"a double click", 2, &Monkey::doubleClick},
                                           {"a moment", 3, &Monkey::wait}};
         int sum = 0;
@@ -153,11 +159,18 @@ private:
               "Time (s),Linear Displacement1 (mm),velocidad\n0,1,2\n1,2,3\n2,1,0\n3,5,1\n");
         write(QStringLiteral("none.json"), "{\"version\": 1, \"parameters\": {\"a\": -1}}");
         write(QStringLiteral("broken.json"), "{\"ver");
+        QByteArray large = "time,theta3,R4_x\n";
+        for (int i = 0; i < 100'000; ++i) {
+            large += QByteArray::number(i * 1e-5, 'f', 5) + ',' + QByteArray::number(below(40)) + ",80.5\n";
+        }
+        write(QStringLiteral("large.csv"), large);
+        write(QStringLiteral("half written.csv"), large);
+        QFile::resize(path(QStringLiteral("half written.csv")), qint64{1} << 32); // takes no room on most disks
         // Of its own, because what is exported is proposed beside the reference.
         QFile::copy(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"),
                     path(QStringLiteral("sample.csv")));
         m_files << path(QStringLiteral("sample.csv")) << path(QStringLiteral("not there.csv"))
-                << path(QStringLiteral("saved.json"));
+                << path(QStringLiteral("saved.json")) << m_folder;
     }
 
     /// On show and enabled, in the window or what is open over it.
@@ -310,11 +323,33 @@ private:
         }
     }
 
+    QString oneFile()
+    {
+        const QString file = m_files[below(static_cast<int>(m_files.size()))];
+        m_lastDeed += QLatin1Char(' ') + file;
+        return file;
+    }
+
+    void open()
+    {
+        if (below(3) == 0) {
+            m_window->scene().open(oneFile());
+        } else {
+            m_window->openReference(oneFile());
+        }
+    }
+
+    void cancel()
+    {
+        for (StatusBar *bar : m_window->findChildren<StatusBar *>()) {
+            emit bar->cancelled();
+        }
+    }
+
     void drop()
     {
         QMimeData data;
-        const QString file = m_files[below(static_cast<int>(m_files.size()))];
-        m_lastDeed += QLatin1Char(' ') + file;
+        const QString file = oneFile();
         data.setUrls({QUrl::fromLocalFile(file)});
         const QPointF middle = m_window->rect().center();
         QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -326,6 +361,9 @@ private:
     }
 
     void resize() { m_window->resize(500 + below(1200), 400 + below(800)); }
+
+    /// To another of the screens, or half over its edge.
+    void move() { m_window->move(below(3000) - 100, below(900) - 50); }
 
     /// What would be done in a moment is done now.
     void wait()
@@ -409,6 +447,7 @@ private slots:
     {
         const int events = numberFrom("SLIDERCRANK_MONKEY_EVENTS", runs(kEvents, kManyEvents));
         const int seed = numberFrom("SLIDERCRANK_MONKEY_SEED", kSeed);
+        qInfo("%d events of seed %d", events, seed);
         Monkey monkey(static_cast<unsigned>(seed), m_folder.path());
         for (int i = 0; i < events; ++i) {
             monkey.act();
@@ -427,5 +466,27 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestMonkey)
+/// Two screens side by side, one of them finer, where there is none of one's own.
+void takeTwoScreens(const QString &file)
+{
+    QFile screens(file);
+    if (qgetenv("QT_QPA_PLATFORM") == "offscreen" && screens.open(QIODevice::WriteOnly)) {
+        screens.write(R"({"synchronousWindowSystemEvents": false, "windowFrameMargins": false, "screens": [
+            {"name": "coarse", "x": 0, "y": 0, "width": 1500, "height": 1000, "logicalDpi": 96, "logicalBaseDpi": 96,
+             "dpr": 1},
+            {"name": "fine", "x": 1500, "y": 0, "width": 1500, "height": 1000, "logicalDpi": 96, "logicalBaseDpi": 96,
+             "dpr": 1.5}]})");
+        qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + QFile::encodeName(file));
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    const QTemporaryDir folder;
+    takeTwoScreens(folder.filePath(QStringLiteral("screens.json")));
+    const QApplication application(argc, argv);
+    TestMonkey test;
+    return QTest::qExec(&test, argc, argv);
+}
+
 #include "tst_monkey.moc"

@@ -2,17 +2,23 @@
 
 // At every device pixel ratio (QT_SCALE_FACTOR; ctest runs it at 1, 1.5 and 2) what is painted is painted with all the
 // pixels there are, not made larger from fewer: neighbouring pixels may differ as much as anywhere, wherever they are.
+// Also on another screen, with twice the ratio, to which the window is moved.
 
 #include "ui/window/main_window.h"
 
 #include "tests/support/waiting.h"
 
 #include <QAbstractButton>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWindow>
 
 #include <algorithm>
 #include <array>
@@ -40,6 +46,12 @@ std::array<int, 6> sharpestSteps(const QImage &picture)
     return sharpest;
 }
 
+/// Where Qt's offscreen platform shows windows: two screens, the right one with twice the pixels.
+constexpr const char *kScreens = R"({"synchronousWindowSystemEvents": true, "windowFrameMargins": false, "screens": [
+    {"name": "left", "x": 0, "y": 0, "width": 2000, "height": 1200, "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1},
+    {"name": "right", "x": 2000, "y": 0, "width": 2000, "height": 1200, "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 2}
+]})";
+
 } // namespace
 
 class TestSharpness : public QObject
@@ -49,6 +61,32 @@ class TestSharpness : public QObject
 private:
     const QTemporaryDir m_settings;
     std::unique_ptr<MainWindow> m_window;
+
+    /// As a person moves it.
+    void moveTo(const QScreen *screen)
+    {
+        m_window->windowHandle()->setScreen(const_cast<QScreen *>(screen));
+        m_window->move(screen->geometry().topLeft() + QPoint(10, 10));
+        settle(*m_window);
+        QCOMPARE(m_window->devicePixelRatio(), screen->devicePixelRatio());
+    }
+
+    static QRect edgeOf(const QWidget &widget, Qt::Edge edge)
+    {
+        constexpr int kEdge = 22; // px, as high as numbers are and half as wide
+        return edge == Qt::BottomEdge ? QRect(0, widget.height() - kEdge, widget.width(), kEdge)
+                                      : QRect(0, 0, 2 * kEdge, widget.height());
+    }
+
+    void judge(const QImage &picture)
+    {
+        const std::array<int, 6> sharpest = sharpestSteps(picture);
+        const int most = *std::max_element(sharpest.begin(), sharpest.end());
+        QVERIFY(most > 60); // there is something
+        for (const int step : sharpest) {
+            QVERIFY2(step > 0.6 * most, qPrintable(QStringLiteral("%1 of %2").arg(step).arg(most)));
+        }
+    }
 
 private slots:
     void initTestCase()
@@ -91,19 +129,33 @@ private slots:
     {
         QFETCH(const QString, name);
         QFETCH(const Qt::Edge, edge);
-        constexpr int kEdge = 22; // px, as high as numbers are and half as wide
         auto *widget = m_window->findChild<QWidget *>(name);
         QVERIFY(widget && widget->isVisible());
-        const QRect area = edge == Qt::BottomEdge ? QRect(0, widget->height() - kEdge, widget->width(), kEdge)
-                                                  : QRect(0, 0, 2 * kEdge, widget->height());
+        const QRect area = edgeOf(*widget, edge);
         const QImage picture = widget->grab(area).toImage();
         QCOMPARE(picture.size(), area.size() * m_window->devicePixelRatio());
-        const std::array<int, 6> sharpest = sharpestSteps(picture);
-        const int most = *std::max_element(sharpest.begin(), sharpest.end());
-        QVERIFY(most > 60); // there is something
-        for (const int step : sharpest) {
-            QVERIFY2(step > 0.6 * most, qPrintable(QStringLiteral("%1 of %2").arg(step).arg(most)));
-        }
+        judge(picture);
+    }
+
+    void followsTheWindowToAnotherScreen_data() { paintsWithAllThePixelsThereAre_data(); }
+
+    void followsTheWindowToAnotherScreen()
+    {
+        QFETCH(const QString, name);
+        QFETCH(const Qt::Edge, edge);
+        const QList<QScreen *> screens = QGuiApplication::screens();
+        QCOMPARE(screens.size(), 2);
+        auto *widget = m_window->findChild<QWidget *>(name);
+        QVERIFY(widget && widget->isVisible());
+        const QRect area = edgeOf(*widget, edge);
+        moveTo(screens[0]);
+        const QImage before = widget->grab(area).toImage();
+        moveTo(screens[1]);
+        const QImage there = widget->grab(area).toImage();
+        QCOMPARE(there.size(), area.size() * screens[1]->devicePixelRatio());
+        judge(there);
+        moveTo(screens[0]);
+        QCOMPARE(widget->grab(area).toImage(), before);
     }
 
     void aPictureMadeLargerIsFoundOut()
@@ -123,5 +175,19 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSharpness)
+int main(int argc, char *argv[])
+{
+    const QTemporaryDir folder;
+    QFile screens(folder.filePath(QStringLiteral("screens.json")));
+    if (!screens.open(QIODevice::WriteOnly) || screens.write(kScreens) < 0) {
+        return EXIT_FAILURE;
+    }
+    screens.close();
+    QDir::setCurrent(folder.path()); // a colon of a full name would end it
+    qputenv("QT_QPA_PLATFORM", "offscreen:configfile=screens.json");
+    QApplication application(argc, argv);
+    TestSharpness test;
+    return QTest::qExec(&test, argc, argv);
+}
+
 #include "tst_sharpness.moc"

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What Qt hands from one thread to another, it guards where the thread sanitizer does not look: Qt's libraries are not
+// compiled with it. Here are the ways that the program uses, told to it. Linked to the tests that it watches only:
+// these stand in front of Qt's functions of the same names.
+
+#include <QMetaObject>
+#include <QRunnable>
+#include <QThreadPool>
+
+#include <sanitizer/tsan_interface.h>
+
+#include <dlfcn.h>
+
+#include <functional>
+#include <utility>
+
+namespace
+{
+
+char allThatEnded; // its address stands for the end of each piece of work
+
+class Handed : public QRunnable
+{
+public:
+    explicit Handed(std::function<void()> work)
+        : m_work(std::move(work))
+    {
+        __tsan_release(this);
+    }
+
+    __attribute__((no_sanitize("thread"))) void run() override
+    {
+        __tsan_acquire(this);
+        m_work();
+        m_work = nullptr;
+        __tsan_release(&allThatEnded);
+    }
+
+private:
+    std::function<void()> m_work;
+};
+
+class HandedSlot : public QtPrivate::QSlotObjectBase
+{
+public:
+    explicit HandedSlot(QSlotObjectBase *slot)
+        : QSlotObjectBase(&HandedSlot::doIt)
+        , m_slot(slot)
+    {
+        __tsan_release(this);
+    }
+
+private:
+    __attribute__((no_sanitize("thread"))) static void doIt(int what, QSlotObjectBase *self, QObject *receiver,
+                                                            void **arguments, bool *)
+    {
+        auto *const handed = static_cast<HandedSlot *>(self);
+        __tsan_acquire(handed);
+        if (what == Call) {
+            handed->m_slot->call(receiver, arguments);
+            __tsan_release(handed);
+        } else if (what == Destroy) {
+            handed->m_slot->destroyIfLastRef();
+            delete handed;
+        }
+    }
+
+    QSlotObjectBase *m_slot;
+};
+
+} // namespace
+
+void QThreadPool::start(std::function<void()> work, int priority)
+{
+    start(new Handed(std::move(work)), priority);
+}
+
+bool QThreadPool::waitForDone(int milliseconds)
+{
+    using Wait = bool (*)(QThreadPool *, int);
+    static const auto wait = reinterpret_cast<Wait>(dlsym(RTLD_NEXT, "_ZN11QThreadPool11waitForDoneEi"));
+    const bool isDone = wait(this, milliseconds);
+    __tsan_acquire(&allThatEnded);
+    return isDone;
+}
+
+bool QMetaObject::invokeMethodImpl(QObject *object, QtPrivate::QSlotObjectBase *slot, Qt::ConnectionType type,
+                                   void *ret)
+{
+    using Invoke = bool (*)(QObject *, QtPrivate::QSlotObjectBase *, Qt::ConnectionType, void *);
+    static const auto invoke = reinterpret_cast<Invoke>(
+        dlsym(RTLD_NEXT,
+              "_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv"));
+    return invoke(object, new HandedSlot(slot), type, ret);
+}
