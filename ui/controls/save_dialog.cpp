@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/save_dialog.h"
 
+#include "ui/words/remember.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
@@ -50,7 +52,7 @@ SaveRequest again(SaveRequest request, const QString &path, const QString &filte
 void take(QWidget *parent, const SaveRequest &request, const QString &path, const QString &filter)
 {
     const auto accept = [filter, save = request.save](const QString &name) {
-        QSettings().setValue(kLastFolder, QFileInfo(name).absolutePath());
+        remember({{kLastFolder, QFileInfo(name).absolutePath()}});
         save(name, filter);
     };
     const std::optional<QString> name = completedName(path, filter, request.filters);

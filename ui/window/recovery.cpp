@@ -29,7 +29,8 @@ namespace
 
 constexpr std::chrono::seconds kMostLost{2};
 
-const QString kFile = QStringLiteral("recoveryOf"); // key of the file that the scene was of
+const QString kPrefix = QStringLiteral("recovery_"); // of the files' names
+const QString kFile = QStringLiteral("recoveryOf");  // key of the file that the scene was of
 
 /// Beside the settings, which on Windows are in no file.
 QDir folder()
@@ -96,7 +97,7 @@ void Recovery::keep()
     if (!m_own) {
         const QString name = QUuid::createUuid().toString(QUuid::Id128);
         QDir().mkpath(folder().path());
-        m_own = claim(folder().filePath(QStringLiteral("recovery_%1.json").arg(name)));
+        m_own = claim(folder().filePath(kPrefix + name + QStringLiteral(".json")));
     }
     Scene scene = m_scene->scene();
     scene.asRead.insert(kFile, m_scene->path());
@@ -111,17 +112,22 @@ void Recovery::forget()
     }
 }
 
+/// The latest first.
 void Recovery::findOffers()
 {
-    for (const QFileInfo &info : folder().entryInfoList({QStringLiteral("recovery_*.json")}, QDir::Files, QDir::Time)) {
-        Kept kept = claim(info.absoluteFilePath());
+    QFileInfoList files = folder().entryInfoList(QDir::Files, QDir::Time);
+    files.removeIf([](const QFileInfo &file) { // at each start: a pattern would take longer than the rest
+        return !file.fileName().startsWith(kPrefix) || file.suffix() != u"json";
+    });
+    for (const QFileInfo &file : files) {
+        Kept kept = claim(file.absoluteFilePath());
         if (!kept.lock) {
             continue; // of a window that is open
         }
         std::variant<Scene, QString> outcome = readScene(kept.path);
         if (Scene *scene = std::get_if<Scene>(&outcome)) {
-            const QString file = scene->asRead.take(kFile).toString();
-            m_offers.push_back({std::move(kept), std::move(*scene), file});
+            const QString of = scene->asRead.take(kFile).toString();
+            m_offers.push_back({std::move(kept), std::move(*scene), of});
         }
     }
 }

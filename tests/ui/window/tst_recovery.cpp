@@ -6,6 +6,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/recovery.h"
 #include "ui/window/scene_file.h"
+#include "ui/words/language.h"
 
 #include "tests/support/waiting.h"
 
@@ -178,6 +179,20 @@ private slots:
         QVERIFY(offer()->isVisible());
         openWindow();
         QVERIFY(offer() && offer()->isVisible());
+    }
+
+    void theOfferSpeaksTheLanguageInUse()
+    {
+        editElsewhere();
+        crash();
+        openWindow();
+        setLanguage(Language::Spanish);
+        settle();
+        const QString said = offer()->text();
+        const QString restore = offer()->findChild<QAbstractButton *>(QStringLiteral("messageRemedy"))->text();
+        setLanguage(Language::English);
+        QVERIFY2(said.startsWith(QLatin1String("El programa")), qPrintable(said));
+        QCOMPARE(restore, QStringLiteral("Recuperar"));
     }
 
     void restoringAsksAboutWhatWasEditedSince()
