@@ -100,7 +100,6 @@ bool explainBy(const Observations &few, const Parameters &start, double timeUnit
     }
     keepAlsoWithoutBadDerivatives(best);
     // Two columns under each other's names.
-    std::optional<std::pair<std::size_t, std::size_t>> pair;
     double gain = -(kPriceOfCause + 2.0 * kPriceOfColumn);
     std::vector<Scored> swapped;
     for (std::size_t i = 0; i < best.size(); ++i) {

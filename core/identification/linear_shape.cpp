@@ -80,7 +80,6 @@ Shape shapeOfBoth(const Positions &positions, bool isTurned, bool isShifted)
     const Eigen::Index unknowns = 4 + (isTurned ? 1 : 0) + (isShifted ? 1 : 0);
     Equations equations(unknowns);
     double cosines = 0.0;
-    double spread = 0.0;
     for (std::size_t i = 0; i < positions.phase.size(); ++i) {
         const double cosine = std::cos(positions.phase[i]);
         const double sine = std::sin(positions.phase[i]);
@@ -88,7 +87,6 @@ Shape shapeOfBoth(const Positions &positions, bool isTurned, bool isShifted)
         const double sin3 = std::sin(positions.theta3[i]);
         const double x = positions.R4x[i];
         cosines += cos3;
-        spread += x * x;
         if (isTurned && isShifted) {
             equations.add(x, cos3, 0.0, cosine, -sine, sin3, 1.0);
             equations.add(0.0, sin3, -1.0, sine, cosine, -cos3, 0.0);

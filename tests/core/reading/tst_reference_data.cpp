@@ -15,10 +15,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <new>
 #include <random>
+#include <span>
 #include <string>
+#include <string_view>
 
 using namespace slidercrank;
 

@@ -6,9 +6,16 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 
 #include <algorithm>
 #include <limits>
+
+#ifdef Q_OS_UNIX
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
 
 using namespace slidercrank;
 
@@ -254,6 +261,22 @@ private slots:
             before = part;
         }
         QVERIFY(before > 0.8);
+    }
+
+    void doesNotWaitForAPipeOnceItIsCancelled()
+    {
+#ifdef Q_OS_UNIX
+        QTemporaryDir folder;
+        const QByteArray pipe = QFile::encodeName(folder.filePath(QStringLiteral("pipe")));
+        QCOMPARE(mkfifo(pipe.constData(), 0600), 0);
+        Session session;
+        session.loadReference(QFile::decodeName(pipe));
+        int writer = -1; // who writes nothing
+        AWAIT((writer = ::open(pipe.constData(), O_WRONLY | O_NONBLOCK)) >= 0);
+        session.cancel();
+        QVERIFY(QThreadPool::globalInstance()->waitForDone(kPatience));
+        ::close(writer);
+#endif
     }
 
     void saysThatAFileIsMissing()
