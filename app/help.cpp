@@ -55,6 +55,11 @@ constexpr OptionEntry kSolveOptions[] = {
     {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
 };
 
+constexpr OptionEntry kLimitsOptions[] = {
+    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+};
+
 constexpr OptionEntry kCompareOptions[] = {
     {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
     {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
@@ -130,6 +135,7 @@ QString introductionOf(Subcommand subcommand)
             "Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a "
             "reference\n"
             "       slidercrank solve [options]             the motion as CSV or JSON\n"
+            "       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks\n"
             "       slidercrank compare FILE… [options]     how far simulations' files are from "
             "the model\n"
             "       slidercrank identify FILE [options]     the mechanism that a file belongs to\n"
@@ -146,6 +152,14 @@ QString introductionOf(Subcommand subcommand)
                                "(R1_x, R1_y, theta1, R2_x … theta4; mm, °), their first derivatives (theta3_diff) and "
                                "their\n"
                                "second (theta3_diff2), 17 significant digits, nan where a value does not exist.\n");
+    case Subcommand::Limits:
+        return CommandLine::tr("Usage: slidercrank limits [options]\n"
+                               "\n"
+                               "Whether the crank turns round and why, dead centres, stroke, the strokes' angles and "
+                               "times, time ratio, transmission\n"
+                               "angle, mean and peak speeds, peak accelerations, and where and when they are. A rocker "
+                               "has fewer of them; exit status 4\n"
+                               "where there is no pose at all.\n");
     case Subcommand::Compare:
         return CommandLine::tr(
             "Usage: slidercrank compare FILE… [options]\n"
@@ -220,6 +234,13 @@ QString shapeOf(Subcommand subcommand)
                                "\"time\":[…], \"channels\":{\"theta3\":[…],…}};\n"
                                "      the mechanism in mm and rad as in the options, null where a value does not "
                                "exist.\n");
+    case Subcommand::Limits:
+        return CommandLine::tr(
+            "JSON: {\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
+            "\"mobility\":\"full-turn\"|\"rocker\"|\"locked\"|\"impossible\",\n"
+            "       \"reason\", \"limits\":[{\"name\",\"value\",\"unit\",\"theta2\",\"time\"}]}; theta2 "
+            "in degrees, time in s, the\n"
+            "      first from 0 on; null where there is none. CSV: a row a limit.\n");
     case Subcommand::Compare:
         return CommandLine::tr("JSON: {\"files\":[{\"file\", "
                                "\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
@@ -285,6 +306,7 @@ QString wordOf(Subcommand subcommand)
     switch (subcommand) {
     case Subcommand::Window: return {};
     case Subcommand::Solve: return QStringLiteral("solve");
+    case Subcommand::Limits: return QStringLiteral("limits");
     case Subcommand::Compare: return QStringLiteral("compare");
     case Subcommand::Identify: return QStringLiteral("identify");
     case Subcommand::Study: return QStringLiteral("study");
@@ -300,6 +322,8 @@ std::vector<OptionGroup> optionGroupsOf(Subcommand subcommand)
     case Subcommand::Solve:
         return {{kMechanism, kMechanismOptions}, {kRun, kRunOptions},      {kRun, kInstantOptions},
                 {kMethod, kMethodOptions},       {kResult, kSolveOptions}, {kOther, kEverywhereOptions}};
+    case Subcommand::Limits:
+        return {{kMechanism, kMechanismOptions}, {kResult, kLimitsOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Compare:
         return {{kMechanism, kMechanismOptions}, {kResult, kCompareOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Identify:

@@ -11,7 +11,7 @@
 namespace slidercrank
 {
 
-enum class Subcommand { Window, Solve, Compare, Identify, Study, Render };
+enum class Subcommand { Window, Solve, Limits, Compare, Identify, Study, Render };
 
 /// The word on the command line; empty for the window.
 QString wordOf(Subcommand subcommand);

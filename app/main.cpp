@@ -66,6 +66,9 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
     if (const SolveOptions *options = std::get_if<SolveOptions>(&command)) {
         return solve(*options);
     }
+    if (const LimitsOptions *options = std::get_if<LimitsOptions>(&command)) {
+        return limits(*options);
+    }
     if (const CompareOptions *options = std::get_if<CompareOptions>(&command)) {
         return compareFiles(*options);
     }
@@ -127,7 +130,7 @@ int main(int argc, char *argv[])
     } else if (!hasDisplay() && !std::get<WindowOptions>(command).choosesDisplay) {
         say(QCoreApplication::translate(
             "slidercrank::CommandLine",
-            "There is no display to open the window on: set DISPLAY, or use solve, compare, identify, "
+            "There is no display to open the window on: set DISPLAY, or use solve, limits, compare, identify, "
             "study or render, which need none."));
         return static_cast<int>(ExitStatus::WrongCommandLine);
     }

@@ -191,6 +191,17 @@ Command readSolve(OptionReader &reader, const QStringList &positional)
     return options;
 }
 
+Command readLimits(OptionReader &reader, const QStringList &positional)
+{
+    LimitsOptions options;
+    options.mechanism = readMechanism(reader);
+    options.format =
+        reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
+    options.output = readOutputBeside(reader, {});
+    refusePositional(reader, positional, Subcommand::Limits);
+    return options;
+}
+
 Command readCompare(OptionReader &reader, const QStringList &positional)
 {
     CompareOptions options;
@@ -429,8 +440,8 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
         return options;
     }
     options.scene = positional.first();
-    const QStringList words{QStringLiteral("solve"), QStringLiteral("compare"), QStringLiteral("identify"),
-                            QStringLiteral("study"), QStringLiteral("render")};
+    const QStringList words{QStringLiteral("solve"),    QStringLiteral("limits"), QStringLiteral("compare"),
+                            QStringLiteral("identify"), QStringLiteral("study"),  QStringLiteral("render")};
     const bool isFile =
         options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || QFileInfo::exists(options.scene);
     if (words.contains(options.scene)) {
@@ -438,9 +449,10 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
     } else if (!isFile && options.scene.contains(QRegularExpression(QStringLiteral("[./\\\\]")))) {
         reader.refuseFile(CommandLine::tr("There is no file %1.").arg(QDir::toNativeSeparators(options.scene)));
     } else if (!isFile) {
-        reader.refuse(CommandLine::tr("There is no command \"%1\": use solve, compare, identify, study or render, or "
-                                      "no word at all, or a scene's file, for the window.")
-                          .arg(options.scene));
+        reader.refuse(
+            CommandLine::tr("There is no command \"%1\": use solve, limits, compare, identify, study or render, or "
+                            "no word at all, or a scene's file, for the window.")
+                .arg(options.scene));
     } else if (positional.size() > 1) {
         reader.refuse(CommandLine::tr("The window opens one scene, not %1: remove \"%2\".")
                           .arg(positional.size())
@@ -502,8 +514,8 @@ std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFor
 Command parseCommandLine(const QStringList &arguments)
 {
     Subcommand subcommand = Subcommand::Window;
-    for (const Subcommand candidate :
-         {Subcommand::Solve, Subcommand::Compare, Subcommand::Identify, Subcommand::Study, Subcommand::Render}) {
+    for (const Subcommand candidate : {Subcommand::Solve, Subcommand::Limits, Subcommand::Compare, Subcommand::Identify,
+                                       Subcommand::Study, Subcommand::Render}) {
         if (arguments.size() > 1 && arguments[1] == wordOf(candidate)) {
             subcommand = candidate;
         }
@@ -541,6 +553,7 @@ Command parseCommandLine(const QStringList &arguments)
     switch (subcommand) {
     case Subcommand::Window: command = readWindow(reader, positional, chooseDisplay(arguments)); break;
     case Subcommand::Solve: command = readSolve(reader, positional); break;
+    case Subcommand::Limits: command = readLimits(reader, positional); break;
     case Subcommand::Compare: command = readCompare(reader, positional); break;
     case Subcommand::Identify: command = readIdentify(reader, positional); break;
     case Subcommand::Study: command = readStudy(reader, positional); break;

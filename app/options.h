@@ -38,6 +38,12 @@ struct SolveOptions {
     QString output; ///< empty: standard output
 };
 
+struct LimitsOptions {
+    Mechanism mechanism;
+    Format format = Format::Text;
+    QString output; ///< empty: standard output
+};
+
 struct CompareOptions {
     Mechanism mechanism;
     QStringList files; ///< at least one
@@ -103,8 +109,8 @@ struct UnreadableFile {
     QString sentence;
 };
 
-using Command = std::variant<WindowOptions, SolveOptions, CompareOptions, IdentifyOptions, StudyOptions, RenderOptions,
-                             ResetSettings, Answer, WrongCommandLine, UnreadableFile>;
+using Command = std::variant<WindowOptions, SolveOptions, LimitsOptions, CompareOptions, IdentifyOptions, StudyOptions,
+                             RenderOptions, ResetSettings, Answer, WrongCommandLine, UnreadableFile>;
 
 /// `arguments` as QCoreApplication::arguments() gives them, the program's name first.
 Command parseCommandLine(const QStringList &arguments);

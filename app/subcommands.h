@@ -12,6 +12,9 @@ namespace slidercrank
 /// The trajectory as CSV or JSON.
 ExitStatus solve(const SolveOptions &options);
 
+/// What bounds the motion: dead centres, stroke, transmission angle, peaks; as text, CSV or JSON.
+ExitStatus limits(const LimitsOptions &options);
+
 /// How far simulations' files are from the exact motion, as tables, CSV or JSON.
 ExitStatus compareFiles(const CompareOptions &options);
 

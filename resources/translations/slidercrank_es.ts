@@ -652,8 +652,8 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>No se pueden escribir los ajustes de %1: elimínelos allí.</translation>
     </message>
     <message>
-        <source>There is no display to open the window on: set DISPLAY, or use solve, compare, identify, study or render, which need none.</source>
-        <translation>No hay pantalla en la que abrir la ventana: defina DISPLAY, o use solve, compare, identify, study o render, que no la necesitan.</translation>
+        <source>There is no display to open the window on: set DISPLAY, or use solve, limits, compare, identify, study or render, which need none.</source>
+        <translation>No hay pantalla en la que abrir la ventana: defina DISPLAY, o use solve, limits, compare, identify, study o render, que no la necesitan.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -788,8 +788,8 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>La orden debe ir primero: slidercrank %1 …</translation>
     </message>
     <message>
-        <source>There is no command &quot;%1&quot;: use solve, compare, identify, study or render, or no word at all, or a scene&apos;s file, for the window.</source>
-        <translation>No existe la orden «%1»: use solve, compare, identify, study o render; para la ventana, ninguna palabra o el archivo de una escena.</translation>
+        <source>There is no command &quot;%1&quot;: use solve, limits, compare, identify, study or render, or no word at all, or a scene&apos;s file, for the window.</source>
+        <translation>No existe la orden «%1»: use solve, limits, compare, identify, study o render; para la ventana, ninguna palabra o el archivo de una escena.</translation>
     </message>
     <message>
         <source>The window opens one scene, not %1: remove &quot;%2&quot;.</source>
@@ -969,6 +969,7 @@ abscisa y medida de los errores de las gráficas.
     <message>
         <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
        slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
        slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
        slidercrank identify FILE [options]     the mechanism that a file belongs to
        slidercrank study [options]             speed against error of every method
@@ -978,6 +979,7 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
 </source>
         <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
      slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
      slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
      slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
      slidercrank study [opciones]             velocidad y error de cada método
@@ -1113,6 +1115,38 @@ none          ni siquiera eso
     <message>
         <source>There is no file %1.</source>
         <translation>No existe el archivo %1.</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank limits [options]
+
+Whether the crank turns round and why, dead centres, stroke, the strokes&apos; angles and times, time ratio, transmission
+angle, mean and peak speeds, peak accelerations, and where and when they are. A rocker has fewer of them; exit status 4
+where there is no pose at all.
+</source>
+        <translation>Uso: slidercrank limits [opciones]
+
+Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, razón de tiempos,
+ángulo de transmisión, velocidades medias y máximas, aceleraciones máximas, y dónde y cuándo se dan. Si la manivela oscila hay
+menos; código de salida 4 si no hay ninguna posición.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;mobility&quot;:&quot;full-turn&quot;|&quot;rocker&quot;|&quot;locked&quot;|&quot;impossible&quot;,
+       &quot;reason&quot;, &quot;limits&quot;:[{&quot;name&quot;,&quot;value&quot;,&quot;unit&quot;,&quot;theta2&quot;,&quot;time&quot;}]}; theta2 in degrees, time in s, the
+      first from 0 on; null where there is none. CSV: a row a limit.
+</source>
+        <translation>JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;mobility&quot;:&quot;full-turn&quot;|&quot;rocker&quot;|&quot;locked&quot;|&quot;impossible&quot;,
+       &quot;reason&quot;, &quot;limits&quot;:[{&quot;name&quot;,&quot;value&quot;,&quot;unit&quot;,&quot;theta2&quot;,&quot;time&quot;}]}; theta2 en grados, time en s, el primero
+      desde 0; null donde no hay. CSV: una fila por límite.
+</translation>
+    </message>
+    <message>
+        <source>at θ2 = %1°</source>
+        <translation>en θ2 = %1°</translation>
+    </message>
+    <message>
+        <source>, t = %1 s</source>
+        <translation>, t = %1 s</translation>
     </message>
 </context>
 <context>

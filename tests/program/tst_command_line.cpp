@@ -238,6 +238,7 @@ private slots:
     void comparesTheFilesThatItCanRead();
     void tellsRoundingFromDifference_data();
     void tellsRoundingFromDifference();
+    void saysWhatBoundsTheMotion();
     void saysWhoseMotionADifferentFileIs();
     void saysInJsonWhyAFileDiffers();
     void itsSentencesAgreeWithEachOther_data();
@@ -1013,6 +1014,68 @@ void TestCommandLine::tellsRoundingFromDifference()
     }
     QVERIFY2(agrees == agreeing && differs == differing, outcome.out.constData());
     QCOMPARE(outcome.status, differing > 0 ? 1 : 0);
+}
+
+void TestCommandLine::saysWhatBoundsTheMotion()
+{
+    const double a = 20.0;
+    const double b = 65.0;
+    const double c = 25.0;
+    const double degree = std::acos(-1.0) / 180.0;
+    const Outcome outcome = run({"limits", "--format", "json"});
+    QCOMPARE(outcome.status, 0);
+    const QJsonObject json = QJsonDocument::fromJson(outcome.out).object();
+    QCOMPARE(json["mobility"].toString(), QStringLiteral("full-turn"));
+    QMap<QString, QJsonObject> limits;
+    for (const QJsonValue &limit : json["limits"].toArray()) {
+        limits.insert(limit["name"].toString(), limit.toObject());
+    }
+    QCOMPARE(limits.size(), qsizetype(15));
+    // Norton, "Design of Machinery", by hand.
+    const double outer = std::asin(c / (b + a)) / degree;
+    const double inner = 180.0 + std::asin(c / (b - a)) / degree;
+    const double stroke = std::sqrt((b + a) * (b + a) - c * c) - std::sqrt((b - a) * (b - a) - c * c);
+    const QMap<QString, double> values{{"outer-dead-centre", std::sqrt((b + a) * (b + a) - c * c)},
+                                       {"inner-dead-centre", std::sqrt((b - a) * (b - a) - c * c)},
+                                       {"stroke", stroke},
+                                       {"forward-angle", 360.0 - (inner - outer)},
+                                       {"return-angle", inner - outer},
+                                       {"forward-time", 1.0 - (inner - outer) / 360.0},
+                                       {"return-time", (inner - outer) / 360.0},
+                                       {"time-ratio", (inner - outer) / (360.0 - (inner - outer))},
+                                       {"least-transmission-angle", std::acos((a + c) / b) / degree},
+                                       {"mean-forward-speed", stroke / (1.0 - (inner - outer) / 360.0)},
+                                       {"mean-return-speed", stroke / ((inner - outer) / 360.0)}};
+    for (auto value = values.begin(); value != values.end(); ++value) {
+        QVERIFY2(std::abs(limits[value.key()]["value"].toDouble() - value.value()) <= 1e-9 * std::abs(value.value()),
+                 qPrintable(value.key()));
+    }
+    QVERIFY(std::abs(limits["outer-dead-centre"]["theta2"].toDouble() - outer) < 1e-9);
+    QVERIFY(std::abs(limits["inner-dead-centre"]["time"].toDouble() - inner / 360.0) < 1e-12);
+    // The peaks against a run of fine steps.
+    const Table run20000 = tableOf(run({"solve", "--method", "closed-form", "--steps", "20000", "--channels",
+                                        "theta3_diff,R4_x_diff,theta3_diff2,R4_x_diff2"})
+                                       .out);
+    const QStringList peaks{"peak-coupler-speed", "peak-slider-speed", "peak-coupler-acceleration",
+                            "peak-slider-acceleration"};
+    for (qsizetype k = 0; k < peaks.size(); ++k) {
+        double largest = 0.0;
+        for (const QByteArrayList &row : run20000.cells) {
+            largest = std::max(largest, std::abs(row[k + 1].toDouble()));
+        }
+        QVERIFY2(std::abs(limits[peaks[k]]["value"].toDouble() - largest) <= 1e-6 * largest, qPrintable(peaks[k]));
+    }
+
+    // A rocker has no dead centres to go between, and what cannot be assembled has nothing.
+    const Outcome rocker = run({"limits", "--b", "40", "--format", "csv"});
+    QCOMPARE(rocker.status, 0);
+    QVERIFY2(rocker.out.contains("\nforward-time,,s,,\n"), rocker.out.constData());
+    const Outcome impossible = run({"limits", "--c", "100", "--format", "json"});
+    QCOMPARE(impossible.status, 4);
+    QVERIFY(impossible.out.contains("\"mobility\":\"impossible\"") && !impossible.out.contains("nan"));
+    const Outcome text = run(QStringList{"limits"});
+    QVERIFY2(text.out.startsWith("The crank turns round: b = 65 mm") && text.out.contains("43.8238 mm"),
+             text.out.constData());
 }
 
 void TestCommandLine::saysWhoseMotionADifferentFileIs()
