@@ -127,6 +127,7 @@ QList<Save> commands()
             {"compare", "x.csv", 0, {"compare", kSample, "--format", "csv"}},
             {"identify", "x.json", 0, {"identify", kSample, "--format", "json"}},
             {"study", "x.json", 0, {"study", "--format", "json"}},
+            {"limits", "x.csv", 0, {"limits", "--format", "csv"}},
             {"render PNG", "x.png", 0, {"render"}},
             {"render SVG", "x.svg", 0, {"render", "--what", "mechanism"}},
             {"render PDF", "x.pdf", 0, {"render"}},
@@ -291,7 +292,7 @@ void TstFaults::aCommandIsKilledAtACall()
 
 void TstFaults::standardOutputHasNoRoom()
 {
-    for (const char *line : {"solve", "solve --format json", "study", "--help", "--version"}) {
+    for (const char *line : {"solve", "solve --format json", "limits", "study", "--help", "--version"}) {
         QProcess program;
         program.setStandardOutputFile(QStringLiteral("/dev/full"));
         program.start(QStringLiteral(SLIDERCRANK_PROGRAM), QProcess::splitCommand(QString::fromLatin1(line)));
