@@ -5,6 +5,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "app/subcommands.h"
+#include "ui/window/application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 #include "ui/words/language.h"
@@ -134,7 +135,7 @@ int main(int argc, char *argv[])
             "study or render, which need none."));
         return static_cast<int>(ExitStatus::WrongCommandLine);
     }
-    const QApplication application(argc, argv);
+    const Application application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion")); // the one whose palettes are ours to choose, on every platform
     introduceApplication();
     setLanguage(picture ? Language::System : chosenLanguage());

@@ -2588,6 +2588,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Cancelled: nothing was written.</source>
         <translation>Cancelado: no se escribió nada.</translation>
     </message>
+    <message>
+        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
+        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismArrows</name>

@@ -14,6 +14,7 @@
 #include "ui/reference/error_panel.h"
 #include "ui/reference/reference_panel.h"
 #include "ui/study/study_panel.h"
+#include "ui/window/application.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
 #include "ui/window/key_owner.h"
@@ -149,6 +150,11 @@ void MainWindow::connectDocument()
                                              : tr("Cancelled: what is on show is from before."));
     });
 
+    if (auto *application = qobject_cast<Application *>(qApp)) { // in most tests it is another
+        connect(application, &Application::memoryEnded, m_messages, [this] {
+            m_messages->tellProblem(tr("There is not enough memory for that: try fewer steps, or a smaller file."));
+        });
+    }
     connect(m_exports, &Exports::done, m_messages, &Messages::tell);
     connect(m_exports, &Exports::problemFound, m_messages, &Messages::tellProblem);
     connect(m_messages, &Messages::openReferenceRequested, this, &MainWindow::chooseReference);
