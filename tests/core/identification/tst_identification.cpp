@@ -212,7 +212,7 @@ private slots:
         const bool onlyR4x =
             !channels.contains('1') || (channels[0] == '0' && channels[2] == '0' && channels[4] == '0');
         RandomMechanisms random(kSeed);
-        for (int i = 0; i < runs(100, 1000); ++i) {
+        for (int i = 0; i < numericRuns(100, 1000); ++i) {
             const Parameters truth = ordinary(random);
             const double turns = random.uniform(0.6, 3.0);
             const int rows = static_cast<int>(random.uniform(80.0, 500.0));
@@ -244,7 +244,7 @@ private slots:
     {
         QFETCH(const QString, channels);
         RandomMechanisms random(kSeed);
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < numericRuns(100, 100); ++i) {
             const Parameters truth = ordinary(random);
             const ReferenceData data = printedData(truth, turnsOf(truth, random.uniform(0.6, 3.0), 201, channels));
             Parameters given;
@@ -281,7 +281,7 @@ private slots:
     void findsARocker()
     {
         RandomMechanisms random(kSeed);
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < numericRuns(100, 100); ++i) {
             // Around the middle of the arc where c - a sin θ2 stays within ±b.
             Parameters truth = ordinary(random);
             const double c = std::abs(truth.c);
@@ -311,7 +311,7 @@ private slots:
     void bridgesGaps()
     {
         RandomMechanisms random(kSeed);
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < numericRuns(100, 100); ++i) {
             const Parameters truth = ordinary(random);
             Printing printing = turnsOf(truth, 3.0, 300, "111111");
             // A turn is missing altogether, of the rest one cell in two; θ3 ends early, R4x begins late.

@@ -194,7 +194,7 @@ void tst_newton::agreesWithTheClosedFormOnRandomMechanisms()
     RandomMechanisms random(21);
     Deviation worst;
     Parameters worstParameters;
-    for (int i = 0; i < runs(300, 3000); ++i) {
+    for (int i = 0; i < numericRuns(300, 3000); ++i) {
         Parameters p = random.next();
         const std::vector<double> instants = turn(p, 40);
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {

@@ -135,7 +135,7 @@ void TestRandomInstants::callsNothingSolvedThatIsOffByOnePercent()
     int poses = 0;
     int open = 0;
     double worstRatio = 0.0;
-    for (int i = 0; i < runs(500, 5000); ++i) {
+    for (int i = 0; i < numericRuns(500, 5000); ++i) {
         const Parameters p = randomOf(static_cast<Sort>(sort), random);
         const Mechanism mechanism(p);
         const ClosedForm closedForm{mechanism};

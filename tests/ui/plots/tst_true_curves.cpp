@@ -302,7 +302,7 @@ private slots:
     {
         RandomMechanisms random(8);
         BareGrid shown(resultOf({}, {}));
-        for (int i = 0; i < runs(200, 3000); ++i) {
+        for (int i = 0; i < numericRuns(200, 3000); ++i) {
             Parameters p = random.next();
             if (i % 4 == 1) { // rockers, some of two arcs
                 const double shortest = std::max(0.0, std::abs(p.c) - p.a);
