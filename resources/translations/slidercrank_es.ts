@@ -3277,6 +3277,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1 in all, at most %2 where it started from afar</source>
         <translation>%1 en total, máx. %2 donde empezó de lejos</translation>
     </message>
+    <message>
+        <source>mean speed forward</source>
+        <translation>velocidad media de ida</translation>
+    </message>
+    <message>
+        <source>mean speed back</source>
+        <translation>velocidad media de vuelta</translation>
+    </message>
+    <message>
+        <source>The stroke over the forward stroke&apos;s time</source>
+        <translation>La carrera entre el tiempo de la carrera de ida</translation>
+    </message>
+    <message>
+        <source>The stroke over the return stroke&apos;s time</source>
+        <translation>La carrera entre el tiempo de la carrera de vuelta</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::NewtonPanel</name>

@@ -239,6 +239,15 @@ void addStrokeTimes(FactList &list, const Mechanism &mechanism, const MotionLimi
              timeOf(*limits.angleOutwards));
     list.add(MotionFacts::tr("return stroke"), turnOf(*limits.angleInwards),
              MotionFacts::tr("The crank's turn from the outer to the inner dead centre"), timeOf(*limits.angleInwards));
+    if (const double speed = std::abs(mechanism.omega2()); speed > 0.0) {
+        const auto meanSpeed = [&](double angle) {
+            return amount(*limits.stroke * speed / angle, QString::fromUtf8(authorUnitOf({R4x, Order::Velocity})));
+        };
+        list.add(MotionFacts::tr("mean speed forward"), meanSpeed(*limits.angleOutwards),
+                 MotionFacts::tr("The stroke over the forward stroke's time"));
+        list.add(MotionFacts::tr("mean speed back"), meanSpeed(*limits.angleInwards),
+                 MotionFacts::tr("The stroke over the return stroke's time"));
+    }
     list.add(MotionFacts::tr("time ratio"), {numberText(*limits.timeRatio), *limits.timeRatio, {}},
              MotionFacts::tr("The slower stroke's time over the faster one's"));
 }

@@ -183,6 +183,7 @@ private slots:
         QCOMPARE(positions, QStringList({"outer dead centre|81.2404 mm|17.10|0.0475",
                                          "inner dead centre|37.4166 mm|213.75|0.5937", "stroke|43.8238 mm||–",
                                          "forward stroke|163.36°|in 0.4538 s|–", "return stroke|196.64°|in 0.5462 s|–",
+                                         "mean speed forward|96.5781 mm/s||–", "mean speed back|80.229 mm/s||–",
                                          "time ratio|1.20378||–", "least transmission angle|46.19°|270.00|0.7500"}));
         const QStringList peaks = Shown::rowsOf(shown.peaks());
         QCOMPARE(peaks, QStringList({"slider speed|162.859 mm/s|301.81|0.8384",
