@@ -54,6 +54,13 @@ constexpr bool isGuess(ColumnReason reason)
     return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::ModelicaName;
 }
 
+/// Between the values of two rows, by the time between them.
+enum class Difference {
+    Forward, ///< this row and the next
+    Backward,
+    Central ///< the row before and the next
+};
+
 /// One column of the file, UTF-8 whatever the file's encoding.
 struct FileColumn {
     std::string heading; ///< as printed, with the unit where it stands there; empty: none
@@ -62,6 +69,7 @@ struct FileColumn {
     Channel channel; ///< where the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
     std::optional<std::size_t> otherColumn; ///< that the reason speaks of
+    std::optional<Difference> difference;   ///< what a column of derivatives is made of
 };
 
 /// What was found of a file's form.

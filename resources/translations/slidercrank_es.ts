@@ -239,6 +239,18 @@
         <translation>sin usar: no tiene nombre</translation>
     </message>
     <message>
+        <source>%1; central differences, no derivative</source>
+        <translation>%1; son diferencias centrales, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; backward differences, no derivative</source>
+        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; forward differences, no derivative</source>
+        <translation>%1; son diferencias hacia delante, no una derivada</translation>
+    </message>
+    <message>
         <source>ignored: it holds no number</source>
         <translation>sin usar: no contiene ningún número</translation>
     </message>
@@ -293,6 +305,10 @@
     <message>
         <source>name not known</source>
         <translation>nombre desconocido</translation>
+    </message>
+    <message>
+        <source>differences from row to row</source>
+        <translation>diferencias de fila a fila</translation>
     </message>
     <message>
         <source>other instants</source>
@@ -1348,6 +1364,10 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>Deja fuera %1</translation>
     </message>
     <message>
+        <source>Turns %1 by 90°, so that y becomes x</source>
+        <translation>Gira %1 90°, de modo que y pasa a ser x</translation>
+    </message>
+    <message>
         <source>angle unit</source>
         <translation>unidad de ángulo</translation>
     </message>
@@ -1392,6 +1412,10 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>no es derivada</translation>
     </message>
     <message>
+        <source>axis</source>
+        <translation>eje</translation>
+    </message>
+    <message>
         <source>%1: counted clockwise, against the sense of the model.</source>
         <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
     </message>
@@ -1434,6 +1458,22 @@ menos; código de salida 4 si no hay ninguna posición.
     <message>
         <source>%1: not the time derivative of its position column.</source>
         <translation>%1: no es la derivada temporal de su columna de posición.</translation>
+    </message>
+    <message>
+        <source>%1: central differences of the rows on both sides, and not the time derivative.</source>
+        <translation>%1: son diferencias centrales, entre la fila anterior y la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: backward differences, from each row to the one before, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia atrás, de cada fila a la anterior, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: forward differences, from each row to the next, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia delante, de cada fila a la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>The slider moves along y and not along x: y is its axis, as in an upright engine.</source>
+        <translation>La corredera se mueve según y, no según x: su eje es y, como en un motor vertical.</translation>
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
@@ -1545,6 +1585,10 @@ menos; código de salida 4 si no hay ninguna posición.
     <message>
         <source>The data do not fix %1: kept as given.</source>
         <translation>Los datos no determinan %1: se conserva lo dado.</translation>
+    </message>
+    <message>
+        <source>The file does not say the unit of its lengths, and they were read as mm: if it is metres, a = %1; then write [m] behind the names.</source>
+        <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
     </message>
     <message>
         <source>What is left looks like noise: %1 (rms).</source>

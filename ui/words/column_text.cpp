@@ -87,7 +87,11 @@ QString unitText(const FileColumn &column)
     return {};
 }
 
-QString reasonText(const FileLayout &layout, std::size_t column)
+namespace
+{
+
+/// Why the column became what it is, whatever it is made of.
+QString roleReason(const FileLayout &layout, std::size_t column)
 {
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
@@ -126,8 +130,28 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     return {};
 }
 
+} // namespace
+
+QString reasonText(const FileLayout &layout, std::size_t column)
+{
+    const QString reason = roleReason(layout, column);
+    const std::optional<Difference> difference = layout.columns[column].difference;
+    if (!difference) {
+        return reason;
+    }
+    switch (*difference) {
+    case Difference::Forward: return ColumnText::tr("%1; forward differences, no derivative").arg(reason);
+    case Difference::Backward: return ColumnText::tr("%1; backward differences, no derivative").arg(reason);
+    case Difference::Central: return ColumnText::tr("%1; central differences, no derivative").arg(reason);
+    }
+    return reason;
+}
+
 QString shortReasonText(const FileLayout &layout, std::size_t column)
 {
+    if (layout.columns[column].difference && !isGuess(layout.columns[column].reason)) {
+        return ColumnText::tr("differences from row to row");
+    }
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
     case ColumnReason::KnownName: return ColumnText::tr("name known");
