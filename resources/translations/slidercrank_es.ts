@@ -4456,6 +4456,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
 <context>
     <name>slidercrank::SceneFile</name>
     <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
+    <message>
         <source>Unsaved changes</source>
         <translation>Cambios sin guardar</translation>
     </message>
@@ -4608,6 +4612,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 must be greater than 0.</source>
         <translation>%1 debe ser mayor que 0.</translation>
+    </message>
+    <message>
+        <source>showing the scene in less</source>
+        <translation>escena mostrada con menos</translation>
+    </message>
+    <message>
+        <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
+        <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
     </message>
     <message>
         <source>taking over the file&apos;s mechanism</source>
