@@ -967,7 +967,7 @@ abscisa y medida de los errores de las gráficas.
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
        slidercrank solve [options]             the motion as CSV or JSON
        slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
        slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
@@ -977,7 +977,7 @@ abscisa y medida de los errores de las gráficas.
 
 Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
 </source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
      slidercrank solve [opciones]             el movimiento como CSV o JSON
      slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
      slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
@@ -4480,12 +4480,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Abrir escena</translation>
     </message>
     <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Escenas (*.json);;Todos los archivos (*)</translation>
+        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
+        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank)</source>
+        <translation>Escenas (*.slidercrank)</translation>
     </message>
     <message>
         <source>Scenes (*.json)</source>
