@@ -540,7 +540,7 @@ Command parseCommandLine(const QStringList &arguments)
         return WrongCommandLine{*fault};
     }
     if (parser.isSet(QStringLiteral("version"))) {
-        return Answer{QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n")};
+        return Answer{QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n")};
     }
 
     OptionReader reader(parser);

@@ -554,8 +554,8 @@
         <translation>este texto</translation>
     </message>
     <message>
-        <source>name and version of the program</source>
-        <translation>nombre y versión del programa</translation>
+        <source>name and version of the program, and what it is built of</source>
+        <translation>nombre y versión del programa, y con qué está compilado</translation>
     </message>
     <message>
         <source>Mechanism</source>
