@@ -4503,6 +4503,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Scenes (*.json)</source>
         <translation>Escenas (*.json)</translation>
     </message>
+    <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::SceneText</name>
@@ -4628,6 +4632,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>taking over the file&apos;s mechanism</source>
         <translation>adopción del mecanismo del archivo</translation>
+    </message>
+    <message>
+        <source>showing the scene in less</source>
+        <translation>escena mostrada con menos</translation>
+    </message>
+    <message>
+        <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
+        <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include "ui/window/remembered.h"
 #include "ui/window/rooms.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -92,6 +93,11 @@ void SceneFile::askThen(const std::function<void()> &goOn)
 void SceneFile::open(const QString &path, const QString &reference)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (const QFileInfo file(absolute); file.exists() && !file.isFile() && !file.isDir()) {
+        emit problemFound(tr("%1 is a pipe or a device: save the scene in a file, and open that.")
+                              .arg(QDir::toNativeSeparators(absolute)));
+        return;
+    }
     std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit problemFound(*sentence);

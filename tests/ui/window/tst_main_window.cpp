@@ -42,6 +42,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
 using namespace slidercrank;
 
 namespace
@@ -539,6 +543,19 @@ private slots:
         QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
         QTest::mouseClick(bar->findChild<QAbstractButton *>(QStringLiteral("messageDismiss")), Qt::LeftButton);
         QVERIFY(!bar->isVisible());
+    }
+
+    /// Nobody writes into the pipe, and nobody waits for that.
+    void aSceneThatIsNoFileIsToldAndNotWaitedFor()
+    {
+#ifdef Q_OS_UNIX
+        QTemporaryDir folder;
+        const QString pipe = folder.filePath(QStringLiteral("pipe.json"));
+        QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        drop(*m_window, pipe);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT(bar->isVisible() && bar->text().contains(QLatin1String("pipe.json")));
+#endif
     }
 
     void showsTheImpossibleAndRecovers()
