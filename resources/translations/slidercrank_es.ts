@@ -3009,6 +3009,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>&amp;Loop</source>
         <translation>&amp;Repetir</translation>
     </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation>V&amp;elocidad</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>Más rápi&amp;do</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>&amp;Run and speed…</source>
+        <translation>Re&amp;corrido y velocidad…</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
@@ -4649,22 +4665,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Cómo se calculan las curvas</translation>
     </message>
     <message>
-        <source>Intervals; one instant more is computed</source>
-        <translation>Intervalos; se calcula un instante más</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source>From the first instant to the last</source>
-        <translation>Del primer instante al último</translation>
-    </message>
-    <message>
-        <source>The first instant</source>
-        <translation>El primer instante</translation>
-    </message>
-    <message>
         <source>Iterates until ‖C‖ is at most this; 0: until it no longer falls</source>
         <translation>Itera hasta que ‖C‖ sea a lo sumo esto; 0: hasta que deje de disminuir</translation>
     </message>
@@ -4699,18 +4699,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Most iterations</source>
         <translation>Máx. iteraciones</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Pasos</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
     </message>
     <message>
         <source>Iterations</source>
@@ -5307,16 +5295,25 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
-        <source>Playing speed</source>
-        <translation>Velocidad de reproducción</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pausar</translation>
     </message>
     <message>
         <source>Start again at the end (Ctrl+L)</source>
         <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start, duration, steps, one turn, and the speed of playing (Ctrl+R)</source>
+        <translation>Inicio, duración, pasos, una vuelta y velocidad de reproducción (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>%1 s · %2 ▾</source>
+        <comment>duration of the run, speed of playing</comment>
+        <translation>%1 s · %2 ▾</translation>
     </message>
 </context>
 <context>
@@ -5425,6 +5422,69 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>PDF documents (*.pdf)</source>
         <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::RunForm</name>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The first instant</source>
+        <translation>El primer instante</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>From the first instant to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>One turn</source>
+        <translation>Una vuelta</translation>
+    </message>
+    <message>
+        <source>As long as the crank takes to turn round once</source>
+        <translation>Lo que la manivela tarda en dar una vuelta</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Intervals; one instant more is computed</source>
+        <translation>Tramos; se calcula un instante más</translation>
+    </message>
+    <message>
+        <source>Playing speed</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Seconds of the motion in a second of the clock</source>
+        <translation>Segundos del movimiento en un segundo de reloj</translation>
+    </message>
+    <message>
+        <source>A turn plays in</source>
+        <translation>Una vuelta dura</translation>
+    </message>
+    <message>
+        <source>Seconds of the clock for one turn of the crank</source>
+        <translation>Segundos de reloj para una vuelta de la manivela</translation>
     </message>
 </context>
 </TS>
