@@ -876,24 +876,12 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>error</translation>
     </message>
     <message>
-        <source>bound κu</source>
-        <translation>cota κu</translation>
-    </message>
-    <message>
         <source>outcome</source>
         <translation>resultado</translation>
     </message>
     <message>
         <source>, %1 of them silently wrong</source>
         <translation>, %1 de ellos erróneos sin aviso</translation>
-    </message>
-    <message>
-        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
-instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 s.
-</source>
-        <translation>Los errores son los del peor de los seis canales graficados, relativos al pico del canal, frente a 50 a 100 cifras, en
-los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1. Máquina: %2. Hecho en %3 s.
-</translation>
     </message>
     <message>
         <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
@@ -1147,6 +1135,20 @@ menos; código de salida 4 si no hay ninguna posición.
     <message>
         <source>, t = %1 s</source>
         <translation>, t = %1 s</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
+instants that a method calls solved. Rounding: what rounding the given numbers may cost by itself.
+Silently wrong instants: %1. Machine: %2. Done in %3 s.
+</source>
+        <translation>El error es el mayor de los seis canales representados, relativo al pico del canal, frente a un cálculo de 50 a
+100 cifras, en los instantes que el método da por resueltos. Redondeo: lo que puede costar por sí solo redondear
+los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
+</translation>
     </message>
 </context>
 <context>
@@ -4823,10 +4825,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>tiempo por estado [ns]</translation>
     </message>
     <message>
-        <source>largest error / peak</source>
-        <translation>error máximo / pico</translation>
-    </message>
-    <message>
         <source>Newton dense (report)</source>
         <translation>Newton denso (informe)</translation>
     </message>
@@ -4879,12 +4877,52 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>ningún instante resuelto</translation>
     </message>
     <message>
-        <source>rounded input alone makes κ·u = %1</source>
-        <translation>los datos redondeados por sí solos causan κ·u = %1</translation>
+        <source>so many harmonics</source>
+        <translation>tantos armónicos</translation>
     </message>
     <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
+        <source>fastest for its error</source>
+        <translation>el más rápido con ese error</translation>
+    </message>
+    <message>
+        <source>cost of rounded input</source>
+        <translation>coste de redondear los datos</translation>
+    </message>
+    <message>
+        <source>error / peak</source>
+        <translation>error / pico</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson as in the report: 12 equations solved together (dense LU), started from the instant before</source>
+        <translation>Newton-Raphson como en el informe: 12 ecuaciones resueltas juntas (LU densa), a partir del instante anterior</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson on the same 12 equations, solved joint by joint</source>
+        <translation>Newton-Raphson con las mismas 12 ecuaciones, resueltas junta a junta</translation>
+    </message>
+    <message>
+        <source>The same, started from the position, velocity and acceleration of the instant before (Taylor series)</source>
+        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
+    </message>
+    <message>
+        <source>The exact formulas, instant by instant</source>
+        <translation>Las fórmulas exactas, instante a instante</translation>
+    </message>
+    <message>
+        <source>The exact formulas for several instants at once (vector instructions)</source>
+        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration as central differences of exact positions</source>
+        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
+    </message>
+    <message>
+        <source>The motion as a Fourier series with so many harmonics</source>
+        <translation>El movimiento como serie de Fourier con tantos armónicos</translation>
+    </message>
+    <message>
+        <source>rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
+        <translation>solo redondear a, b, c, ω₂, θ₂₀ y t al formato double puede costar %1</translation>
     </message>
 </context>
 <context>
@@ -4994,28 +5032,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>De Newton-Raphson: absoluta como en el informe para su propio procedimiento, relativa para los demás</translation>
     </message>
     <message>
-        <source>ns</source>
-        <translation>ns</translation>
-    </message>
-    <message>
-        <source>Time per state: median over interleaved rounds</source>
-        <translation>Tiempo por estado: mediana de rondas intercaladas</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>error</translation>
     </message>
     <message>
         <source>The worst of the six plotted channels, relative to the channel&apos;s peak, over solved instants</source>
         <translation>El peor de los seis canales graficados, relativo al pico del canal, en los instantes resueltos</translation>
-    </message>
-    <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
-    </message>
-    <message>
-        <source>The error that rounding the given numbers makes by itself</source>
-        <translation>El error que causa por sí solo redondear los datos</translation>
     </message>
     <message>
         <source>iterations</source>
@@ -5058,14 +5080,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation> (cancelado)</translation>
     </message>
     <message>
-        <source>. The mechanism has changed since: run again</source>
-        <translation>. El mecanismo ha cambiado desde entonces: mida de nuevo</translation>
-    </message>
-    <message>
-        <source>. Times of %1</source>
-        <translation>. Tiempos de %1</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet: run the study first.</source>
         <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
     </message>
@@ -5086,12 +5100,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>velocidad.csv</translation>
     </message>
     <message>
-        <source>⚠ %1</source>
-        <translation>⚠ %1</translation>
-    </message>
-    <message>
         <source>Tables (*.csv)</source>
         <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>time [ns]</source>
+        <translation>tiempo [ns]</translation>
+    </message>
+    <message>
+        <source>Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds</source>
+        <translation>Por estado, es decir, posición, velocidad y aceleración en un instante: mediana de varias rondas alternadas</translation>
+    </message>
+    <message>
+        <source>Times of %1</source>
+        <translation>Tiempos de %1</translation>
+    </message>
+    <message>
+        <source> The mechanism has changed since: run again.</source>
+        <translation> El mecanismo ha cambiado desde entonces: vuelva a medir.</translation>
     </message>
 </context>
 <context>
@@ -5198,6 +5224,62 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>other</source>
         <translation>otra</translation>
+    </message>
+    <message>
+        <source>%1 times as fast as the report&apos;s way</source>
+        <translation>%1 veces más rápida que el método del informe</translation>
+    </message>
+    <message>
+        <source>as fast as the report&apos;s way</source>
+        <translation>tan rápida como el método del informe</translation>
+    </message>
+    <message>
+        <source>takes %1 times as long as the report&apos;s way</source>
+        <translation>tarda %1 veces lo que el método del informe</translation>
+    </message>
+    <message>
+        <source>, but it solves no instant here</source>
+        <translation>, pero aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source>, which solves no instant here</source>
+        <translation>, que aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source> and %1 times as exact here</source>
+        <translation> y aquí %1 veces más exacta</translation>
+    </message>
+    <message>
+        <source> and right to the last digit here</source>
+        <translation> y aquí exacta hasta la última cifra</translation>
+    </message>
+    <message>
+        <source> and as exact here</source>
+        <translation> e igual de exacta aquí</translation>
+    </message>
+    <message>
+        <source>, but its error is %1 times as large here</source>
+        <translation>, pero aquí su error es %1 veces el de este</translation>
+    </message>
+    <message>
+        <source>, which is right to the last digit here</source>
+        <translation>, que aquí es exacto hasta la última cifra</translation>
+    </message>
+    <message>
+        <source>Neither the closed form nor the report&apos;s way solves an instant here.</source>
+        <translation>Ni la forma cerrada ni el método del informe resuelven aquí ningún instante.</translation>
+    </message>
+    <message>
+        <source>Closed form: %1%2.</source>
+        <translation>Forma cerrada: %1%2.</translation>
+    </message>
+    <message>
+        <source>It solves %1 of %2 instants, the report&apos;s way %3.</source>
+        <translation>Resuelve %1 de %2 instantes; el método del informe, %3.</translation>
+    </message>
+    <message>
+        <source>At %1 instants the report&apos;s way is wrong without saying so.</source>
+        <translation>En %1 instantes el método del informe falla sin avisar.</translation>
     </message>
 </context>
 <context>
