@@ -141,7 +141,7 @@ QString introductionOf(Subcommand subcommand)
     switch (subcommand) {
     case Subcommand::Window:
         return CommandLine::tr(
-            "Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a "
+            "Usage: slidercrank [FILE] [options]            opens the window, with a scene or a "
             "reference\n"
             "       slidercrank solve [options]             the motion as CSV or JSON\n"
             "       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks\n"

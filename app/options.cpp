@@ -512,8 +512,7 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
     options.scene = positional.first();
     const QStringList words{QStringLiteral("solve"),    QStringLiteral("limits"), QStringLiteral("compare"),
                             QStringLiteral("identify"), QStringLiteral("study"),  QStringLiteral("render")};
-    const bool isFile =
-        options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || QFileInfo::exists(options.scene);
+    const bool isFile = isNamedAsScene(options.scene) || QFileInfo::exists(options.scene);
     if (words.contains(options.scene)) {
         reader.refuse(CommandLine::tr("The command must come first: slidercrank %1 …").arg(options.scene));
     } else if (!isFile && options.scene.contains(QRegularExpression(QStringLiteral("[./\\\\]")))) {
@@ -527,7 +526,7 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
         reader.refuse(CommandLine::tr("The window opens one scene, not %1: remove \"%2\".")
                           .arg(positional.size())
                           .arg(positional[1]));
-    } else if (!options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) && options.reference.isEmpty()) {
+    } else if (!isNamedAsScene(options.scene) && options.reference.isEmpty()) {
         options.reference = std::exchange(options.scene, {}); // as what is dropped on the window
     } else {
         reader.takeScene(options.scene); // to know before there is a window whether it is one

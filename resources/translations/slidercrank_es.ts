@@ -1190,6 +1190,28 @@ menos; código de salida 4 si no hay ninguna posición.
         <source>Files</source>
         <translation>Archivos</translation>
     </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE [options]     the mechanism that a file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -4534,16 +4556,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Abrir escena</translation>
     </message>
     <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Escenas (*.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
     </message>
     <message>
         <source>Scenes (*.json)</source>
         <translation>Escenas (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
+        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank)</source>
+        <translation>Escenas (*.slidercrank)</translation>
     </message>
 </context>
 <context>
@@ -4670,6 +4700,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>taking over the file&apos;s mechanism</source>
         <translation>adopción del mecanismo del archivo</translation>
+    </message>
+    <message>
+        <source>showing the scene in less</source>
+        <translation>escena mostrada con menos</translation>
+    </message>
+    <message>
+        <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
+        <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
     </message>
 </context>
 <context>

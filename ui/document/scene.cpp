@@ -353,6 +353,12 @@ std::variant<Scene, QString> readScene(const QString &path)
     return sceneOf(bytes, path);
 }
 
+bool isNamedAsScene(const QString &path)
+{
+    return path.endsWith(QLatin1String(".slidercrank"), Qt::CaseInsensitive) ||
+           path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+}
+
 std::optional<QString> writeScene(const Scene &scene, const QString &path)
 {
     const std::optional<QString> reason = writeWhole(path, jsonOf(scene, path));

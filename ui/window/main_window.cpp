@@ -345,7 +345,7 @@ void MainWindow::showWithinScreen()
 
 void MainWindow::openFile(const QString &path)
 {
-    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+    if (isNamedAsScene(path)) {
         m_scene->open(path);
     } else {
         openReference(path);
