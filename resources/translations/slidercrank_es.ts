@@ -370,10 +370,6 @@
         <translation>no finitos</translation>
     </message>
     <message>
-        <source>Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6</source>
-        <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
-    </message>
-    <message>
         <source>%1 files: %2 agree, %3 come close, %4 differ</source>
         <translation>%1 archivos: %2 coinciden, %3 se aproximan, %4 difieren</translation>
     </message>
@@ -732,18 +728,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>--at-angle pide un instante y --%1 un recorrido: quite uno de los dos.</translation>
     </message>
     <message>
-        <source>&quot;slidercrank compare&quot; needs a file: slidercrank compare FILE…</source>
-        <translation>«slidercrank compare» necesita un archivo: slidercrank compare ARCHIVO…</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; needs a file: slidercrank identify FILE.</source>
-        <translation>«slidercrank identify» necesita un archivo: slidercrank identify ARCHIVO.</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; takes one file, not %1: remove &quot;%2&quot;.</source>
-        <translation>«slidercrank identify» admite un archivo, no %1: quite «%2».</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
         <translation>«slidercrank render» necesita --output con un nombre que termine en .png, .svg o .pdf.</translation>
     </message>
@@ -842,10 +826,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
     <message>
         <source>The motion is too large to be a number at %1: choose a smaller --omega2, or instants nearer to 0.</source>
         <translation>El movimiento es demasiado grande para ser un número en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
-    </message>
-    <message>
-        <source>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants</source>
-        <translation>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, configuración %7; %8 instantes</translation>
     </message>
     <message>
         <source>method</source>
@@ -981,44 +961,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>Para seguir con el primero: %1</translation>
     </message>
     <message>
-        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
-CSV: the file&apos;s name, then the same columns.
-</source>
-        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
-CSV: el nombre del archivo y las mismas columnas.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
-      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      Of the outcome nearest the mechanism is no more than what comes nearest.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
-      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que lo más cercano.
-</translation>
-    </message>
-    <message>
         <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
 standard output cannot be read or written, or a file is not what it should be; 4 the mechanism cannot be
 assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
@@ -1030,58 +972,6 @@ o la salida estándar no se puede leer o escribir, o un archivo no es lo que deb
 ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
 aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
 4, 5, 1, en ese orden.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
-standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
-como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
-se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
-informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
-above all, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
-angles counter-clockwise from x.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
-y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
-encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
-en sentido antihorario desde x.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
-none          ni siquiera eso
 </translation>
     </message>
     <message>
@@ -1149,6 +1039,180 @@ Silently wrong instants: %1. Machine: %2. Done in %3 s.
 100 cifras, en los instantes que el método da por resueltos. Redondeo: lo que puede costar por sí solo redondear
 los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
 </translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modelo: %1</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
+CSV: the file&apos;s name, then the same columns; behind them fileVerdict, that of the whole file, and sentence,
+     why it differs.
+</source>
+        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
+CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el veredicto de todo el archivo, y sentence, por
+     qué difiere.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      Of the outcome nearest the mechanism is no more than what comes nearest.
+      Of several files: {&quot;files&quot;:[…]}.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que lo más cercano.
+      De varios archivos: {&quot;files&quot;:[…]}.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+standard error, and the others are still compared. FILE may be - for standard input.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
+como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE… [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
+above all, and how certain each of its parameters is. Where the file means something else by a column than its
+heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
+angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
+looked at. FILE may be - for standard input.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       nothing found explains the file: what comes nearest, as just that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
+y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
+encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
+en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
+examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3 instants</source>
+        <translation>%1: %2; %3 instantes</translation>
+    </message>
+    <message>
+        <source>&quot;slidercrank %1&quot; needs a file: slidercrank %1 FILE…</source>
+        <translation>«slidercrank %1» necesita un archivo: slidercrank %1 ARCHIVO…</translation>
+    </message>
+    <message>
+        <source>%1 files: %2 identified, %3 ambiguous, %4 not identified</source>
+        <translation>%1 archivos: %2 identificados, %3 ambiguos, %4 sin identificar</translation>
+    </message>
+    <message>
+        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
+        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
+    </message>
+    <message>
+        <source>The window opens files: save what comes from standard input as one first.</source>
+        <translation>La ventana abre archivos: guarde antes en uno lo que llega por la entrada estándar.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; there are %2.</source>
+        <translation>--column: no existe el canal «%1»; existen %2.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; did you mean %2?</source>
+        <translation>--column: no existe el canal «%1»; ¿quiso decir %2?</translation>
+    </message>
+    <message>
+        <source>--column: &quot;%1&quot; is no unit of %2.</source>
+        <translation>--column: «%1» no es una unidad de %2.</translation>
+    </message>
+    <message>
+        <source>--column must be a heading, = and what it is, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
+        <translation>--column debe ser un encabezado, = y lo que es, como «slider.s=R4_x [m]», «#1=time» o «id=ignored», y no «%1».</translation>
+    </message>
+    <message>
+        <source>--column says twice what &quot;%1&quot; is: keep one of them.</source>
+        <translation>--column dice dos veces qué es «%1»: deje solo una.</translation>
+    </message>
+    <message>
+        <source>--column is of a reference: give its file with --reference.</source>
+        <translation>--column se refiere a una referencia: dé su archivo con --reference.</translation>
+    </message>
+    <message>
+        <source>what a column of the files is, over what its name says, any number of times: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
+        <translation>qué es una columna de los archivos, por encima de lo que diga su nombre, tantas veces como haga falta: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
     </message>
 </context>
 <context>
@@ -4110,6 +4174,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
         <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
+    <message>
+        <source>there is no column &quot;%1&quot;.</source>
+        <translation>no hay ninguna columna «%1».</translation>
+    </message>
+    <message>
+        <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
+        <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
@@ -4132,6 +4204,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>No se puede leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Entrada estándar</translation>
+    </message>
+    <message>
+        <source>There are: %1.</source>
+        <translation>Están: %1.</translation>
     </message>
 </context>
 <context>
