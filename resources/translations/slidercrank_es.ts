@@ -346,6 +346,46 @@
         <source>, </source>
         <translation>, </translation>
     </message>
+    <message>
+        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
+        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
+    </message>
+    <message>
+        <source>ignored: it counts the rows</source>
+        <translation>sin usar: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: it belongs to other instants than those of “%1”</source>
+        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: the same instants as “%1”</source>
+        <translation>sin usar: los mismos instantes que “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
+        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
+    </message>
+    <message>
+        <source>guessed: named as in Modelica</source>
+        <translation>deducido: nombre de Modelica</translation>
+    </message>
+    <message>
+        <source>other instants</source>
+        <translation>otros instantes</translation>
+    </message>
+    <message>
+        <source>same instants as %1</source>
+        <translation>mismos instantes que %1</translation>
+    </message>
+    <message>
+        <source>magnitude of %1 …</source>
+        <translation>módulo de %1 …</translation>
+    </message>
+    <message>
+        <source>counts the rows</source>
+        <translation>numera las filas</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
@@ -4181,6 +4221,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
         <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
+    </message>
+    <message>
+        <source>The file is JSON, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
 </context>
 <context>
