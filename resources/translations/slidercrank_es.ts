@@ -2302,10 +2302,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Clic</translation>
     </message>
     <message>
-        <source>Read the values of all nine</source>
-        <translation>Leer los valores de las nueve</translation>
-    </message>
-    <message>
         <source>Point at a curve</source>
         <translation>Señalar una curva</translation>
     </message>
@@ -2330,16 +2326,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Desplazar lo ampliado</translation>
     </message>
     <message>
-        <source>Drag</source>
-        <translation>Arrastrar</translation>
-    </message>
-    <message>
         <source>Show the whole run</source>
         <translation>Mostrar todo el recorrido</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doble clic</translation>
     </message>
     <message>
         <source>Make a plot large, and small again</source>
@@ -2360,10 +2348,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Move a measuring cursor</source>
         <translation>Mover un cursor de medida</translation>
-    </message>
-    <message>
-        <source>Drag it, or A and B to bring it to the instant</source>
-        <translation>Arrastrarlo, o A y B para llevarlo al instante</translation>
     </message>
     <message>
         <source>Tables</source>
@@ -2536,6 +2520,30 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Take back what is being typed</source>
         <translation>Deshacer lo que se está escribiendo</translation>
+    </message>
+    <message>
+        <source>Zoom into a part</source>
+        <translation>Ampliar una parte</translation>
+    </message>
+    <message>
+        <source>Drag a box around it; a flat one zooms the time alone, Escape cancels</source>
+        <translation>Arrastre un recuadro a su alrededor; uno plano amplía solo el tiempo, Escape cancela</translation>
+    </message>
+    <message>
+        <source>Shift and drag, or drag with the middle button</source>
+        <translation>Mayús y arrastrar, o arrastrar con el botón central</translation>
+    </message>
+    <message>
+        <source>Double click, or 0</source>
+        <translation>Doble clic, o 0</translation>
+    </message>
+    <message>
+        <source>Drag it, or 1 and 2 to bring it to the instant</source>
+        <translation>Arrástrelo, o 1 y 2 para llevarlo al instante</translation>
+    </message>
+    <message>
+        <source>Read the values of all plots</source>
+        <translation>Leer los valores de todas las gráficas</translation>
     </message>
 </context>
 <context>
@@ -3954,16 +3962,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>textbook&apos;s θ₃ = %1</source>
         <translation>θ₃ de los libros = %1</translation>
     </message>
-    <message>
-        <source>B − A = %1 s</source>
-        <comment>the time between the measuring cursors</comment>
-        <translation>B − A = %1 s</translation>
-    </message>
-    <message>
-        <source>A %1 s · B %2 s · %3</source>
-        <comment>instants of the measuring cursors, the time between them</comment>
-        <translation>A %1 s · B %2 s · %3</translation>
-    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -4006,10 +4004,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error of the accelerations over time</source>
         <translation>Error de las aceleraciones en el tiempo</translation>
-    </message>
-    <message>
-        <source>No reference data.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Open a reference…&lt;/a&gt;&lt;br&gt;or drop a CSV here.</source>
-        <translation>Sin datos de referencia.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Abra una referencia…&lt;/a&gt;&lt;br&gt;o suelte aquí un CSV.</translation>
     </message>
     <message>
         <source>Show all &amp;nine plots</source>
@@ -4058,6 +4052,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error &amp;in ° and mm</source>
         <translation>Error en ° &amp;y mm</translation>
+    </message>
+    <message>
+        <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
+        <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
