@@ -227,6 +227,7 @@ ExitStatus render(const RenderOptions &options)
     case RenderOptions::Subject::Mechanism: failure = exported(drawMechanism); break;
     case RenderOptions::Subject::Frames: failure = exportFilm(options, drawFrame); break;
     case RenderOptions::Subject::Report:
+        content.checksum = reference ? checksumOf(*reference) : QByteArray();
         failure = exportReport(options.output, content, {drawMechanism, drawFigure});
         break;
     }

@@ -2215,6 +2215,70 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Comes close to this mechanism in every channel, if the file&apos;s instants, evenly spaced as they are, were rounded.</source>
         <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, aun a intervalos iguales, se redondearon.</translation>
     </message>
+    <message>
+        <source>ground</source>
+        <translation>bancada</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>%1 angle</source>
+        <translation>ángulo de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular velocity</source>
+        <translation>velocidad angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular acceleration</source>
+        <translation>aceleración angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>posición de la %1</translation>
+    </message>
+    <message>
+        <source>%1 velocity</source>
+        <translation>velocidad de la %1</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <translation>aceleración de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in x</source>
+        <translation>centro de la %1 en x</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in x</source>
+        <translation>velocidad en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in x</source>
+        <translation>aceleración en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in y</source>
+        <translation>centro de la %1 en y</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in y</source>
+        <translation>velocidad en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in y</source>
+        <translation>aceleración en y del centro de la %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FoldingTabs</name>
@@ -2650,6 +2714,38 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Peaks of speed and acceleration</source>
         <translation>Picos de velocidad y aceleración</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copiar como CSV</translation>
+    </message>
+    <message>
+        <source>Both tables with every digit (Ctrl+C in one of them: the rows that are chosen)</source>
+        <translation>Las dos tablas con todas las cifras (Ctrl+C en una de ellas: las filas elegidas)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Both tables as a CSV file</source>
+        <translation>Las dos tablas como archivo CSV</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>limits.csv</source>
+        <translation>limites.csv</translation>
     </message>
 </context>
 <context>
@@ -3706,10 +3802,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>● ‖C‖</translation>
     </message>
     <message>
-        <source>From afar: θ² exact, θ³ = 0 (crossed: 180°)</source>
-        <translation>Desde lejos: θ² exacto, θ³ = 0 (cruzada: 180°)</translation>
-    </message>
-    <message>
         <source>● θ³ [°]</source>
         <translation>● θ³ [°]</translation>
     </message>
@@ -3728,6 +3820,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>‖C‖</source>
         <translation>‖C‖</translation>
+    </message>
+    <message>
+        <source>From afar: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
+        <translation>Desde lejos: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
     </message>
 </context>
 <context>
@@ -4581,6 +4677,40 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Iterations: %1; the largest residual is %2.</source>
         <translation>Iteraciones: %1; el residuo máximo es %2.</translation>
     </message>
+    <message>
+        <source>%1, by %2 %3</source>
+        <translation>%1, por %2 %3</translation>
+    </message>
+    <message>
+        <source>File: %1
+SHA-256: %2</source>
+        <translation>Archivo: %1
+SHA-256: %2</translation>
+    </message>
+    <message>
+        <source>the sample that comes with the program</source>
+        <translation>el ejemplo que viene con el programa</translation>
+    </message>
+    <message>
+        <source>unknown: the file cannot be read again, or was changed since</source>
+        <translation>desconocida: el archivo no se puede volver a leer o ha cambiado desde entonces</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>“%1” as %2 (%3)</source>
+        <translation>«%1» como %2 (%3)</translation>
+    </message>
+    <message>
+        <source>No column was guessed.</source>
+        <translation>No se ha deducido ninguna columna.</translation>
+    </message>
+    <message>
+        <source>Columns guessed: %1.</source>
+        <translation>Columnas deducidas: %1.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -5004,11 +5134,11 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
     <message>
         <source>fastest for its error</source>
-        <translation>el más rápido con ese error</translation>
+        <translation>los mejores</translation>
     </message>
     <message>
         <source>cost of rounded input</source>
-        <translation>coste de redondear los datos</translation>
+        <translation>redondear los datos</translation>
     </message>
     <message>
         <source>error / peak</source>

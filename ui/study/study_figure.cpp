@@ -26,7 +26,7 @@ constexpr double kRadius = 4.0;       // px, of a point
 constexpr int kFontPixels = 11;       // pixel sizes: SVG would scale points
 constexpr double kLegendGap = 12.0;   // px, between the picture and its legend
 constexpr double kLegendSign = 22.0;  // px, for a mark or a piece of line before its name
-constexpr double kLeastWidth = 230.0; // px, of the picture beside a legend
+constexpr double kLeastWidth = 200.0; // px, of the picture beside a legend
 constexpr double kLeastError = 1e-17; // an error of 0 is drawn here, below what a double can resolve
 
 struct StudyFigureText {

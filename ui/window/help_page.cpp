@@ -132,7 +132,7 @@ QString formulasText()
         HelpPage::tr("The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length "
                      "b, leads from its pin A to the pin B of the slider, which moves along y = c. Bodies "
                      "are superscripts: 1 ground, 2 crank, 3 coupler, 4 slider."));
-    html += formulas({QStringLiteral("θ² = ω₂ t + θ₂₀")});
+    html += formulas({QStringLiteral("θ₂ = ω₂ t + θ₂₀")});
     html += paragraph(HelpPage::tr(
         "Rₓ⁴ and R_y⁴ are counted from O₂, x along the slider's line, and angles counter-clockwise from x. "
         "At the start it is the mechanism of Table 1 of the report that the program began with, a piece "
@@ -143,11 +143,11 @@ QString formulasText()
     html += formulas({QStringLiteral("a + |c| ≤ b")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Closed form, exact"));
     html += paragraph(HelpPage::tr("Plus: open assembly, the slider to the right of A. Minus: crossed."));
-    html += formulas({QStringLiteral("h = c − a sin θ²"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),
-                      QStringLiteral("Rₓ⁴ = a cos θ² + b cos θ³"), QStringLiteral("dθ³/dt = −a ω₂ cos θ² / (b cos θ³)"),
-                      QStringLiteral("dRₓ⁴/dt = −a ω₂ sin θ² − b sin θ³ dθ³/dt"),
-                      QStringLiteral("d²θ³/dt² = (a ω₂² sin θ² + b sin θ³ (dθ³/dt)²) / (b cos θ³)"),
-                      QStringLiteral("d²Rₓ⁴/dt² = −a ω₂² cos θ² − b cos θ³ (dθ³/dt)² − b sin θ³ d²θ³/dt²")});
+    html += formulas({QStringLiteral("h = c − a sin θ₂"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),
+                      QStringLiteral("Rₓ⁴ = a cos θ₂ + b cos θ³"), QStringLiteral("dθ³/dt = −a ω₂ cos θ₂ / (b cos θ³)"),
+                      QStringLiteral("dRₓ⁴/dt = −a ω₂ sin θ₂ − b sin θ³ dθ³/dt"),
+                      QStringLiteral("d²θ³/dt² = (a ω₂² sin θ₂ + b sin θ³ (dθ³/dt)²) / (b cos θ³)"),
+                      QStringLiteral("d²Rₓ⁴/dt² = −a ω₂² cos θ₂ − b cos θ³ (dθ³/dt)² − b sin θ³ d²θ³/dt²")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Newton-Raphson"));
     html += paragraph(
         HelpPage::tr("The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations "

@@ -331,6 +331,7 @@ QWidget *MainWindow::makeLimitsPanel()
     follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &LimitsPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
 
