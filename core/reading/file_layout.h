@@ -96,4 +96,12 @@ struct ColumnChoice {
     std::string unit; ///< as a heading would give it ("rad/s", "m", "ms"); empty: the file's, or the author's
 };
 
+/// The same of a column by its heading.
+struct NamedChoice {
+    std::string heading; ///< as printed, with or without its unit; "#3": the third column
+    ColumnRole role = ColumnRole::Ignored;
+    Channel channel;
+    std::string unit;
+};
+
 } // namespace slidercrank

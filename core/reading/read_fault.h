@@ -38,7 +38,9 @@ struct ReadFault {
         NamesMissing,    ///< numbers stand where the names should
         UnknownUnit,     ///< or one of another quantity than `channel`
         UnknownTimeUnit,
-        ChannelTwice, ///< in the names
+        NoSuchColumn,   ///< as the `heading` that a person named
+        SeveralColumns, ///< of that `heading`
+        ChannelTwice,   ///< in the names
         TimeTwice,
         ChannelChosenTwice, ///< `channel`, by a person
         TimeChosenTwice,

@@ -92,6 +92,8 @@ struct ReadOptions {
 
     /// Called from the reading thread now and then, with the bytes done of all. May be empty.
     std::function<void(std::size_t done, std::size_t all)> progress;
+
+    std::vector<NamedChoice> named{}; ///< as `columns`, and over those
 };
 
 /// Reads any bytes, in pieces: a large file is never in memory. What it is, its beginning tells; where that is no table

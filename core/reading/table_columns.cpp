@@ -2,6 +2,7 @@
 #include "core/reading/table_columns.h"
 
 #include "core/reading/column_guess.h"
+#include "core/reading/named_choice.h"
 #include "core/reading/number_text.h"
 #include "core/reading/text_encoding.h"
 #include "core/reading/text_pieces.h"
@@ -70,8 +71,12 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
         error.layout = std::move(table.layout);
         return error;
     };
-    const auto outcome =
-        assignColumns(table.headings, options.columns, [&] { return sampleRows(table, sampledRows()); });
+    const std::variant<std::vector<ColumnChoice>, ReadFault> choices = choicesByNumber(options, table.headings);
+    if (const ReadFault *fault = std::get_if<ReadFault>(&choices)) {
+        return refused({headerLine, 0, {}, *fault});
+    }
+    const auto outcome = assignColumns(table.headings, std::get<std::vector<ColumnChoice>>(choices),
+                                       [&] { return sampleRows(table, sampledRows()); });
     if (const ColumnFault *fault = std::get_if<ColumnFault>(&outcome)) {
         return refused({headerLine, fault->column + 1, excerpt(table.headings[fault->column].printed), fault->fault});
     }

@@ -79,6 +79,11 @@ QString sentenceOf(const ReadFault &fault)
             .arg(QString::fromUtf8(authorUnitOf(fault.channel)));
     case Kind::UnknownTimeUnit:
         return ReadFaultText::tr("the unit of the time is not known: write [s] or [ms], or none for seconds.");
+    case Kind::NoSuchColumn:
+        return ReadFaultText::tr("there is no column \"%1\".").arg(QString::fromUtf8(fault.heading));
+    case Kind::SeveralColumns:
+        return ReadFaultText::tr("several columns are called \"%1\": give the number of the one, as in #3.")
+            .arg(QString::fromUtf8(fault.heading));
     case Kind::ChannelTwice: return ReadFaultText::tr("there is a column of that name already: keep one of the two.");
     case Kind::TimeTwice: return ReadFaultText::tr("there is a time column already: keep one of the two.");
     case Kind::ChannelChosenTwice:
