@@ -37,6 +37,7 @@ enum class ColumnReason {
 
     // Ignored.
     UnknownName,   ///< the name means no channel
+    UnknownBody,   ///< the name says a quantity of something, and nothing of what
     RowNumber,     ///< it counts the rows
     Magnitude,     ///< of a vector whose components are other columns, otherColumn the first
     SameInstants,  ///< the instants of another column's values, the same as the time's
@@ -52,6 +53,13 @@ enum class ColumnReason {
 constexpr bool isGuess(ColumnReason reason)
 {
     return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::ModelicaName;
+}
+
+/// Whether the column may well be a channel: which, only a person can say.
+constexpr bool leavesOpen(ColumnReason reason)
+{
+    return reason == ColumnReason::UnknownBody || reason == ColumnReason::LikeOther ||
+           reason == ColumnReason::AngleOrLength;
 }
 
 /// Between the values of two rows, by the time between them.
@@ -86,6 +94,10 @@ struct FileLayout {
 
     /// Whether names did not tell all that was taken from the file: a person should look at the columns.
     bool isGuessed() const;
+
+    /// Whether there are columns whose names differ only in what they belong to, and none of them is used: a person
+    /// has to say which of them is what.
+    bool isOpen() const;
 };
 
 /// What a person says of one column, over whatever its name says.

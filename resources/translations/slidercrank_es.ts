@@ -52,6 +52,22 @@
         <translation>sin usar</translation>
     </message>
     <message>
+        <source>Seldom exported</source>
+        <translation>Se exportan rara vez</translation>
+    </message>
+    <message>
+        <source>Crank</source>
+        <translation>Manivela</translation>
+    </message>
+    <message>
+        <source>Coupler</source>
+        <translation>Biela</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Corredera</translation>
+    </message>
+    <message>
         <source>time</source>
         <translation>tiempo</translation>
     </message>
@@ -219,6 +235,10 @@
         <translation>sin usar: su nombre no designa ningún canal</translation>
     </message>
     <message>
+        <source>ignored: its name does not tell what moves so</source>
+        <translation>sin usar: su nombre no dice qué se mueve así</translation>
+    </message>
+    <message>
         <source>ignored: it counts the rows</source>
         <translation>sin usar: numera las filas</translation>
     </message>
@@ -305,6 +325,10 @@
     <message>
         <source>name not known</source>
         <translation>nombre desconocido</translation>
+    </message>
+    <message>
+        <source>what moves so?</source>
+        <translation>¿qué se mueve así?</translation>
     </message>
     <message>
         <source>differences from row to row</source>
@@ -1653,7 +1677,7 @@ none          ni siquiera eso
         <translation>Los datos no determinan %1: se conserva lo dado.</translation>
     </message>
     <message>
-        <source>The file does not say the unit of its lengths, and they were read as mm: if it is metres, a = %1; then write [m] behind the names.</source>
+        <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
         <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
     </message>
     <message>
@@ -4267,6 +4291,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>neither its unit nor its values tell an angle from a length</source>
         <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
+    </message>
+    <message>
+        <source>its name does not tell what moves so</source>
+        <translation>su nombre no dice qué se mueve así</translation>
     </message>
     <message>
         <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>

@@ -220,9 +220,10 @@ QString caveatsOf(const Diagnosis &diagnosis)
         sentences << DiagnosisText::tr("The data do not fix %1: kept as given.").arg(listed(kept));
     }
     if (diagnosis.mayBeInMetres) {
-        sentences << DiagnosisText::tr("The file does not say the unit of its lengths, and they were read as mm: if it "
-                                       "is metres, a = %1; then write [m] behind the names.")
-                         .arg(parameterText(Parameter::A, 1e3 * identification.parameters.a));
+        sentences << DiagnosisText::tr(
+                         "The file does not say the unit of its lengths, and they were read as mm: if they "
+                         "are metres, a = %1; then write [m] behind the names.")
+                         .arg(parameterText(Parameter::A, 1e3 * diagnosis.rounded.a));
     }
     if (!identification.noise.empty()) {
         QStringList columns;
