@@ -380,6 +380,40 @@ private slots:
         QVERIFY(written[u"view"][u"zoom"][u"time"].isNull());
     }
 
+    /// Each was saved by an earlier state of the program: at Table 1, the sample's mechanism taken over, two steps on,
+    /// the time zoomed in where the wheel was turned.
+    void opensWhatEarlierVersionsSaved()
+    {
+        const QDir folder(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/ui/document/scenes"));
+        const QStringList names = folder.entryList(QDir::Files);
+        QVERIFY(names.size() >= 3);
+        for (const QString &name : names) {
+            const QByteArray saved = contentOf(folder.filePath(name));
+            const std::variant<Scene, QString> outcome = sceneOf(saved, folder.filePath(name));
+            QVERIFY2(std::holds_alternative<Scene>(outcome), qPrintable(name));
+            Scene scene = std::get<Scene>(outcome);
+            Parameters expected;
+            expected.b = 60.0;
+            QCOMPARE(scene.parameters, expected);
+            QCOMPARE(scene.sampling, Sampling());
+            QCOMPARE(scene.solver.method, Method::ClosedForm);
+            QVERIFY(scene.zoom.time && scene.zoom.time->lower > 0.05 && scene.zoom.time->upper < 0.95);
+            QCOMPARE(scene.time, 0.01);
+            QVERIFY(scene.reference);
+            QCOMPARE(scene.reference->path, folder.filePath(QStringLiteral("inventor_sample.csv")));
+
+            scene.reference->path = kSample;
+            Session session;
+            QSignalSpy opened(&session, &Session::opened);
+            session.open({scene.parameters, scene.sampling, scene.solver, nullptr}, scene.time, scene.reference);
+            QVERIFY(opened.wait(kPatience));
+            QCOMPARE(opened.first().first().toString(), QString());
+            for (const ChannelComparison &channel : session.result()->comparison) {
+                QCOMPARE(channel.verdict, Verdict::Agrees);
+            }
+        }
+    }
+
     void needsNeitherReferenceNorView()
     {
         for (const char *place : {"reference", "view", "view.zoom", "view.error", "view.time", "reference.columns.x"}) {
