@@ -365,6 +365,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     if (const QString file = reader.file("reference"); !file.isEmpty()) {
         options.reference = ReferenceSource{file, {}, {}};
     }
+    options.kept = reader.scene().kept;
     options.plots = reader.scene().plots;
     options.zoom = reader.scene().zoom;
     options.mechanismSettings = reader.scene().mechanism;

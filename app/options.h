@@ -72,6 +72,7 @@ struct RenderOptions {
     SolverSettings solver;
     double poseInstant = 0.0; ///< s
     std::optional<ReferenceSource> reference;
+    std::vector<Parameters> kept; ///< motions to lie under the model's
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanismSettings;
