@@ -156,7 +156,8 @@ ExitStatus render(const RenderOptions &options)
 {
     std::shared_ptr<const Reference> reference;
     if (options.reference) {
-        const std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(*options.reference);
+        const std::variant<std::shared_ptr<const Reference>, QString> outcome =
+            readReference(*options.reference, {}, {{}, {}, options.columns});
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             return ExitStatus::FileFailed;
@@ -229,6 +230,7 @@ ExitStatus render(const RenderOptions &options)
     case RenderOptions::Subject::Mechanism: failure = exported(drawMechanism); break;
     case RenderOptions::Subject::Frames: failure = exportFilm(options, drawFrame); break;
     case RenderOptions::Subject::Report:
+        content.checksum = reference ? checksumOf(*reference) : QByteArray();
         failure = exportReport(options.output, content, {drawMechanism, drawFigure});
         break;
     }

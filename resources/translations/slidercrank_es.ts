@@ -346,6 +346,46 @@
         <source>, </source>
         <translation>, </translation>
     </message>
+    <message>
+        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
+        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
+    </message>
+    <message>
+        <source>ignored: it counts the rows</source>
+        <translation>sin usar: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: it belongs to other instants than those of “%1”</source>
+        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: the same instants as “%1”</source>
+        <translation>sin usar: los mismos instantes que “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
+        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
+    </message>
+    <message>
+        <source>guessed: named as in Modelica</source>
+        <translation>deducido: nombre de Modelica</translation>
+    </message>
+    <message>
+        <source>other instants</source>
+        <translation>otros instantes</translation>
+    </message>
+    <message>
+        <source>same instants as %1</source>
+        <translation>mismos instantes que %1</translation>
+    </message>
+    <message>
+        <source>magnitude of %1 …</source>
+        <translation>módulo de %1 …</translation>
+    </message>
+    <message>
+        <source>counts the rows</source>
+        <translation>numera las filas</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
@@ -368,10 +408,6 @@
     <message>
         <source>not-finite</source>
         <translation>no finitos</translation>
-    </message>
-    <message>
-        <source>Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6</source>
-        <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
     </message>
     <message>
         <source>%1 files: %2 agree, %3 come close, %4 differ</source>
@@ -554,10 +590,6 @@
         <translation>este texto</translation>
     </message>
     <message>
-        <source>name and version of the program</source>
-        <translation>nombre y versión del programa</translation>
-    </message>
-    <message>
         <source>Mechanism</source>
         <translation>Mecanismo</translation>
     </message>
@@ -732,18 +764,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>--at-angle pide un instante y --%1 un recorrido: quite uno de los dos.</translation>
     </message>
     <message>
-        <source>&quot;slidercrank compare&quot; needs a file: slidercrank compare FILE…</source>
-        <translation>«slidercrank compare» necesita un archivo: slidercrank compare ARCHIVO…</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; needs a file: slidercrank identify FILE.</source>
-        <translation>«slidercrank identify» necesita un archivo: slidercrank identify ARCHIVO.</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; takes one file, not %1: remove &quot;%2&quot;.</source>
-        <translation>«slidercrank identify» admite un archivo, no %1: quite «%2».</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
         <translation>«slidercrank render» necesita --output con un nombre que termine en .png, .svg o .pdf.</translation>
     </message>
@@ -844,10 +864,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>El movimiento es demasiado grande para ser un número en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
     </message>
     <message>
-        <source>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants</source>
-        <translation>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, configuración %7; %8 instantes</translation>
-    </message>
-    <message>
         <source>method</source>
         <translation>método</translation>
     </message>
@@ -876,24 +892,12 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>error</translation>
     </message>
     <message>
-        <source>bound κu</source>
-        <translation>cota κu</translation>
-    </message>
-    <message>
         <source>outcome</source>
         <translation>resultado</translation>
     </message>
     <message>
         <source>, %1 of them silently wrong</source>
         <translation>, %1 de ellos erróneos sin aviso</translation>
-    </message>
-    <message>
-        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
-instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 s.
-</source>
-        <translation>Los errores son los del peor de los seis canales graficados, relativos al pico del canal, frente a 50 a 100 cifras, en
-los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1. Máquina: %2. Hecho en %3 s.
-</translation>
     </message>
     <message>
         <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
@@ -967,68 +971,8 @@ abscisa y medida de los errores de las gráficas.
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE [options]     the mechanism that a file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>To go on with the first: %1</source>
         <translation>Para seguir con el primero: %1</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
-CSV: the file&apos;s name, then the same columns.
-</source>
-        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
-CSV: el nombre del archivo y las mismas columnas.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
-      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      Of the outcome nearest the mechanism is no more than what comes nearest.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
-      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que lo más cercano.
-</translation>
     </message>
     <message>
         <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
@@ -1042,58 +986,6 @@ o la salida estándar no se puede leer o escribir, o un archivo no es lo que deb
 ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
 aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
 4, 5, 1, en ese orden.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
-standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
-como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
-se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
-informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
-above all, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
-angles counter-clockwise from x.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
-y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
-encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
-en sentido antihorario desde x.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
-none          ni siquiera eso
 </translation>
     </message>
     <message>
@@ -1147,6 +1039,220 @@ menos; código de salida 4 si no hay ninguna posición.
     <message>
         <source>, t = %1 s</source>
         <translation>, t = %1 s</translation>
+    </message>
+    <message>
+        <source>name and version of the program, and what it is built of</source>
+        <translation>nombre y versión del programa, y con qué está compilado</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE [options]     the mechanism that a file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
+instants that a method calls solved. Rounding: what rounding the given numbers may cost by itself.
+Silently wrong instants: %1. Machine: %2. Done in %3 s.
+</source>
+        <translation>El error es el mayor de los seis canales representados, relativo al pico del canal, frente a un cálculo de 50 a
+100 cifras, en los instantes que el método da por resueltos. Redondeo: lo que puede costar por sí solo redondear
+los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
+</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modelo: %1</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
+CSV: the file&apos;s name, then the same columns; behind them fileVerdict, that of the whole file, and sentence,
+     why it differs.
+</source>
+        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
+CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el veredicto de todo el archivo, y sentence, por
+     qué difiere.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      Of the outcome nearest the mechanism is no more than what comes nearest.
+      Of several files: {&quot;files&quot;:[…]}.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que lo más cercano.
+      De varios archivos: {&quot;files&quot;:[…]}.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+standard error, and the others are still compared. FILE may be - for standard input.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
+como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE… [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
+above all, and how certain each of its parameters is. Where the file means something else by a column than its
+heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
+angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
+looked at. FILE may be - for standard input.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       nothing found explains the file: what comes nearest, as just that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
+y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
+encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
+en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
+examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3 instants</source>
+        <translation>%1: %2; %3 instantes</translation>
+    </message>
+    <message>
+        <source>&quot;slidercrank %1&quot; needs a file: slidercrank %1 FILE…</source>
+        <translation>«slidercrank %1» necesita un archivo: slidercrank %1 ARCHIVO…</translation>
+    </message>
+    <message>
+        <source>%1 files: %2 identified, %3 ambiguous, %4 not identified</source>
+        <translation>%1 archivos: %2 identificados, %3 ambiguos, %4 sin identificar</translation>
+    </message>
+    <message>
+        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
+        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
+    </message>
+    <message>
+        <source>The window opens files: save what comes from standard input as one first.</source>
+        <translation>La ventana abre archivos: guarde antes en uno lo que llega por la entrada estándar.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; there are %2.</source>
+        <translation>--column: no existe el canal «%1»; existen %2.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; did you mean %2?</source>
+        <translation>--column: no existe el canal «%1»; ¿quiso decir %2?</translation>
+    </message>
+    <message>
+        <source>--column: &quot;%1&quot; is no unit of %2.</source>
+        <translation>--column: «%1» no es una unidad de %2.</translation>
+    </message>
+    <message>
+        <source>--column must be a heading, = and what it is, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
+        <translation>--column debe ser un encabezado, = y lo que es, como «slider.s=R4_x [m]», «#1=time» o «id=ignored», y no «%1».</translation>
+    </message>
+    <message>
+        <source>--column says twice what &quot;%1&quot; is: keep one of them.</source>
+        <translation>--column dice dos veces qué es «%1»: deje solo una.</translation>
+    </message>
+    <message>
+        <source>--column is of a reference: give its file with --reference.</source>
+        <translation>--column se refiere a una referencia: dé su archivo con --reference.</translation>
+    </message>
+    <message>
+        <source>what a column of the files is, over what its name says, any number of times: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
+        <translation>qué es una columna de los archivos, por encima de lo que diga su nombre, tantas veces como haga falta: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
     </message>
 </context>
 <context>
@@ -2165,6 +2271,70 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>kept</source>
         <translation>conservado</translation>
     </message>
+    <message>
+        <source>ground</source>
+        <translation>bancada</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>%1 angle</source>
+        <translation>ángulo de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular velocity</source>
+        <translation>velocidad angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular acceleration</source>
+        <translation>aceleración angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>posición de la %1</translation>
+    </message>
+    <message>
+        <source>%1 velocity</source>
+        <translation>velocidad de la %1</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <translation>aceleración de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in x</source>
+        <translation>centro de la %1 en x</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in x</source>
+        <translation>velocidad en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in x</source>
+        <translation>aceleración en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in y</source>
+        <translation>centro de la %1 en y</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in y</source>
+        <translation>velocidad en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in y</source>
+        <translation>aceleración en y del centro de la %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FoldingTabs</name>
@@ -2252,10 +2422,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Clic</translation>
     </message>
     <message>
-        <source>Read the values of all nine</source>
-        <translation>Leer los valores de las nueve</translation>
-    </message>
-    <message>
         <source>Point at a curve</source>
         <translation>Señalar una curva</translation>
     </message>
@@ -2280,16 +2446,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Desplazar lo ampliado</translation>
     </message>
     <message>
-        <source>Drag</source>
-        <translation>Arrastrar</translation>
-    </message>
-    <message>
         <source>Show the whole run</source>
         <translation>Mostrar todo el recorrido</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doble clic</translation>
     </message>
     <message>
         <source>Make a plot large, and small again</source>
@@ -2310,10 +2468,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Move a measuring cursor</source>
         <translation>Mover un cursor de medida</translation>
-    </message>
-    <message>
-        <source>Drag it, or A and B to bring it to the instant</source>
-        <translation>Arrastrarlo, o A y B para llevarlo al instante</translation>
     </message>
     <message>
         <source>Tables</source>
@@ -2487,6 +2641,30 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Take back what is being typed</source>
         <translation>Deshacer lo que se está escribiendo</translation>
     </message>
+    <message>
+        <source>Zoom into a part</source>
+        <translation>Ampliar una parte</translation>
+    </message>
+    <message>
+        <source>Drag a box around it; a flat one zooms the time alone, Escape cancels</source>
+        <translation>Arrastre un recuadro a su alrededor; uno plano amplía solo el tiempo, Escape cancela</translation>
+    </message>
+    <message>
+        <source>Shift and drag, or drag with the middle button</source>
+        <translation>Mayús y arrastrar, o arrastrar con el botón central</translation>
+    </message>
+    <message>
+        <source>Double click, or 0</source>
+        <translation>Doble clic, o 0</translation>
+    </message>
+    <message>
+        <source>Drag it, or 1 and 2 to bring it to the instant</source>
+        <translation>Arrástrelo, o 1 y 2 para llevarlo al instante</translation>
+    </message>
+    <message>
+        <source>Read the values of all plots</source>
+        <translation>Leer los valores de todas las gráficas</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::IterationPlot</name>
@@ -2592,6 +2770,38 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Peaks of speed and acceleration</source>
         <translation>Picos de velocidad y aceleración</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copiar como CSV</translation>
+    </message>
+    <message>
+        <source>Both tables with every digit (Ctrl+C in one of them: the rows that are chosen)</source>
+        <translation>Las dos tablas con todas las cifras (Ctrl+C en una de ellas: las filas elegidas)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Both tables as a CSV file</source>
+        <translation>Las dos tablas como archivo CSV</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>limits.csv</source>
+        <translation>limites.csv</translation>
     </message>
 </context>
 <context>
@@ -3660,10 +3870,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>● ‖C‖</translation>
     </message>
     <message>
-        <source>From afar: θ² exact, θ³ = 0 (crossed: 180°)</source>
-        <translation>Desde lejos: θ² exacto, θ³ = 0 (cruzada: 180°)</translation>
-    </message>
-    <message>
         <source>● θ³ [°]</source>
         <translation>● θ³ [°]</translation>
     </message>
@@ -3682,6 +3888,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>‖C‖</source>
         <translation>‖C‖</translation>
+    </message>
+    <message>
+        <source>From afar: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
+        <translation>Desde lejos: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
     </message>
 </context>
 <context>
@@ -3917,16 +4127,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>θ₃ de los libros = %1</translation>
     </message>
     <message>
-        <source>B − A = %1 s</source>
-        <comment>the time between the measuring cursors</comment>
-        <translation>B − A = %1 s</translation>
-    </message>
-    <message>
-        <source>A %1 s · B %2 s · %3</source>
-        <comment>instants of the measuring cursors, the time between them</comment>
-        <translation>A %1 s · B %2 s · %3</translation>
-    </message>
-    <message>
         <source>difference</source>
         <translation>diferencia</translation>
     </message>
@@ -3937,6 +4137,15 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>no difference</source>
         <translation>ninguna diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1: %2</source>
+        <translation>diferencia de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept motion, its value</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3980,10 +4189,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error of the accelerations over time</source>
         <translation>Error de las aceleraciones en el tiempo</translation>
-    </message>
-    <message>
-        <source>No reference data.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Open a reference…&lt;/a&gt;&lt;br&gt;or drop a CSV here.</source>
-        <translation>Sin datos de referencia.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Abra una referencia…&lt;/a&gt;&lt;br&gt;o suelte aquí un CSV.</translation>
     </message>
     <message>
         <source>Show all &amp;nine plots</source>
@@ -4036,6 +4241,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Keep this motion</source>
         <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
+        <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
@@ -4192,6 +4401,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
         <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
+    <message>
+        <source>there is no column &quot;%1&quot;.</source>
+        <translation>no hay ninguna columna «%1».</translation>
+    </message>
+    <message>
+        <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
+        <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
+    </message>
+    <message>
+        <source>The file is JSON, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
@@ -4214,6 +4435,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>No se puede leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Entrada estándar</translation>
+    </message>
+    <message>
+        <source>There are: %1.</source>
+        <translation>Están: %1.</translation>
     </message>
 </context>
 <context>
@@ -4557,6 +4786,40 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>This mechanism − kept %1</source>
         <translation>Este mecanismo − conservado: %1</translation>
     </message>
+    <message>
+        <source>%1, by %2 %3</source>
+        <translation>%1, por %2 %3</translation>
+    </message>
+    <message>
+        <source>File: %1
+SHA-256: %2</source>
+        <translation>Archivo: %1
+SHA-256: %2</translation>
+    </message>
+    <message>
+        <source>the sample that comes with the program</source>
+        <translation>el ejemplo que viene con el programa</translation>
+    </message>
+    <message>
+        <source>unknown: the file cannot be read again, or was changed since</source>
+        <translation>desconocida: el archivo no se puede volver a leer o ha cambiado desde entonces</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>“%1” as %2 (%3)</source>
+        <translation>«%1» como %2 (%3)</translation>
+    </message>
+    <message>
+        <source>No column was guessed.</source>
+        <translation>No se ha deducido ninguna columna.</translation>
+    </message>
+    <message>
+        <source>Columns guessed: %1.</source>
+        <translation>Columnas deducidas: %1.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4592,10 +4855,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Abrir escena</translation>
     </message>
     <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Escenas (*.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
     </message>
@@ -4606,6 +4865,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
         <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
+        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank)</source>
+        <translation>Escenas (*.slidercrank)</translation>
     </message>
 </context>
 <context>
@@ -4931,10 +5198,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>tiempo por estado [ns]</translation>
     </message>
     <message>
-        <source>largest error / peak</source>
-        <translation>error máximo / pico</translation>
-    </message>
-    <message>
         <source>Newton dense (report)</source>
         <translation>Newton denso (informe)</translation>
     </message>
@@ -4987,12 +5250,52 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>ningún instante resuelto</translation>
     </message>
     <message>
-        <source>rounded input alone makes κ·u = %1</source>
-        <translation>los datos redondeados por sí solos causan κ·u = %1</translation>
+        <source>so many harmonics</source>
+        <translation>tantos armónicos</translation>
     </message>
     <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
+        <source>fastest for its error</source>
+        <translation>los mejores</translation>
+    </message>
+    <message>
+        <source>cost of rounded input</source>
+        <translation>redondear los datos</translation>
+    </message>
+    <message>
+        <source>error / peak</source>
+        <translation>error / pico</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson as in the report: 12 equations solved together (dense LU), started from the instant before</source>
+        <translation>Newton-Raphson como en el informe: 12 ecuaciones resueltas juntas (LU densa), a partir del instante anterior</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson on the same 12 equations, solved joint by joint</source>
+        <translation>Newton-Raphson con las mismas 12 ecuaciones, resueltas junta a junta</translation>
+    </message>
+    <message>
+        <source>The same, started from the position, velocity and acceleration of the instant before (Taylor series)</source>
+        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
+    </message>
+    <message>
+        <source>The exact formulas, instant by instant</source>
+        <translation>Las fórmulas exactas, instante a instante</translation>
+    </message>
+    <message>
+        <source>The exact formulas for several instants at once (vector instructions)</source>
+        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration as central differences of exact positions</source>
+        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
+    </message>
+    <message>
+        <source>The motion as a Fourier series with so many harmonics</source>
+        <translation>El movimiento como serie de Fourier con tantos armónicos</translation>
+    </message>
+    <message>
+        <source>rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
+        <translation>solo redondear a, b, c, ω₂, θ₂₀ y t al formato double puede costar %1</translation>
     </message>
 </context>
 <context>
@@ -5102,28 +5405,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>De Newton-Raphson: absoluta como en el informe para su propio procedimiento, relativa para los demás</translation>
     </message>
     <message>
-        <source>ns</source>
-        <translation>ns</translation>
-    </message>
-    <message>
-        <source>Time per state: median over interleaved rounds</source>
-        <translation>Tiempo por estado: mediana de rondas intercaladas</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>error</translation>
     </message>
     <message>
         <source>The worst of the six plotted channels, relative to the channel&apos;s peak, over solved instants</source>
         <translation>El peor de los seis canales graficados, relativo al pico del canal, en los instantes resueltos</translation>
-    </message>
-    <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
-    </message>
-    <message>
-        <source>The error that rounding the given numbers makes by itself</source>
-        <translation>El error que causa por sí solo redondear los datos</translation>
     </message>
     <message>
         <source>iterations</source>
@@ -5166,14 +5453,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation> (cancelado)</translation>
     </message>
     <message>
-        <source>. The mechanism has changed since: run again</source>
-        <translation>. El mecanismo ha cambiado desde entonces: mida de nuevo</translation>
-    </message>
-    <message>
-        <source>. Times of %1</source>
-        <translation>. Tiempos de %1</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet: run the study first.</source>
         <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
     </message>
@@ -5194,12 +5473,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>velocidad.csv</translation>
     </message>
     <message>
-        <source>⚠ %1</source>
-        <translation>⚠ %1</translation>
-    </message>
-    <message>
         <source>Tables (*.csv)</source>
         <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>time [ns]</source>
+        <translation>tiempo [ns]</translation>
+    </message>
+    <message>
+        <source>Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds</source>
+        <translation>Por estado, es decir, posición, velocidad y aceleración en un instante: mediana de varias rondas alternadas</translation>
+    </message>
+    <message>
+        <source>Times of %1</source>
+        <translation>Tiempos de %1</translation>
+    </message>
+    <message>
+        <source> The mechanism has changed since: run again.</source>
+        <translation> El mecanismo ha cambiado desde entonces: vuelva a medir.</translation>
     </message>
 </context>
 <context>
@@ -5306,6 +5597,62 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>other</source>
         <translation>otra</translation>
+    </message>
+    <message>
+        <source>%1 times as fast as the report&apos;s way</source>
+        <translation>%1 veces más rápida que el método del informe</translation>
+    </message>
+    <message>
+        <source>as fast as the report&apos;s way</source>
+        <translation>tan rápida como el método del informe</translation>
+    </message>
+    <message>
+        <source>takes %1 times as long as the report&apos;s way</source>
+        <translation>tarda %1 veces lo que el método del informe</translation>
+    </message>
+    <message>
+        <source>, but it solves no instant here</source>
+        <translation>, pero aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source>, which solves no instant here</source>
+        <translation>, que aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source> and %1 times as exact here</source>
+        <translation> y aquí %1 veces más exacta</translation>
+    </message>
+    <message>
+        <source> and right to the last digit here</source>
+        <translation> y aquí exacta hasta la última cifra</translation>
+    </message>
+    <message>
+        <source> and as exact here</source>
+        <translation> e igual de exacta aquí</translation>
+    </message>
+    <message>
+        <source>, but its error is %1 times as large here</source>
+        <translation>, pero aquí su error es %1 veces el de este</translation>
+    </message>
+    <message>
+        <source>, which is right to the last digit here</source>
+        <translation>, que aquí es exacto hasta la última cifra</translation>
+    </message>
+    <message>
+        <source>Neither the closed form nor the report&apos;s way solves an instant here.</source>
+        <translation>Ni la forma cerrada ni el método del informe resuelven aquí ningún instante.</translation>
+    </message>
+    <message>
+        <source>Closed form: %1%2.</source>
+        <translation>Forma cerrada: %1%2.</translation>
+    </message>
+    <message>
+        <source>It solves %1 of %2 instants, the report&apos;s way %3.</source>
+        <translation>Resuelve %1 de %2 instantes; el método del informe, %3.</translation>
+    </message>
+    <message>
+        <source>At %1 instants the report&apos;s way is wrong without saying so.</source>
+        <translation>En %1 instantes el método del informe falla sin avisar.</translation>
     </message>
 </context>
 <context>

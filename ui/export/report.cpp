@@ -10,6 +10,8 @@
 #include "ui/words/written_number.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QLocale>
 
 #include <algorithm>
@@ -126,6 +128,41 @@ QString fileText(const Reference &reference)
     const std::vector<double> &time = reference.data.time;
     return Report::tr("Reference: %1, t = %2 s to %3 s, %4 instants.")
         .arg(reference.name, numberText(time.front()), numberText(time.back()), countText(time.size()));
+}
+
+/// When, and by what.
+QString originText(const ReportContent &content)
+{
+    return Report::tr("%1, by %2 %3")
+        .arg(QLocale().toString(content.written, QLocale::LongFormat), QCoreApplication::applicationName(),
+             QCoreApplication::applicationVersion());
+}
+
+/// Which bytes were read; the sample that comes with the program has no place of its own.
+QString identityText(const ReportContent &content)
+{
+    const QString &path = content.result->reference->path;
+    return Report::tr("File: %1\nSHA-256: %2")
+        .arg(path.startsWith(u':') ? Report::tr("the sample that comes with the program")
+                                   : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
+             content.checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or was changed since")
+                                        : QString::fromLatin1(content.checksum));
+}
+
+QString guessedText(const FileLayout &layout)
+{
+    QStringList parts;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        if (isGuess(column.reason)) {
+            const QString meaning = column.role == ColumnRole::Channel
+                                        ? Report::tr("%1 %2").arg(quantityOf(column.channel), symbolOf(column.channel))
+                                        : meaningText(column);
+            parts << Report::tr("“%1” as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
+        }
+    }
+    return parts.isEmpty() ? Report::tr("No column was guessed.")
+                           : Report::tr("Columns guessed: %1.").arg(parts.join(Report::tr("; ")));
 }
 
 /// What was not used of the file; empty where all was.
@@ -270,9 +307,12 @@ void addErrors(std::vector<ReportBlock> &blocks, const Result &result)
 std::vector<ReportBlock> reportOf(const ReportContent &content)
 {
     const Result &result = *content.result;
-    std::vector<ReportBlock> blocks{paragraph(Report::tr("Motion of an offset slider-crank"), Kind::Title)};
+    std::vector<ReportBlock> blocks{paragraph(Report::tr("Motion of an offset slider-crank"), Kind::Title),
+                                    paragraph(originText(content), Kind::Note)};
     if (result.reference) {
         blocks.push_back(paragraph(fileText(*result.reference)));
+        blocks.push_back(paragraph(identityText(content), Kind::Note));
+        blocks.push_back(paragraph(guessedText(result.reference->data.layout), Kind::Note));
         addComparison(blocks, content);
     }
     blocks.push_back(heading(Report::tr("Mechanism")));

@@ -56,15 +56,15 @@ QString equationOf(Constraint row)
         QStringLiteral("Rₓ¹ = 0"),
         QStringLiteral("R_y¹ = 0"),
         QStringLiteral("θ¹ = 0"),
-        QStringLiteral("Rₓ² − a/2 cos θ² = 0"),
-        QStringLiteral("R_y² − a/2 sin θ² = 0"),
-        QStringLiteral("−Rₓ³ + Rₓ² + a/2 cos θ² + b/2 cos θ³ = 0"),
-        QStringLiteral("−R_y³ + R_y² + a/2 sin θ² + b/2 sin θ³ = 0"),
+        QStringLiteral("Rₓ² − a/2 cos θ₂ = 0"),
+        QStringLiteral("R_y² − a/2 sin θ₂ = 0"),
+        QStringLiteral("−Rₓ³ + Rₓ² + a/2 cos θ₂ + b/2 cos θ³ = 0"),
+        QStringLiteral("−R_y³ + R_y² + a/2 sin θ₂ + b/2 sin θ³ = 0"),
         QStringLiteral("Rₓ⁴ − Rₓ³ − b/2 cos θ³ = 0"),
         QStringLiteral("R_y⁴ − R_y³ − b/2 sin θ³ = 0"),
         QStringLiteral("θ⁴ − θ¹ = 0"),
         QStringLiteral("R_y⁴ − c = 0"),
-        QStringLiteral("θ² − ω₂ t − θ₂₀ = 0")};
+        QStringLiteral("θ₂ − ω₂ t − θ₂₀ = 0")};
     return kEquations[static_cast<std::size_t>(row)];
 }
 
@@ -83,7 +83,7 @@ QString unitText(bool angle, int perSecond)
 /// Every digit there is, for the tool tip.
 QString everyDigit(double value)
 {
-    return localeWithoutGroups().toString(value, 'g', QLocale::FloatingPointShortest);
+    return numberText(value, QLocale::FloatingPointShortest);
 }
 
 TableCell numberCell(double value, const QString &text, const QString &meaning, const QString &unit)
@@ -232,7 +232,7 @@ std::vector<TableRow> jacobianRows(const Mechanism &mechanism, const InstantEqua
             const auto coordinate = static_cast<Coordinate>(j);
             const double value = equations.Cq(i, j);
             const bool isLength = isAngle(coordinate) && !isAngle(row); // mm/rad
-            const QString text = isLength ? steadyText(value, 1e3 * largest) : locale.toString(value, 'g', 6);
+            const QString text = isLength ? steadyText(value, 1e3 * largest) : numberText(value);
             TableCell cell =
                 numberCell(value, text, NewtonTables::tr("∂(%1)/∂%2").arg(nameOf(row), symbolOf(coordinate)),
                            isLength ? QStringLiteral("mm") : QString());
@@ -293,9 +293,9 @@ std::vector<TableRow> coordinateRows(const Mechanism &mechanism, const State &st
 std::vector<TableColumn> iterationColumns()
 {
     return {{NewtonTables::tr("step"), NewtonTables::tr("0: the start"), QStringLiteral("step"), true},
-            {NewtonTables::tr("● ‖C‖"), NewtonTables::tr("From afar: θ² exact, θ³ = 0 (crossed: 180°)"),
+            {NewtonTables::tr("● ‖C‖"), NewtonTables::tr("From afar: θ₂ exact, θ³ = 0 (crossed: 180°)"),
              QStringLiteral("residual_from_afar")},
-            {NewtonTables::tr("● θ³ [°]"), NewtonTables::tr("From afar: θ² exact, θ³ = 0 (crossed: 180°)"),
+            {NewtonTables::tr("● θ³ [°]"), NewtonTables::tr("From afar: θ₂ exact, θ³ = 0 (crossed: 180°)"),
              QStringLiteral("theta3_from_afar")},
             {NewtonTables::tr("□ ‖C‖"), NewtonTables::tr("From the position one step of the run before"),
              QStringLiteral("residual_from_before")},

@@ -127,7 +127,8 @@ struct ShownData {
     std::array<ShownChannel, ModelCurves::kChannels> channels; ///< as in kPlottedChannels
 };
 
-/// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks.
+/// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks. The
+/// values fit what is seen of the time, but for those that a person chose, by a box or by the wheel on their axis.
 class PlotFigure
 {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::PlotFigure)
@@ -153,6 +154,7 @@ public:
     /// Closer or farther, about a point of the axis that stays.
     void zoomTime(double about, double factor);
     void zoomValues(std::size_t plot, const Interval &shown, double about, double factor);
+    void zoomValues(std::size_t plot, const Interval &range);
 
     /// One plot whose axes have that size in pixels and whose time axis has characters of that width.
     PlotPicture picture(std::size_t plot, const QSize &axes, double digitWidth);
@@ -177,8 +179,8 @@ public:
     };
     std::vector<KeptMotion> &kept();
 
-    /// From the motion kept last; there must be a difference.
-    const DifferenceCurves &differences();
+    /// From the motion kept last, as the axis has it; there must be a difference.
+    double differenceAt(std::size_t channel, double t);
 
     /// The one chosen; from a motion that was kept, which passes through zero, percentages are of the peak.
     ErrorMeasure measure() const;
@@ -196,7 +198,10 @@ private:
     QString fewSamples() const; ///< empty where no samples are on show, or enough
     void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns);
 
+    const DifferenceCurves &differences();
     std::vector<CurvePoint> differencePoints(std::size_t channel, const Interval &range, std::size_t columns);
+    template <class ExtremesIn>
+    std::optional<Interval> valuesSeen(const ExtremesIn &extremesIn) const;
 
     PlotSettings m_settings;
     std::optional<ShownData> m_data;

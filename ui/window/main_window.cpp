@@ -332,6 +332,7 @@ QWidget *MainWindow::makeLimitsPanel()
     follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &LimitsPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
 
@@ -348,7 +349,7 @@ void MainWindow::showWithinScreen()
 
 void MainWindow::openFile(const QString &path)
 {
-    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+    if (isNamedAsScene(path)) {
         m_scene->open(path);
     } else {
         openReference(path);

@@ -156,7 +156,7 @@ void SceneFile::finishOpening(const QString &problem)
 
 void SceneFile::chooseAndOpen()
 {
-    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.json);;All files (*)"));
+    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.slidercrank *.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
@@ -176,9 +176,9 @@ void SceneFile::saveAs(const std::function<void()> &goOn)
 {
     const QFileInfo file(m_path);
     chooseFileToSave(m_window, {tr("Save scene"),
-                                {tr("Scenes (*.json)")},
+                                {tr("Scenes (*.slidercrank)"), tr("Scenes (*.json)")},
                                 m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
-                                m_path.isEmpty() ? QStringLiteral("scene.json") : file.fileName(),
+                                m_path.isEmpty() ? QStringLiteral("scene.slidercrank") : file.fileName(),
                                 [this, goOn](const QString &path, const QString &) {
                                     if (saveTo(path) && goOn) {
                                         goOn();

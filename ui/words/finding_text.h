@@ -22,8 +22,12 @@ QString listed(const QStringList &words);
 /// To three digits; "∞".
 QString errorText(double value);
 
-/// "θ³", "dRₓ⁴/dt": derivatives as quotients, for a dot over a letter is too small to be told from none.
+/// "θ³", "dRₓ⁴/dt", the crank's angle "θ₂" as on the controls: derivatives as quotients, for a dot over a letter is too
+/// small to be told from none.
 QString symbolOf(Channel channel);
+
+/// "coupler angle", "slider velocity".
+QString quantityOf(Channel channel);
 
 /// "theta3", "R4_x_diff".
 QString columnNameOf(Channel channel);

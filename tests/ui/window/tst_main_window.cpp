@@ -766,7 +766,7 @@ private slots:
     void savesASceneAndOpensItAgain()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        const QString path = folder.filePath(QStringLiteral("rig.slidercrank"));
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
         m_window->openReference(kSample);
         QVERIFY(loaded.wait(kPatience));
@@ -789,7 +789,7 @@ private slots:
         QVERIFY(m_window->isWindowModified());
         QVERIFY(m_window->scene().saveTo(path));
         QVERIFY(!m_window->isWindowModified());
-        QVERIFY(m_window->windowTitle().startsWith(QLatin1String("rig.json[*]")));
+        QVERIFY(m_window->windowTitle().startsWith(QLatin1String("rig.slidercrank[*]")));
         const Trajectory before = m_window->session().result()->trajectory;
         const QImage picture = pictureOf(*m_window, QStringLiteral("plot_R4_x_diff"));
 
@@ -937,7 +937,7 @@ private slots:
         dialog->setDirectory(folder.path());
         dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(QStringLiteral("rig"));
         QMetaObject::invokeMethod(dialog, "accept");
-        AWAIT_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.json")));
+        AWAIT_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.slidercrank")));
         QVERIFY(!m_window->isWindowModified());
     }
 
