@@ -1661,6 +1661,14 @@ none          ni siquiera eso
         <source>change of the method</source>
         <translation>cambio del método</translation>
     </message>
+    <message>
+        <source>forgetting the kept motions</source>
+        <translation>olvido de los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>keeping the motion</source>
+        <translation>conservación del movimiento</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EmptyPage</name>
@@ -1876,6 +1884,50 @@ differs: anything else, and what lies beyond the rounding by 1 % of half the mot
         <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
 próximo: ninguno más allá de cien veces
 difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
+    </message>
+    <message>
+        <source>Without bounds where one of the two ends its stroke</source>
+        <translation>Sin límite donde uno de los dos acaba su carrera</translation>
+    </message>
+    <message>
+        <source>Click to go to the instant of the largest difference</source>
+        <translation>Clic para ir al instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>Differences from the kept motion, a row a channel</source>
+        <translation>Diferencias con el movimiento conservado, una fila por canal</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>max |this − kept|, in the channel&apos;s unit</source>
+        <translation>máx |este − conservado|, en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>Instant of the largest difference</source>
+        <translation>Instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>√( mean of (this − kept)² ), in the channel&apos;s unit</source>
+        <translation>√( media de (este − conservado)² ), en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>max |this − kept| / max |kept| · 100</source>
+        <translation>máx |este − conservado| / máx |conservado| · 100</translation>
+    </message>
+    <message>
+        <source>This mechanism is the one that was kept: change it to see what differs.</source>
+        <translation>Este mecanismo es el conservado: cámbielo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
+    <message>
+        <source>. Where one of the two cannot be assembled there is nothing to compare.</source>
+        <translation>. Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
     </message>
 </context>
 <context>
@@ -2256,6 +2308,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 centre&apos;s acceleration in y</source>
         <translation>aceleración en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
     </message>
 </context>
 <context>
@@ -2825,6 +2881,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>file</source>
         <translation>archivo</translation>
     </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismScenery</name>
@@ -3114,10 +3174,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Mostrar los &amp;paneles de abajo</translation>
     </message>
     <message>
-        <source>Show the file&apos;s &amp;motion</source>
-        <translation>Mostrar el &amp;movimiento del archivo</translation>
-    </message>
-    <message>
         <source>Lan&amp;guage</source>
         <translation>&amp;Idioma</translation>
     </message>
@@ -3212,6 +3268,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Run and speed…</source>
         <translation>Re&amp;corrido y velocidad…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>For&amp;get kept motions</source>
+        <translation>&amp;Olvidar los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s or the kept &amp;motion</source>
+        <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
     </message>
 </context>
 <context>
@@ -4036,6 +4104,27 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>textbook&apos;s θ₃ = %1</source>
         <translation>θ₃ de los libros = %1</translation>
     </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1</source>
+        <translation>diferencia de %1</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>ninguna diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1: %2</source>
+        <translation>diferencia de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept motion, its value</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -4130,6 +4219,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
         <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
     </message>
 </context>
 <context>
@@ -4689,6 +4782,22 @@ SHA-256: %2</translation>
         <source>Columns guessed: %1.</source>
         <translation>Columnas deducidas: %1.</translation>
     </message>
+    <message>
+        <source>Thin: the linkage that was kept.</source>
+        <translation>Fino: el mecanismo conservado.</translation>
+    </message>
+    <message>
+        <source>Thin curves: motions that were kept, %1.</source>
+        <translation>Curvas finas: movimientos conservados, %1.</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4850,6 +4959,10 @@ SHA-256: %2</translation>
         <source>four numbers in brackets, left, lower, right and upper, the smaller ones first</source>
         <translation>cuatro números entre corchetes, izquierda, abajo, derecha y arriba, los menores primero</translation>
     </message>
+    <message>
+        <source>a list of at most %1 mechanisms</source>
+        <translation>una lista de %1 mecanismos como máximo</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
@@ -4876,6 +4989,14 @@ SHA-256: %2</translation>
     <message>
         <source>taking over the file&apos;s mechanism</source>
         <translation>adopción del mecanismo del archivo</translation>
+    </message>
+    <message>
+        <source>This motion is kept already: change the mechanism to see what differs.</source>
+        <translation>Este movimiento ya está conservado: cambie el mecanismo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>%1 motions are kept already: forget them before you keep another one.</source>
+        <translation>Ya hay %1 movimientos conservados: olvídelos antes de conservar otro.</translation>
     </message>
 </context>
 <context>

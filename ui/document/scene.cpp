@@ -2,6 +2,7 @@
 #include "ui/document/scene.h"
 
 #include "ui/document/byte_stream.h"
+#include "ui/document/result.h"
 #include "ui/document/scene_part.h"
 #include "ui/document/whole_file.h"
 
@@ -104,6 +105,25 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
     return {{QStringLiteral("file"), pathFrom(folder, reference.path)},
             {QStringLiteral("columns"), columns},
             {QStringLiteral("conventions"), conventions}};
+}
+
+QJsonObject jsonOf(const Parameters &parameters)
+{
+    return {{QStringLiteral("a"), parameters.a},
+            {QStringLiteral("b"), parameters.b},
+            {QStringLiteral("c"), parameters.c},
+            {QStringLiteral("omega2"), parameters.omega2},
+            {QStringLiteral("theta20"), parameters.theta20},
+            {QStringLiteral("branch"), wordOf(kBranches, parameters.branch)}};
+}
+
+QJsonArray jsonOf(const std::vector<Parameters> &kept)
+{
+    QJsonArray motions;
+    for (const Parameters &parameters : kept) {
+        motions += jsonOf(parameters);
+    }
+    return motions;
 }
 
 QJsonObject mechanismJsonOf(const Scene &scene)
@@ -270,13 +290,7 @@ QByteArray jsonOf(const Scene &scene, const QString &path)
     const QDir folder = QFileInfo(path).absoluteDir();
     const QJsonObject object{
         {QStringLiteral("version"), kVersion},
-        {QStringLiteral("mechanism"),
-         QJsonObject{{QStringLiteral("a"), scene.parameters.a},
-                     {QStringLiteral("b"), scene.parameters.b},
-                     {QStringLiteral("c"), scene.parameters.c},
-                     {QStringLiteral("omega2"), scene.parameters.omega2},
-                     {QStringLiteral("theta20"), scene.parameters.theta20},
-                     {QStringLiteral("branch"), wordOf(kBranches, scene.parameters.branch)}}},
+        {QStringLiteral("mechanism"), jsonOf(scene.parameters)},
         {QStringLiteral("sampling"), QJsonObject{{QStringLiteral("start"), scene.sampling.start},
                                                  {QStringLiteral("duration"), scene.sampling.duration},
                                                  {QStringLiteral("steps"), scene.sampling.steps}}},
@@ -288,6 +302,7 @@ QByteArray jsonOf(const Scene &scene, const QString &path)
                      {QStringLiteral("warmStart"), wordOf(kWarmStarts, newton.warmStart)},
                      {QStringLiteral("elimination"), wordOf(kEliminations, newton.elimination)}}},
         {QStringLiteral("reference"), scene.reference ? QJsonValue(jsonOf(*scene.reference, folder)) : QJsonValue()},
+        {QStringLiteral("kept"), jsonOf(scene.kept)},
         {QStringLiteral("view"), viewJsonOf(scene)}};
     return QJsonDocument(merged(scene.asRead, object)).toJson();
 }
@@ -325,6 +340,12 @@ std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path
     const ScenePart extras(fault, scene.asRead, QString(), true);
     if (extras.value("reference")) {
         scene.reference = referenceOf(whole.part("reference"), QFileInfo(path).absoluteDir());
+    }
+    for (const ScenePart &kept : extras.parts("kept")) {
+        scene.kept.push_back(parametersOf(kept));
+    }
+    if (scene.kept.size() > kMostKept) {
+        extras.refuse("kept", SceneText::tr("a list of at most %1 mechanisms").arg(kMostKept));
     }
     readView(extras.part("view", true), scene);
     if (fault.sentence) {
