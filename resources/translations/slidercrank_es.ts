@@ -2874,6 +2874,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>G₃</source>
         <translation>G₃</translation>
     </message>
+    <message>
+        <source>outer dead centre</source>
+        <translation>punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>inner dead centre</source>
+        <translation>punto muerto interior</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismLinkage</name>
@@ -2934,6 +2942,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up tell about its parts one after the other.</source>
         <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y las casillas de abajo cambian sus longitudes. Más, menos y 0 amplían y reducen, Control con las flechas mueve el dibujo, Av Pág y Re Pág hablan de sus piezas una tras otra.</translation>
+    </message>
+    <message>
+        <source>An&amp;gles θ₂ and θ³</source>
+        <translation>Án&amp;gulos θ₂ y θ³</translation>
+    </message>
+    <message>
+        <source>Instant &amp;centre of the coupler</source>
+        <translation>Centro &amp;instantáneo de la biela</translation>
     </message>
 </context>
 <context>
@@ -5918,6 +5934,30 @@ SHA-256: %2</translation>
     <message>
         <source>Seconds of the clock for one turn of the crank</source>
         <translation>Segundos de reloj para una vuelta de la manivela</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismCentre</name>
+    <message>
+        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>P at infinity: the coupler does not turn,</source>
+        <translation>P en el infinito: la biela no gira,</translation>
+    </message>
+    <message>
+        <source>A and B move alike, at %1 mm/s</source>
+        <translation>A y B se mueven igual, a %1 mm/s</translation>
+    </message>
+    <message>
+        <source>P: the coupler turns about it at %1 rad/s</source>
+        <translation>P: la biela gira en torno a él a %1 rad/s</translation>
+    </message>
+    <message>
+        <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
+        <comment>of a point: |ω₃| times its distance</comment>
+        <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
     </message>
 </context>
 </TS>

@@ -136,6 +136,8 @@ QJsonObject mechanismJsonOf(const Scene &scene)
         {QStringLiteral("path"), settings.path},
         {QStringLiteral("names"), settings.names},
         {QStringLiteral("dimensions"), settings.dimensions},
+        {QStringLiteral("angles"), settings.angles},
+        {QStringLiteral("instantCentre"), settings.instantCentre},
         {QStringLiteral("frame"),
          frame ? QJsonValue(QJsonArray{frame->left(), frame->top(), frame->right(), frame->bottom()}) : QJsonValue()}};
 }
@@ -273,6 +275,8 @@ void readView(const ScenePart &view, Scene &scene)
     scene.mechanism.path = mechanism.flag("path", false);
     scene.mechanism.names = mechanism.flag("names", false);
     scene.mechanism.dimensions = mechanism.flag("dimensions", false);
+    scene.mechanism.angles = mechanism.flag("angles", false);
+    scene.mechanism.instantCentre = mechanism.flag("instantCentre", false);
     scene.mechanismFrame = mechanism.frame("frame");
 }
 

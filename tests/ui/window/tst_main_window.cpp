@@ -782,7 +782,7 @@ private slots:
         grid->setSettings(settings);
         grid->setZoom(zoom);
         auto *mechanism = m_window->findChild<MechanismView *>();
-        const MechanismSettings drawing{true, false, true, false, true};
+        const MechanismSettings drawing{true, false, true, false, true, true, true};
         const QRectF part(-15.0, -10.0, 60.0, 40.0); // mm
         mechanism->setSettings(drawing);
         mechanism->setZoom(part);
