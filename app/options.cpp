@@ -427,6 +427,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     if (const QString file = reader.file("reference"); !file.isEmpty()) {
         options.reference = ReferenceSource{file, {}, {}};
     }
+    options.kept = reader.scene().kept;
     options.columns = readColumns(reader);
     if (!options.columns.empty() && !options.reference) {
         reader.refuse(CommandLine::tr("--column is of a reference: give its file with --reference."));

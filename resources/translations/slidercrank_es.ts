@@ -1085,28 +1085,6 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>nombre y versión del programa, y con qué está compilado</translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE [options]     the mechanism that a file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>rounding</source>
         <translation>redondeo</translation>
     </message>
@@ -1123,28 +1101,6 @@ los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
     <message>
         <source>Model: %1</source>
         <translation>Modelo: %1</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE… [options]    the mechanism that each file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
     </message>
     <message>
         <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
@@ -1293,6 +1249,28 @@ none          ni siquiera eso
     <message>
         <source>Files</source>
         <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
     </message>
 </context>
 <context>
@@ -1751,6 +1729,14 @@ none          ni siquiera eso
         <source>change of the method</source>
         <translation>cambio del método</translation>
     </message>
+    <message>
+        <source>forgetting the kept motions</source>
+        <translation>olvido de los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>keeping the motion</source>
+        <translation>conservación del movimiento</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EmptyPage</name>
@@ -1966,6 +1952,50 @@ differs: anything else, and what lies beyond the rounding by 1 % of half the mot
         <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
 próximo: ninguno más allá de cien veces
 difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
+    </message>
+    <message>
+        <source>Without bounds where one of the two ends its stroke</source>
+        <translation>Sin límite donde uno de los dos acaba su carrera</translation>
+    </message>
+    <message>
+        <source>Click to go to the instant of the largest difference</source>
+        <translation>Clic para ir al instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>Differences from the kept motion, a row a channel</source>
+        <translation>Diferencias con el movimiento conservado, una fila por canal</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>max |this − kept|, in the channel&apos;s unit</source>
+        <translation>máx |este − conservado|, en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>Instant of the largest difference</source>
+        <translation>Instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>√( mean of (this − kept)² ), in the channel&apos;s unit</source>
+        <translation>√( media de (este − conservado)² ), en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>max |this − kept| / max |kept| · 100</source>
+        <translation>máx |este − conservado| / máx |conservado| · 100</translation>
+    </message>
+    <message>
+        <source>This mechanism is the one that was kept: change it to see what differs.</source>
+        <translation>Este mecanismo es el conservado: cámbielo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
+    <message>
+        <source>. Where one of the two cannot be assembled there is nothing to compare.</source>
+        <translation>. Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
     </message>
 </context>
 <context>
@@ -2346,6 +2376,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 centre&apos;s acceleration in y</source>
         <translation>aceleración en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
     </message>
 </context>
 <context>
@@ -2908,12 +2942,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>G₃</source>
         <translation>G₃</translation>
     </message>
+    <message>
+        <source>outer dead centre</source>
+        <translation>punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>inner dead centre</source>
+        <translation>punto muerto interior</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismLinkage</name>
     <message>
         <source>file</source>
         <translation>archivo</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
     </message>
 </context>
 <context>
@@ -2964,6 +3010,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up tell about its parts one after the other.</source>
         <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y las casillas de abajo cambian sus longitudes. Más, menos y 0 amplían y reducen, Control con las flechas mueve el dibujo, Av Pág y Re Pág hablan de sus piezas una tras otra.</translation>
+    </message>
+    <message>
+        <source>An&amp;gles θ₂ and θ³</source>
+        <translation>Án&amp;gulos θ₂ y θ³</translation>
+    </message>
+    <message>
+        <source>Instant &amp;centre of the coupler</source>
+        <translation>Centro &amp;instantáneo de la biela</translation>
     </message>
 </context>
 <context>
@@ -3204,10 +3258,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Mostrar los &amp;paneles de abajo</translation>
     </message>
     <message>
-        <source>Show the file&apos;s &amp;motion</source>
-        <translation>Mostrar el &amp;movimiento del archivo</translation>
-    </message>
-    <message>
         <source>Lan&amp;guage</source>
         <translation>&amp;Idioma</translation>
     </message>
@@ -3302,6 +3352,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Run and speed…</source>
         <translation>Re&amp;corrido y velocidad…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>For&amp;get kept motions</source>
+        <translation>&amp;Olvidar los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s or the kept &amp;motion</source>
+        <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
     </message>
 </context>
 <context>
@@ -4126,6 +4188,27 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>textbook&apos;s θ₃ = %1</source>
         <translation>θ₃ de los libros = %1</translation>
     </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1</source>
+        <translation>diferencia de %1</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>ninguna diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1: %2</source>
+        <translation>diferencia de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept motion, its value</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -4220,6 +4303,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
         <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
     </message>
 </context>
 <context>
@@ -4783,6 +4870,22 @@ SHA-256: %2</translation>
         <source>Columns guessed: %1.</source>
         <translation>Columnas deducidas: %1.</translation>
     </message>
+    <message>
+        <source>Thin: the linkage that was kept.</source>
+        <translation>Fino: el mecanismo conservado.</translation>
+    </message>
+    <message>
+        <source>Thin curves: motions that were kept, %1.</source>
+        <translation>Curvas finas: movimientos conservados, %1.</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4944,6 +5047,10 @@ SHA-256: %2</translation>
         <source>four numbers in brackets, left, lower, right and upper, the smaller ones first</source>
         <translation>cuatro números entre corchetes, izquierda, abajo, derecha y arriba, los menores primero</translation>
     </message>
+    <message>
+        <source>a list of at most %1 mechanisms</source>
+        <translation>una lista de %1 mecanismos como máximo</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
@@ -4970,6 +5077,14 @@ SHA-256: %2</translation>
     <message>
         <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
         <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
+    </message>
+    <message>
+        <source>This motion is kept already: change the mechanism to see what differs.</source>
+        <translation>Este movimiento ya está conservado: cambie el mecanismo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>%1 motions are kept already: forget them before you keep another one.</source>
+        <translation>Ya hay %1 movimientos conservados: olvídelos antes de conservar otro.</translation>
     </message>
 </context>
 <context>
@@ -5891,6 +6006,30 @@ SHA-256: %2</translation>
     <message>
         <source>Seconds of the clock for one turn of the crank</source>
         <translation>Segundos de reloj para una vuelta de la manivela</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismCentre</name>
+    <message>
+        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>P at infinity: the coupler does not turn,</source>
+        <translation>P en el infinito: la biela no gira,</translation>
+    </message>
+    <message>
+        <source>A and B move alike, at %1 mm/s</source>
+        <translation>A y B se mueven igual, a %1 mm/s</translation>
+    </message>
+    <message>
+        <source>P: the coupler turns about it at %1 rad/s</source>
+        <translation>P: la biela gira en torno a él a %1 rad/s</translation>
+    </message>
+    <message>
+        <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
+        <comment>of a point: |ω₃| times its distance</comment>
+        <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
     </message>
 </context>
 </TS>

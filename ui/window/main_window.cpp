@@ -273,6 +273,7 @@ void MainWindow::connectRooms()
     follow(&Session::resultChanged, m_rooms.plots, &PlotGrid::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
     connect(m_rooms.plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.plots, &PlotGrid::keepRequested, m_session, &Session::keep);
     connect(m_rooms.plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_rooms.plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
