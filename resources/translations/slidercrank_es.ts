@@ -152,6 +152,10 @@
         <translation>%1 no se usa</translation>
     </message>
     <message>
+        <source>%1 is ignored: from %2 to %3</source>
+        <translation>%1 no se usa: de %2 a %3</translation>
+    </message>
+    <message>
         <source>%1: %2 from %3 to %4 %5, %6</source>
         <translation>%1: %2 de %3 a %4 %5, %6</translation>
     </message>
@@ -235,8 +239,8 @@
         <translation>sin usar: su nombre no designa ningún canal</translation>
     </message>
     <message>
-        <source>ignored: its name does not tell what moves so</source>
-        <translation>sin usar: su nombre no dice qué se mueve así</translation>
+        <source>ignored: its name does not say of which part</source>
+        <translation>sin usar: su nombre no dice de qué pieza</translation>
     </message>
     <message>
         <source>ignored: it counts the rows</source>
@@ -327,8 +331,8 @@
         <translation>nombre desconocido</translation>
     </message>
     <message>
-        <source>what moves so?</source>
-        <translation>¿qué se mueve así?</translation>
+        <source>of which part?</source>
+        <translation>¿de qué pieza?</translation>
     </message>
     <message>
         <source>differences from row to row</source>
@@ -4380,8 +4384,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
     </message>
     <message>
-        <source>its name does not tell what moves so</source>
-        <translation>su nombre no dice qué se mueve así</translation>
+        <source>its name does not say of which part</source>
+        <translation>su nombre no dice de qué pieza</translation>
     </message>
     <message>
         <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>

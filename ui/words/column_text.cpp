@@ -111,7 +111,7 @@ QString roleReason(const FileLayout &layout, std::size_t column)
     case ColumnReason::ModelicaName:
         return ColumnText::tr("guessed: named as in Modelica, whose variables are in m, rad and s");
     case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
-    case ColumnReason::UnknownBody: return ColumnText::tr("ignored: its name does not tell what moves so");
+    case ColumnReason::UnknownBody: return ColumnText::tr("ignored: its name does not say of which part");
     case ColumnReason::RowNumber: return ColumnText::tr("ignored: it counts the rows");
     case ColumnReason::Magnitude:
         return ColumnText::tr("ignored: a magnitude, without direction; “%1” is a component of it").arg(other);
@@ -165,7 +165,7 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
     case ColumnReason::ModelicaName: return ColumnText::tr("guessed: named as in Modelica");
     case ColumnReason::UnknownName: return ColumnText::tr("name not known");
-    case ColumnReason::UnknownBody: return ColumnText::tr("what moves so?");
+    case ColumnReason::UnknownBody: return ColumnText::tr("of which part?");
     case ColumnReason::RowNumber: return ColumnText::tr("counts the rows");
     case ColumnReason::Magnitude: return ColumnText::tr("magnitude of %1 …").arg(other);
     case ColumnReason::SameInstants: return ColumnText::tr("same instants as %1").arg(other);

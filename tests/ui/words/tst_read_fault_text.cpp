@@ -28,6 +28,7 @@ const std::vector<Said> &allFaults()
         {{Kind::Spreadsheet}, "The file is a spreadsheet or an archive, not text: save the table as CSV."},
         {{Kind::Pdf}, "The file is a PDF document, not a table: export the table as CSV."},
         {{Kind::Markup}, "The file is HTML or XML, not a table of text: export the table as CSV."},
+        {{Kind::Json}, "The file is JSON, not a table of text: export the table as CSV."},
         {{Kind::NotText}, "the file holds bytes that are not text: export the table as CSV."},
         {{.kind = Kind::UnitsContradict, .heading = "R4_x [mm]"},
          "the line of units contradicts the heading, R4_x [mm]: correct one of the two."},
@@ -56,6 +57,10 @@ const std::vector<Said> &allFaults()
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::LikeOther},
          "no column beside the time can be told for certain (x: another column could be the same quantity): name them "
          "as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
+        {{.kind = Kind::NoCertainChannel, .heading = "J1_x", .column = ColumnReason::UnknownBody},
+         "no column beside the time can be told for certain (J1_x: its name does not say of which part): name them as "
+         "in "
+         "theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownUnit},
          "no column beside the time can be told for certain (x: its unit is not known or does not suit the quantity): "
          "name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
