@@ -28,6 +28,7 @@ const std::vector<Said> &allFaults()
         {{Kind::Spreadsheet}, "The file is a spreadsheet or an archive, not text: save the table as CSV."},
         {{Kind::Pdf}, "The file is a PDF document, not a table: export the table as CSV."},
         {{Kind::Markup}, "The file is HTML or XML, not a table of text: export the table as CSV."},
+        {{Kind::Json}, "The file is JSON, not a table of text: export the table as CSV."},
         {{Kind::NotText}, "the file holds bytes that are not text: export the table as CSV."},
         {{.kind = Kind::UnitsContradict, .heading = "R4_x [mm]"},
          "the line of units contradicts the heading, R4_x [mm]: correct one of the two."},
