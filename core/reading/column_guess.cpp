@@ -354,6 +354,9 @@ std::optional<ColumnFault> Assignment::takeNames()
                 ignore(i, ColumnReason::NoName);
             } else if (fileNames && meaning.kind == NameMeaning::Kind::RowNumber) {
                 ignore(i, ColumnReason::RowNumber);
+            } else if (fileNames && meaning.kind == NameMeaning::Kind::Nothing &&
+                       m_headings[i].part == Heading::Part::Own && endsInQuantity(m_headings[i])) {
+                ignore(i, ColumnReason::UnknownBody);
             }
             if (fault) {
                 return fault;
@@ -371,7 +374,8 @@ void Assignment::guessTime()
         return;
     }
     for (std::size_t i = 0; i < m_uses.size(); ++i) {
-        const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty();
+        const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty() &&
+                           m_uses[i].reason != ColumnReason::UnknownBody;
         const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
         if (isOpen(i) && named && factor && i < samples().size() && onlyRises(samples()[i])) {
             m_uses[i] = ColumnUse{ColumnRole::Time, {}, ColumnReason::RisingValues, std::nullopt, *factor};

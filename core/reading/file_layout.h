@@ -37,6 +37,7 @@ enum class ColumnReason {
 
     // Ignored.
     UnknownName,   ///< the name means no channel
+    UnknownBody,   ///< the name says a quantity of something, and nothing of what
     RowNumber,     ///< it counts the rows
     Magnitude,     ///< of a vector whose components are other columns, otherColumn the first
     SameInstants,  ///< the instants of another column's values, the same as the time's
@@ -54,6 +55,20 @@ constexpr bool isGuess(ColumnReason reason)
     return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::ModelicaName;
 }
 
+/// Whether the column may well be a channel: which, only a person can say.
+constexpr bool leavesOpen(ColumnReason reason)
+{
+    return reason == ColumnReason::UnknownBody || reason == ColumnReason::LikeOther ||
+           reason == ColumnReason::AngleOrLength;
+}
+
+/// Between the values of two rows, by the time between them.
+enum class Difference {
+    Forward, ///< this row and the next
+    Backward,
+    Central ///< the row before and the next
+};
+
 /// One column of the file, UTF-8 whatever the file's encoding.
 struct FileColumn {
     std::string heading; ///< as printed, with the unit where it stands there; empty: none
@@ -62,6 +77,7 @@ struct FileColumn {
     Channel channel; ///< where the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
     std::optional<std::size_t> otherColumn; ///< that the reason speaks of
+    std::optional<Difference> difference;   ///< what a column of derivatives is made of
 };
 
 /// What was found of a file's form.
@@ -78,6 +94,10 @@ struct FileLayout {
 
     /// Whether names did not tell all that was taken from the file: a person should look at the columns.
     bool isGuessed() const;
+
+    /// Whether there are columns whose names differ only in what they belong to, and none of them is used: a person
+    /// has to say which of them is what.
+    bool isOpen() const;
 };
 
 /// What a person says of one column, over whatever its name says.

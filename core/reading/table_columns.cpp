@@ -51,9 +51,8 @@ ColumnSamples sampleRows(const Table &table, std::string_view rowText)
 ReadFault faultWithoutChannel(const FileLayout &layout)
 {
     for (const FileColumn &column : layout.columns) {
-        const bool almost = column.reason == ColumnReason::LikeOther || column.reason == ColumnReason::UnknownUnit ||
-                            column.reason == ColumnReason::NotDerivative ||
-                            column.reason == ColumnReason::AngleOrLength;
+        const bool almost = leavesOpen(column.reason) || column.reason == ColumnReason::UnknownUnit ||
+                            column.reason == ColumnReason::NotDerivative;
         if (almost) {
             return {Fault::NoCertainChannel, {}, excerpt(column.heading), column.reason};
         }

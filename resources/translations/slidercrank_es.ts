@@ -52,6 +52,22 @@
         <translation>sin usar</translation>
     </message>
     <message>
+        <source>Seldom exported</source>
+        <translation>Se exportan rara vez</translation>
+    </message>
+    <message>
+        <source>Crank</source>
+        <translation>Manivela</translation>
+    </message>
+    <message>
+        <source>Coupler</source>
+        <translation>Biela</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Corredera</translation>
+    </message>
+    <message>
         <source>time</source>
         <translation>tiempo</translation>
     </message>
@@ -211,12 +227,48 @@
         <translation>deducido: la primera columna cuyos valores solo crecen</translation>
     </message>
     <message>
+        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
+        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
+    </message>
+    <message>
         <source>ignored: its name means no channel</source>
         <translation>sin usar: su nombre no designa ningún canal</translation>
     </message>
     <message>
+        <source>ignored: its name does not tell what moves so</source>
+        <translation>sin usar: su nombre no dice qué se mueve así</translation>
+    </message>
+    <message>
+        <source>ignored: it counts the rows</source>
+        <translation>sin usar: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: it belongs to other instants than those of “%1”</source>
+        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: the same instants as “%1”</source>
+        <translation>sin usar: los mismos instantes que “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
+        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
+    </message>
+    <message>
         <source>ignored: it has no name</source>
         <translation>sin usar: no tiene nombre</translation>
+    </message>
+    <message>
+        <source>%1; central differences, no derivative</source>
+        <translation>%1; son diferencias centrales, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; backward differences, no derivative</source>
+        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; forward differences, no derivative</source>
+        <translation>%1; son diferencias hacia delante, no una derivada</translation>
     </message>
     <message>
         <source>ignored: it holds no number</source>
@@ -267,8 +319,36 @@
         <translation>deducido: solo crece</translation>
     </message>
     <message>
+        <source>guessed: named as in Modelica</source>
+        <translation>deducido: nombre de Modelica</translation>
+    </message>
+    <message>
         <source>name not known</source>
         <translation>nombre desconocido</translation>
+    </message>
+    <message>
+        <source>what moves so?</source>
+        <translation>¿qué se mueve así?</translation>
+    </message>
+    <message>
+        <source>differences from row to row</source>
+        <translation>diferencias de fila a fila</translation>
+    </message>
+    <message>
+        <source>other instants</source>
+        <translation>otros instantes</translation>
+    </message>
+    <message>
+        <source>same instants as %1</source>
+        <translation>mismos instantes que %1</translation>
+    </message>
+    <message>
+        <source>magnitude of %1 …</source>
+        <translation>módulo de %1 …</translation>
+    </message>
+    <message>
+        <source>counts the rows</source>
+        <translation>numera las filas</translation>
     </message>
     <message>
         <source>no name</source>
@@ -345,46 +425,6 @@
     <message>
         <source>, </source>
         <translation>, </translation>
-    </message>
-    <message>
-        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
-        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
-    </message>
-    <message>
-        <source>ignored: it counts the rows</source>
-        <translation>sin usar: numera las filas</translation>
-    </message>
-    <message>
-        <source>ignored: it belongs to other instants than those of “%1”</source>
-        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
-    </message>
-    <message>
-        <source>ignored: the same instants as “%1”</source>
-        <translation>sin usar: los mismos instantes que “%1”</translation>
-    </message>
-    <message>
-        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
-        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
-    </message>
-    <message>
-        <source>guessed: named as in Modelica</source>
-        <translation>deducido: nombre de Modelica</translation>
-    </message>
-    <message>
-        <source>other instants</source>
-        <translation>otros instantes</translation>
-    </message>
-    <message>
-        <source>same instants as %1</source>
-        <translation>mismos instantes que %1</translation>
-    </message>
-    <message>
-        <source>magnitude of %1 …</source>
-        <translation>módulo de %1 …</translation>
-    </message>
-    <message>
-        <source>counts the rows</source>
-        <translation>numera las filas</translation>
     </message>
 </context>
 <context>
@@ -588,10 +628,6 @@
     <message>
         <source>this text</source>
         <translation>este texto</translation>
-    </message>
-    <message>
-        <source>name and version of the program, and what it is built of</source>
-        <translation>nombre y versión del programa, y con qué está compilado</translation>
     </message>
     <message>
         <source>Mechanism</source>
@@ -1045,6 +1081,10 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>, t = %1 s</translation>
     </message>
     <message>
+        <source>name and version of the program, and what it is built of</source>
+        <translation>nombre y versión del programa, y con qué está compilado</translation>
+    </message>
+    <message>
         <source>rounding</source>
         <translation>redondeo</translation>
     </message>
@@ -1061,28 +1101,6 @@ los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
     <message>
         <source>Model: %1</source>
         <translation>Modelo: %1</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE… [options]    the mechanism that each file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
     </message>
     <message>
         <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
@@ -1231,6 +1249,28 @@ none          ni siquiera eso
     <message>
         <source>Files</source>
         <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
     </message>
 </context>
 <context>
@@ -1392,6 +1432,10 @@ none          ni siquiera eso
         <translation>Deja fuera %1</translation>
     </message>
     <message>
+        <source>Turns %1 by 90°, so that y becomes x</source>
+        <translation>Gira %1 90°, de modo que y pasa a ser x</translation>
+    </message>
+    <message>
         <source>angle unit</source>
         <translation>unidad de ángulo</translation>
     </message>
@@ -1436,6 +1480,10 @@ none          ni siquiera eso
         <translation>no es derivada</translation>
     </message>
     <message>
+        <source>axis</source>
+        <translation>eje</translation>
+    </message>
+    <message>
         <source>%1: counted clockwise, against the sense of the model.</source>
         <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
     </message>
@@ -1478,6 +1526,22 @@ none          ni siquiera eso
     <message>
         <source>%1: not the time derivative of its position column.</source>
         <translation>%1: no es la derivada temporal de su columna de posición.</translation>
+    </message>
+    <message>
+        <source>%1: central differences of the rows on both sides, and not the time derivative.</source>
+        <translation>%1: son diferencias centrales, entre la fila anterior y la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: backward differences, from each row to the one before, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia atrás, de cada fila a la anterior, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: forward differences, from each row to the next, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia delante, de cada fila a la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>The slider moves along y and not along x: y is its axis, as in an upright engine.</source>
+        <translation>La corredera se mueve según y, no según x: su eje es y, como en un motor vertical.</translation>
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
@@ -1589,6 +1653,10 @@ none          ni siquiera eso
     <message>
         <source>The data do not fix %1: kept as given.</source>
         <translation>Los datos no determinan %1: se conserva lo dado.</translation>
+    </message>
+    <message>
+        <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
+        <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
     </message>
     <message>
         <source>What is left looks like noise: %1 (rms).</source>
@@ -4312,6 +4380,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
     </message>
     <message>
+        <source>its name does not tell what moves so</source>
+        <translation>su nombre no dice qué se mueve así</translation>
+    </message>
+    <message>
         <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>
         <translation>hay números donde deberían estar los nombres de las columnas: ponga encima una línea como time,theta3,R4_x.</translation>
     </message>
@@ -4350,6 +4422,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The file is HTML or XML, not a table of text: export the table as CSV.</source>
         <translation>El archivo es HTML o XML, no una tabla de texto: exporte la tabla como CSV.</translation>
+    </message>
+    <message>
+        <source>The file is JSON, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
     <message>
         <source>the file holds bytes that are not text: export the table as CSV.</source>
@@ -4402,10 +4478,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
         <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
-    </message>
-    <message>
-        <source>The file is JSON, not a table of text: export the table as CSV.</source>
-        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
 </context>
 <context>
@@ -4829,10 +4901,6 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::SceneFile</name>
     <message>
-        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
-        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Cambios sin guardar</translation>
     </message>
@@ -4853,20 +4921,24 @@ SHA-256: %2</translation>
         <translation>Abrir escena</translation>
     </message>
     <message>
-        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
-        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
     </message>
     <message>
-        <source>Scenes (*.slidercrank)</source>
-        <translation>Escenas (*.slidercrank)</translation>
-    </message>
-    <message>
         <source>Scenes (*.json)</source>
         <translation>Escenas (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
+        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank)</source>
+        <translation>Escenas (*.slidercrank)</translation>
     </message>
 </context>
 <context>
@@ -4995,16 +5067,16 @@ SHA-256: %2</translation>
         <translation>%1 debe ser mayor que 0.</translation>
     </message>
     <message>
+        <source>taking over the file&apos;s mechanism</source>
+        <translation>adopción del mecanismo del archivo</translation>
+    </message>
+    <message>
         <source>showing the scene in less</source>
         <translation>escena mostrada con menos</translation>
     </message>
     <message>
         <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
         <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
-    </message>
-    <message>
-        <source>taking over the file&apos;s mechanism</source>
-        <translation>adopción del mecanismo del archivo</translation>
     </message>
     <message>
         <source>This motion is kept already: change the mechanism to see what differs.</source>

@@ -40,7 +40,7 @@ constexpr std::array<Word<Elimination>, 2> kEliminations{
 constexpr std::array<Word<ErrorMeasure>, 3> kErrorMeasures{
     {{ErrorMeasure::Percent, "percent"}, {ErrorMeasure::Absolute, "absolute"}, {ErrorMeasure::OfPeak, "of-peak"}}};
 constexpr std::array<Word<Abscissa>, 2> kAbscissae{{{Abscissa::Time, "time"}, {Abscissa::CrankAngle, "crank-angle"}}};
-constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
+constexpr std::array<Word<Convention::Kind>, 12> kConventions{{
     {Convention::Kind::AngleUnit, "angle-unit"},
     {Convention::Kind::LengthUnit, "length-unit"},
     {Convention::Kind::TimeUnit, "time-unit"},
@@ -52,6 +52,7 @@ constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
     {Convention::Kind::Branch, "branch"},
     {Convention::Kind::TimeShift, "time-shift"},
     {Convention::Kind::NotDerivative, "not-derivative"},
+    {Convention::Kind::Axis, "axis"},
 }};
 
 template <typename Value, std::size_t count>

@@ -87,7 +87,11 @@ QString unitText(const FileColumn &column)
     return {};
 }
 
-QString reasonText(const FileLayout &layout, std::size_t column)
+namespace
+{
+
+/// Why the column became what it is, whatever it is made of.
+QString roleReason(const FileLayout &layout, std::size_t column)
 {
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
@@ -107,6 +111,7 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::ModelicaName:
         return ColumnText::tr("guessed: named as in Modelica, whose variables are in m, rad and s");
     case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
+    case ColumnReason::UnknownBody: return ColumnText::tr("ignored: its name does not tell what moves so");
     case ColumnReason::RowNumber: return ColumnText::tr("ignored: it counts the rows");
     case ColumnReason::Magnitude:
         return ColumnText::tr("ignored: a magnitude, without direction; “%1” is a component of it").arg(other);
@@ -126,8 +131,28 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     return {};
 }
 
+} // namespace
+
+QString reasonText(const FileLayout &layout, std::size_t column)
+{
+    const QString reason = roleReason(layout, column);
+    const std::optional<Difference> difference = layout.columns[column].difference;
+    if (!difference) {
+        return reason;
+    }
+    switch (*difference) {
+    case Difference::Forward: return ColumnText::tr("%1; forward differences, no derivative").arg(reason);
+    case Difference::Backward: return ColumnText::tr("%1; backward differences, no derivative").arg(reason);
+    case Difference::Central: return ColumnText::tr("%1; central differences, no derivative").arg(reason);
+    }
+    return reason;
+}
+
 QString shortReasonText(const FileLayout &layout, std::size_t column)
 {
+    if (layout.columns[column].difference && !isGuess(layout.columns[column].reason)) {
+        return ColumnText::tr("differences from row to row");
+    }
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
     case ColumnReason::KnownName: return ColumnText::tr("name known");
@@ -140,6 +165,7 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
     case ColumnReason::ModelicaName: return ColumnText::tr("guessed: named as in Modelica");
     case ColumnReason::UnknownName: return ColumnText::tr("name not known");
+    case ColumnReason::UnknownBody: return ColumnText::tr("what moves so?");
     case ColumnReason::RowNumber: return ColumnText::tr("counts the rows");
     case ColumnReason::Magnitude: return ColumnText::tr("magnitude of %1 …").arg(other);
     case ColumnReason::SameInstants: return ColumnText::tr("same instants as %1").arg(other);

@@ -219,6 +219,12 @@ QString caveatsOf(const Diagnosis &diagnosis)
     if (const QStringList kept = foundAndKept(identification).kept; !kept.isEmpty()) {
         sentences << DiagnosisText::tr("The data do not fix %1: kept as given.").arg(listed(kept));
     }
+    if (diagnosis.mayBeInMetres) {
+        sentences << DiagnosisText::tr(
+                         "The file does not say the unit of its lengths, and they were read as mm: if they "
+                         "are metres, a = %1; then write [m] behind the names.")
+                         .arg(parameterText(Parameter::A, 1e3 * diagnosis.rounded.a));
+    }
     if (!identification.noise.empty()) {
         QStringList columns;
         for (const Identification::Noise &noise : identification.noise) {
@@ -267,7 +273,7 @@ QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &dat
     } else if (const QString change = changeText(diagnosis, mechanism); !change.isEmpty()) {
         lines << change;
     }
-    return lines;
+    return lines << differenceSentences(data, diagnosis.conventions);
 }
 
 QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)

@@ -23,6 +23,7 @@ QString clauseOf(ColumnReason reason)
     case ColumnReason::NotDerivative: return ReadFaultText::tr("its values are not the derivative that its name says");
     case ColumnReason::AngleOrLength:
         return ReadFaultText::tr("neither its unit nor its values tell an angle from a length");
+    case ColumnReason::UnknownBody: return ReadFaultText::tr("its name does not tell what moves so");
     case ColumnReason::UnknownUnit:
     default: return ReadFaultText::tr("its unit is not known or does not suit the quantity");
     }
