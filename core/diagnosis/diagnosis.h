@@ -35,6 +35,9 @@ struct Diagnosis {
     /// a hundredth and a hundred times the others.
     std::optional<ParameterChange> change;
 
+    /// The file counts by the crank's angle, and ω2 is what its derivatives by the time say.
+    bool isSpeedOfDerivatives = false;
+
     std::optional<CrankSpeedChange> unevenCrank; ///< θ2 is in the file and does not advance evenly
 };
 

@@ -18,7 +18,12 @@ enum class TextEncoding { Utf8, Utf16LittleEndian, Utf16BigEndian, Windows1252 }
 
 enum class DecimalSign { Point, Comma };
 
-enum class ColumnRole { Ignored, Time, Channel };
+enum class ColumnRole {
+    Ignored,
+    Time,
+    CrankAngle, ///< counted by instead of the time, which follows from it
+    Channel
+};
 
 /// Why a column became what it is. `otherColumn` is FileColumn::otherColumn.
 enum class ColumnReason {
@@ -33,6 +38,7 @@ enum class ColumnReason {
     DerivativeOfOther, ///< the values are the time derivative of otherColumn
     EvenRate,          ///< an angle that grows at an even rate is the crank's
     RisingValues,      ///< no column is named as the time; this is the first that only rises
+    AngleForTime,      ///< no column is the time; this is the crank's angle, which goes one way throughout
 
     // Ignored.
     UnknownName,   ///< the name means no channel
@@ -46,7 +52,7 @@ enum class ColumnReason {
 
 constexpr bool isGuess(ColumnReason reason)
 {
-    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::RisingValues;
+    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::AngleForTime;
 }
 
 /// One column of the file, UTF-8 whatever the file's encoding.

@@ -38,7 +38,11 @@ struct Result {
     RunSummary summary;
     Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
     MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null
+    std::shared_ptr<const Reference> reference; ///< may be null; timed for this mechanism
+
+    /// What it was before that, where it counts by the crank's angle.
+    std::shared_ptr<const Reference> untimed;
+    const std::shared_ptr<const Reference> &chosenReference() const { return untimed ? untimed : reference; }
 
     // Filled when there is a reference: the model at the file's own instants, one comparison per series of the file.
     Trajectory atReference;

@@ -10,7 +10,7 @@
 //       "solver":    {"method": "newton"|"closed-form", "maxIterations", "tolerance",
 //                     "toleranceKind": "absolute"|"relative", "warmStart": "previous"|"taylor",
 //                     "elimination": "dense"|"structured"},
-//       "reference": null or {"file", "columns": [{"column", "use": "time"|"ignored"|"theta3"|…, "unit"}],
+//       "reference": null or {"file", "columns": [{"column", "use": "time"|"crank-angle"|"ignored"|"theta3"|…, "unit"}],
 //                             "conventions": [{"kind", "channels": […], "amount"}]},
 //       "view":      {"time", "error": "percent"|"absolute"|"of-peak", "logarithmicError", "roundingBand",
 //                     "abscissa": "time"|"crank-angle",

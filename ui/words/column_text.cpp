@@ -2,6 +2,7 @@
 #include "ui/words/column_text.h"
 
 #include "ui/words/finding_text.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 
@@ -68,6 +69,7 @@ QString meaningText(const FileColumn &column)
     switch (column.role) {
     case ColumnRole::Ignored: return QStringLiteral("–");
     case ColumnRole::Time: return ColumnText::tr("time");
+    case ColumnRole::CrankAngle: return ColumnText::tr("crank angle");
     case ColumnRole::Channel: return symbolOf(column.channel);
     }
     return {};
@@ -81,6 +83,7 @@ QString unitText(const FileColumn &column)
     switch (column.role) {
     case ColumnRole::Ignored: return QStringLiteral("–");
     case ColumnRole::Time: return ColumnText::tr("s (none given)");
+    case ColumnRole::CrankAngle: return ColumnText::tr("%1 (none given)").arg(QStringLiteral("°"));
     case ColumnRole::Channel:
         return ColumnText::tr("%1 (none given)").arg(QString::fromUtf8(authorUnitOf(column.channel)));
     }
@@ -104,6 +107,8 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::EvenRate:
         return ColumnText::tr("guessed: an angle that grows at an even rate, as the crank's does");
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
+    case ColumnReason::AngleForTime:
+        return ColumnText::tr("guessed: no column is the time, and this is the angle of the crank");
     case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
     case ColumnReason::NoName: return ColumnText::tr("ignored: it has no name");
     case ColumnReason::NoNumber: return ColumnText::tr("ignored: it holds no number");
@@ -130,6 +135,7 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::DerivativeOfOther: return ColumnText::tr("guessed: derivative of %1").arg(other);
     case ColumnReason::EvenRate: return ColumnText::tr("guessed: even rate");
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
+    case ColumnReason::AngleForTime: return ColumnText::tr("guessed: no time here");
     case ColumnReason::UnknownName: return ColumnText::tr("name not known");
     case ColumnReason::NoName: return ColumnText::tr("no name");
     case ColumnReason::NoNumber: return ColumnText::tr("no number in it");
@@ -173,6 +179,16 @@ QString formText(const FileLayout &layout)
         parts << ColumnText::tr("%1 lines above them passed over").arg(layout.preambleLines.size());
     }
     return parts.join(ColumnText::tr(", "));
+}
+
+QString abscissaText(const ReferenceData &data)
+{
+    const auto range = [](const std::vector<double> &values, const QString &text) {
+        return text.arg(numberText(values.front()), numberText(values.back()));
+    };
+    return data.crank ? range(data.crank->degrees,
+                              ColumnText::tr("%1 = %2 … %3°").arg(symbolOf(Channel{Theta2, Order::Position})))
+                      : range(data.time, ColumnText::tr("t = %1 … %2 s"));
 }
 
 } // namespace slidercrank
