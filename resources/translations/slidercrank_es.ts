@@ -967,28 +967,6 @@ abscisa y medida de los errores de las gráficas.
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE… [options]    the mechanism that each file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>To go on with the first: %1</source>
         <translation>Para seguir con el primero: %1</translation>
     </message>
@@ -1211,7 +1189,7 @@ menos; código de salida 4 si no hay ninguna posición.
        slidercrank solve [options]             the motion as CSV or JSON
        slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
        slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE [options]     the mechanism that a file belongs to
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
        slidercrank study [options]             speed against error of every method
        slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
 
@@ -1221,7 +1199,7 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
      slidercrank solve [opciones]             el movimiento como CSV o JSON
      slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
      slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
      slidercrank study [opciones]             velocidad y error de cada método
      slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
 

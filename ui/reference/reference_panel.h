@@ -40,7 +40,7 @@ public slots:
 signals:
     void openReferenceRequested();
     void openSampleRequested();
-    void columnsRequested(); ///< somebody wants to say what the columns are
+    void columnsRequested();                              ///< somebody wants to say what the columns are
     void abscissaRequested(slidercrank::ColumnRole role); ///< what the rows are to count by: Time or CrankAngle
     void applyRequested(const slidercrank::Convention &convention);
     void readAsPrintedRequested();
