@@ -45,6 +45,12 @@ bool holds(const Sampling &run, const std::vector<double> &instants)
            (instants.front() >= std::min(run.start, end) - room && instants.back() <= std::max(run.start, end) + room);
 }
 
+bool isRunOf(const std::vector<double> &instants, const Sampling &run)
+{
+    const Sampling whole = runOf(instants, run);
+    return holds(run, instants) && holds(whole, {run.start, run.start + run.duration});
+}
+
 /// As much of them as can be shown at once.
 Choices soonShown(Choices choices)
 {
@@ -150,6 +156,14 @@ void Session::edit(const Choices &choices, const EditName &name)
     if (const QString *sentence = std::get_if<QString>(&timed)) {
         emit problemFound(*sentence);
         emit parametersChanged(m_choices.parameters);
+        return;
+    }
+    const std::shared_ptr<const Reference> &shown = m_result->reference;
+    const bool isOtherDrive = choices.reference && choices.reference->data.crank &&
+                              choices.reference == m_choices.reference && choices.parameters != m_choices.parameters;
+    if (isOtherDrive && shown && isRunOf(shown->data.time, choices.sampling)) { // the run that was the file's still is
+        const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
+        m_edits.edit(m_choices, with(choices, &Choices::sampling, runOf(instants, choices.sampling)), name);
         return;
     }
     m_edits.edit(m_choices, choices, name);

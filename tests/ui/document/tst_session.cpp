@@ -245,6 +245,9 @@ private slots:
         session.setParameters(parameters);
         QVERIFY(allAgree(session.result()->comparison));
         QVERIFY(std::abs(lastInstant() - (0.0 - 0.5) / -4.0) < 1e-12); // the other way: 0° comes last
+        QVERIFY(std::abs(session.sampling().start - (2.0 * std::numbers::pi - 0.5) / -4.0) < 1e-12); // as the run did
+        QVERIFY(std::abs(session.sampling().duration - 2.0 * std::numbers::pi / 4.0) < 1e-12);
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the mechanism"));
         QCOMPARE(session.reference(), chosen);
         QCOMPARE(loaded.count(), 1);
         QCOMPARE(session.result()->chosenReference(), chosen);
@@ -253,6 +256,11 @@ private slots:
         QVERIFY(!session.diagnosis()->found.identification.identifiable[indexOf(Parameter::Omega2)]);
         session.undoStack().undo();
         QCOMPARE(lastInstant(), 1.0);
+        QCOMPARE(session.sampling(), Sampling());
+        session.setSampling({0.0, 2.0, 100}); // a person's own run stays
+        session.setParameters(parameters);
+        QCOMPARE(session.sampling(), (Sampling{0.0, 2.0, 100}));
+        session.undoStack().undo();
 
         // A standing crank never comes there.
         parameters.omega2 = 0.0;
