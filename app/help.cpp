@@ -66,6 +66,10 @@ constexpr OptionEntry kFileOptions[] = {
                        "what a column of the files is, over what its name says, any number of times: \"slider.s=R4_x "
                        "[m]\", \"T=time [ms]\", \"id=ignored\"; #3 is the third column"),
      true},
+    {"abscissa", "time|angle",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "what the first column of the files is: the time, or the crank's angle, of which --omega2 and "
+                       "--theta20 make the time (by its name)")},
 };
 
 constexpr OptionEntry kCompareOptions[] = {

@@ -140,10 +140,6 @@
         <translation>elegido a mano</translation>
     </message>
     <message>
-        <source>t = %1 … %2 s</source>
-        <translation>t = %1 … %2 s</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -154,6 +150,10 @@
     <message>
         <source>%1: %2 from %3 to %4 %5, %6</source>
         <translation>%1: %2 de %3 a %4 %5, %6</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>ángulo de la manivela</translation>
     </message>
 </context>
 <context>
@@ -425,6 +425,26 @@
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>guessed: no column is the time, and this is the angle of the crank</source>
+        <translation>supuesto: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>guessed: no time here</source>
+        <translation>supuesto: aquí no hay tiempo</translation>
+    </message>
+    <message>
+        <source>%1 = %2 … %3°</source>
+        <translation>%1 = %2 … %3°</translation>
+    </message>
+    <message>
+        <source>t = %1 … %2 s</source>
+        <translation>t = %1 … %2 s</translation>
     </message>
 </context>
 <context>
@@ -993,10 +1013,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>&quot;%1&quot; como %2 (%3)</translation>
     </message>
     <message>
-        <source>%1: the names do not tell what these columns are, so they are guessed: %2. Where that is wrong, name them as in theta3, theta3_diff, R4_x.</source>
-        <translation>%1: los nombres no dicen qué son estas columnas, así que se han deducido: %2. Donde no sea así, póngales nombres como theta3, theta3_diff, R4_x.</translation>
-    </message>
-    <message>
         <source>Usage: slidercrank render --output FILE.png|.svg|.pdf [options]
 
 Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene)
@@ -1271,6 +1287,27 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
 
 Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
+    </message>
+    <message>
+        <source>the crank&apos;s angle</source>
+        <comment>a column is taken for</comment>
+        <translation>el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>what the first column of the files is: the time, or the crank&apos;s angle, of which --omega2 and --theta20 make the time (by its name)</source>
+        <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
+    </message>
+    <message>
+        <source>%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°</source>
+        <translation>%1: θ2 = %3° a %4°, %2 ángulos; el tiempo, con ω2 = %5 rad/s y θ20 = %6°</translation>
+    </message>
+    <message>
+        <source>%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.</source>
+        <translation>%1: qué son estas columnas se ha supuesto: %2. Donde no sea así, dígalo con --column.</translation>
+    </message>
+    <message>
+        <source>at θ2 [°]</source>
+        <translation>en θ2 [°]</translation>
     </message>
 </context>
 <context>
@@ -1693,6 +1730,10 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
     <message>
         <source>There are too few values of θ³, Rₓ⁴, R³ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
         <translation>Hay muy pocos valores de θ³, Rₓ⁴, R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
+    </message>
+    <message>
+        <source>The file counts by the crank&apos;s angle: ω₂ is what its derivatives say.</source>
+        <translation>El archivo se rige por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
     </message>
 </context>
 <context>
@@ -4479,6 +4520,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
         <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
     </message>
+    <message>
+        <source>the crank&apos;s angle turns back behind %1: sort the rows by it, one row for each angle.</source>
+        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
@@ -4509,6 +4554,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>There are: %1.</source>
         <translation>Están: %1.</translation>
+    </message>
+    <message>
+        <source>%1 counts by the crank&apos;s angle, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
+        <translation>%1 se rige por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
     </message>
 </context>
 <context>
@@ -4598,10 +4647,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 filas leídas</translation>
     </message>
     <message>
-        <source>, t = %1 … %2 s</source>
-        <translation>, t = %1 … %2 s</translation>
-    </message>
-    <message>
         <source>%1. %2.</source>
         <translation>%1. %2.</translation>
     </message>
@@ -4656,6 +4701,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Take the first over</source>
         <translation>Adoptar el primero</translation>
+    </message>
+    <message>
+        <source>What the first column is</source>
+        <translation>Qué es la primera columna</translation>
+    </message>
+    <message>
+        <source>First column: time</source>
+        <translation>Primera columna: tiempo</translation>
+    </message>
+    <message>
+        <source>First column: crank angle</source>
+        <translation>Primera columna: ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ make the time</source>
+        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
     </message>
 </context>
 <context>
@@ -4996,10 +5057,6 @@ SHA-256: %2</translation>
         <translation>dos números entre corchetes, primero el menor</translation>
     </message>
     <message>
-        <source>&quot;time&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
-        <translation>&quot;time&quot;, &quot;ignored&quot; o un canal como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
-    </message>
-    <message>
         <source>a list of channels such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
         <translation>una lista de canales como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
     </message>
@@ -5050,6 +5107,10 @@ SHA-256: %2</translation>
     <message>
         <source>a list of at most %1 mechanisms</source>
         <translation>una lista de %1 mecanismos como máximo</translation>
+    </message>
+    <message>
+        <source>&quot;time&quot;, &quot;crank-angle&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
+        <translation>«time», «crank-angle», «ignored» o un canal como «theta3» o «R4_x_diff»</translation>
     </message>
 </context>
 <context>

@@ -358,7 +358,7 @@ void ErrorPanel::fill()
 
 bool ErrorPanel::isOnTheMove() const
 {
-    const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->reference;
+    const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->chosenReference();
     return ofThisFile && m_diagnosis->parameters != m_result->mechanism.parameters();
 }
 
@@ -367,7 +367,7 @@ void ErrorPanel::fillFindings()
     // What was found for others stays, dimmed, lest the panel jump under the hand.
     const bool outOfDate = isOnTheMove() && worstOf(m_result->comparison) != Verdict::Agrees;
     if (!outOfDate) {
-        const bool ofThese = m_diagnosis && m_diagnosis->reference == m_result->reference && !isOnTheMove();
+        const bool ofThese = m_diagnosis && m_diagnosis->reference == m_result->chosenReference() && !isOnTheMove();
         m_findings->setFindings(findingsOf(*m_result, ofThese ? m_diagnosis.get() : nullptr));
     }
     m_findings->setUpToDate(!outOfDate);

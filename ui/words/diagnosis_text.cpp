@@ -216,6 +216,9 @@ QString caveatsOf(const Diagnosis &diagnosis)
             sentences << imageSentence(alternative);
         }
     }
+    if (diagnosis.isSpeedOfDerivatives) {
+        sentences << DiagnosisText::tr("The file counts by the crank's angle: ω₂ is what its derivatives say.");
+    }
     if (const QStringList kept = foundAndKept(identification).kept; !kept.isEmpty()) {
         sentences << DiagnosisText::tr("The data do not fix %1: kept as given.").arg(listed(kept));
     }

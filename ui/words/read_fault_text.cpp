@@ -108,6 +108,10 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::TimeNotRising:
         return ReadFaultText::tr("the time does not increase from the row before: sort the rows by time and keep one "
                                  "of each instant.");
+    case Kind::AngleTurnsBack:
+        return ReadFaultText::tr("the crank's angle turns back behind %1: sort the rows by it, one row for each "
+                                 "angle.")
+            .arg(QString::fromUtf8(fault.heading));
     case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
     case Kind::Unreadable: return ReadFaultText::tr("The file became shorter while it was read: open it again.");
     case Kind::NoMemory:
