@@ -896,8 +896,8 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
 </translation>
     </message>
     <message>
-        <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation>figure (las nueve gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
+        <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
+        <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
@@ -3900,8 +3900,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Error de las aceleraciones en el tiempo</translation>
     </message>
     <message>
-        <source>Show all &amp;nine plots</source>
-        <translation>Mostrar las &amp;nueve gráficas</translation>
+        <source>Show all plots agai&amp;n</source>
+        <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
     </message>
     <message>
         <source>&amp;Maximize this plot</source>

@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(child<NumberBox>(panel, "stepsBox")->value(), 400.0);
         QCOMPARE(child<NumberBox>(panel, "durationBox")->value(), 2.5);
         QCOMPARE(child<NumberBox>(panel, "startBox")->value(), 0.5);
-        QCOMPARE(child<NumberBox>(panel, "toleranceBox")->text(), QString("1e-10"));
+        QCOMPARE(child<NumberBox>(panel, "toleranceBox")->text(), QString("10⁻¹⁰"));
         QCOMPARE(child<NumberBox>(panel, "iterationsBox")->value(), 25.0);
     }
 
