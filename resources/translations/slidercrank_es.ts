@@ -960,10 +960,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>, %1 de ellos erróneos sin aviso</translation>
     </message>
     <message>
-        <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation>figure (las nueve gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
-    </message>
-    <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
@@ -1308,6 +1304,10 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
     <message>
         <source>at θ2 [°]</source>
         <translation>en θ2 [°]</translation>
+    </message>
+    <message>
+        <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
+        <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
 </context>
 <context>
@@ -4294,10 +4294,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Error de las aceleraciones en el tiempo</translation>
     </message>
     <message>
-        <source>Show all &amp;nine plots</source>
-        <translation>Mostrar las &amp;nueve gráficas</translation>
-    </message>
-    <message>
         <source>&amp;Maximize this plot</source>
         <translation>&amp;Maximizar esta gráfica</translation>
     </message>
@@ -4348,6 +4344,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Keep this motion</source>
         <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>Show all plots agai&amp;n</source>
+        <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
     </message>
 </context>
 <context>

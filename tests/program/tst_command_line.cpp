@@ -2370,7 +2370,7 @@ void TestCommandLine::reportsTheSameNumbersAsItCompares()
     QVERIFY2(different.contains(QStringLiteral("inventor_sample.csv")), qPrintable(different));
     QVERIFY2(different.contains(QStringLiteral("looks like b = 60 instead of 65 mm, which explains 99.9999 % of it.")),
              qPrintable(different));
-    QVERIFY(different.contains(QStringLiteral("until ‖C‖ ≤ 1e-8")));
+    QVERIFY(different.contains(QStringLiteral("until ‖C‖ ≤ 10⁻⁸")));
     const QString same = textOf({QStringLiteral("--b"), QStringLiteral("60")});
     QCOMPARE(same.count(QStringLiteral("agrees within the file's rounding")), qsizetype(6));
 
