@@ -47,7 +47,7 @@ QString changeName(const Choices &before, const Choices &after)
             .arg(after.reference->name);
     }
     if (before.sampling != after.sampling) {
-        return EditCommandText::tr("change of the sampling");
+        return EditCommandText::tr("change of the run");
     }
     if (before.solver != after.solver) {
         return EditCommandText::tr("change of the method");

@@ -69,7 +69,7 @@ ReportBlock mechanismBlock(const ReportContent &content)
     const Identification &found = content.diagnosis.identification;
     ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
     if (content.hasGhost) {
-        block.text = Report::tr("Thin: the linkage as the file has it.");
+        block.text = Report::tr("Thin: the mechanism as the file has it.");
     }
     if (isFound(content)) {
         block.table.header << (found.outcome == Identification::Outcome::Identified ? Report::tr("the file's own")

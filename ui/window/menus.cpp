@@ -147,7 +147,7 @@ void Menus::addEdit()
              [exports](const QString &name) { exports->copy(exports->plot(name)); });
     edit->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     edit->addSeparator();
-    edit->addAction(tr("Rese&t parameters to Table 1"), &session, [&session] { session.setParameters(Parameters()); });
+    edit->addAction(tr("Rese&t all parameters"), &session, [&session] { session.setParameters(Parameters()); });
 }
 
 void Menus::addView()

@@ -104,7 +104,7 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::EvenRate:
         return ColumnText::tr("guessed: an angle that grows at an even rate, as the crank's does");
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
-    case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
+    case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name is not known");
     case ColumnReason::NoName: return ColumnText::tr("ignored: it has no name");
     case ColumnReason::NoNumber: return ColumnText::tr("ignored: it holds no number");
     case ColumnReason::UnknownUnit:
@@ -134,7 +134,7 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::NoName: return ColumnText::tr("no name");
     case ColumnReason::NoNumber: return ColumnText::tr("no number in it");
     case ColumnReason::UnknownUnit: return ColumnText::tr("unit not known");
-    case ColumnReason::LikeOther: return ColumnText::tr("as %1 could be").arg(other);
+    case ColumnReason::LikeOther: return ColumnText::tr("%1 could be it, too").arg(other);
     case ColumnReason::NotDerivative: return ColumnText::tr("not the derivative of %1").arg(other);
     case ColumnReason::AngleOrLength: return ColumnText::tr("angle or length?");
     }
@@ -168,9 +168,9 @@ QString formText(const FileLayout &layout)
         parts << ColumnText::tr("units in line %1").arg(layout.unitsLine);
     }
     if (layout.preambleLines.size() == 1) {
-        parts << ColumnText::tr("line %1 above them passed over").arg(layout.preambleLines[0]);
+        parts << ColumnText::tr("line %1 above them skipped").arg(layout.preambleLines[0]);
     } else if (!layout.preambleLines.empty()) {
-        parts << ColumnText::tr("%1 lines above them passed over").arg(layout.preambleLines.size());
+        parts << ColumnText::tr("%1 lines above them skipped").arg(layout.preambleLines.size());
     }
     return parts.join(ColumnText::tr(", "));
 }
