@@ -3,11 +3,12 @@
 
 #include "app/command_line.h"
 #include "app/json_text.h"
+#include "ui/document/reference_file.h"
 #include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
+#include "ui/words/written_number.h"
 
-#include <QDir>
 #include <QStringList>
 
 #include <algorithm>
@@ -102,9 +103,9 @@ const char *wordOf(Verdict verdict)
 
 QString headlineOf(const QString &file, const ReferenceData &data)
 {
-    const auto number = [](double value) { return QString::number(value, 'g', 9); };
+    const auto number = [](double value) { return numberText(value, 9); };
     return CommandLine::tr("%1: t = %3 s to %4 s, %2 instants")
-               .arg(QDir::toNativeSeparators(file), QString::number(data.time.size()), number(data.time.front()),
+               .arg(shownNameOf(file), QString::number(data.time.size()), number(data.time.front()),
                     number(data.time.back())) +
            u'\n';
 }
@@ -129,10 +130,11 @@ QString tableOf(const std::vector<ChannelComparison> &channels)
 QByteArray csvHeader()
 {
     return "file,name,unit,count,maxAbs,timeOfMaxAbs,rms,maxPercent,timeOfMaxPercent,zeroReference,percentOfPeak,"
-           "roundingStep,verdict\n";
+           "roundingStep,verdict,fileVerdict,sentence\n";
 }
 
-QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &channels)
+QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &channels, Verdict verdict,
+                 const QString &sentence)
 {
     QByteArray csv;
     for (const ChannelComparison &channel : channels) {
@@ -148,7 +150,9 @@ QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &chan
                                    QByteArray::number(channel.zeroReference),
                                    csvNumber(channel.percentOfPeak),
                                    csvNumber(channel.roundingStep),
-                                   wordOf(channel.verdict)};
+                                   wordOf(channel.verdict),
+                                   wordOf(verdict),
+                                   sentence.isEmpty() ? QByteArray() : csvText(sentence)};
         csv += cells.join(',') + '\n';
     }
     return csv;
@@ -169,18 +173,17 @@ void warnOf(const QString &file, const ReferenceData &data)
         const SkippedRow &first = data.skipped.front();
         say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
                             "(\"%5\"): %6.")
-                .arg(QDir::toNativeSeparators(file), QString::number(data.skippedRowCount()),
-                     QString::number(first.line), QString::number(first.column), QString::fromStdString(first.text),
-                     reasonOf(first)));
+                .arg(shownNameOf(file), QString::number(data.skippedRowCount()), QString::number(first.line),
+                     QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
     if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
         say(CommandLine::tr("%1: these columns are not known and were not used: %2.")
-                .arg(QDir::toNativeSeparators(file), ignored.join(QStringLiteral(", "))));
+                .arg(shownNameOf(file), ignored.join(QStringLiteral(", "))));
     }
     if (const QStringList guesses = guessesIn(data.layout); !guesses.empty()) {
         say(CommandLine::tr("%1: the names do not tell what these columns are, so they are guessed: %2. Where that is "
                             "wrong, name them as in theta3, theta3_diff, R4_x.")
-                .arg(QDir::toNativeSeparators(file), guesses.join(QStringLiteral(", "))));
+                .arg(shownNameOf(file), guesses.join(QStringLiteral(", "))));
     }
 }
 

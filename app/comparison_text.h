@@ -24,8 +24,9 @@ QString tableOf(const std::vector<ChannelComparison> &channels);
 
 QByteArray csvHeader();
 
-/// A row a channel.
-QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &channels);
+/// A row a channel; in each the verdict of the file, and why it differs.
+QByteArray csvOf(const QString &file, const std::vector<ChannelComparison> &channels, Verdict verdict,
+                 const QString &sentence);
 
 /// An array, an object a channel.
 QByteArray jsonOf(const std::vector<ChannelComparison> &channels);

@@ -158,7 +158,8 @@ ExitStatus render(const RenderOptions &options)
 {
     std::shared_ptr<const Reference> reference;
     if (options.reference) {
-        const std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(*options.reference);
+        const std::variant<std::shared_ptr<const Reference>, QString> outcome =
+            readReference(*options.reference, {}, {{}, {}, options.columns});
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             return ExitStatus::FileFailed;

@@ -58,11 +58,10 @@ QString lineOf(const QStringList &cells)
 
 QString tableOf(const CaseResult &which)
 {
-    const Parameters &p = which.parameters;
-    const auto number = [](double value) { return QString::number(value, 'g', 9); };
-    QString text = CommandLine::tr("%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants")
-                       .arg(caseText(which.traits), number(p.a), number(p.b), number(p.c), number(p.omega2),
-                            number(p.theta20), assemblyText(p.branch), QString::number(which.instants)) +
+    constexpr int kDigits = 9;
+    QString text = CommandLine::tr("%1: %2; %3 instants")
+                       .arg(caseText(which.traits), mechanismText(Mechanism(which.parameters), kDigits),
+                            QString::number(which.instants)) +
                    u'\n';
     text += lineOf({CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
                     CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),

@@ -33,9 +33,14 @@ enum class ColumnReason {
     DerivativeOfOther, ///< the values are the time derivative of otherColumn
     EvenRate,          ///< an angle that grows at an even rate is the crank's
     RisingValues,      ///< no column is named as the time; this is the first that only rises
+    ModelicaName,      ///< named as Modelica names it, and so taken to be in m, rad and s
 
     // Ignored.
     UnknownName,   ///< the name means no channel
+    RowNumber,     ///< it counts the rows
+    Magnitude,     ///< of a vector whose components are other columns, otherColumn the first
+    SameInstants,  ///< the instants of another column's values, the same as the time's
+    OtherInstants, ///< its values stand at other instants than the time's, which is otherColumn
     NoName,        ///< the heading is empty
     NoNumber,      ///< no cell holds a number
     UnknownUnit,   ///< the name suggests a channel, but the unit is none of that quantity
@@ -46,7 +51,7 @@ enum class ColumnReason {
 
 constexpr bool isGuess(ColumnReason reason)
 {
-    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::RisingValues;
+    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::ModelicaName;
 }
 
 /// One column of the file, UTF-8 whatever the file's encoding.
@@ -81,6 +86,14 @@ struct ColumnChoice {
     ColumnRole role = ColumnRole::Ignored;
     Channel channel;  ///< where the role is Channel
     std::string unit; ///< as a heading would give it ("rad/s", "m", "ms"); empty: the file's, or the author's
+};
+
+/// The same of a column by its heading.
+struct NamedChoice {
+    std::string heading; ///< as printed, with or without its unit; "#3": the third column
+    ColumnRole role = ColumnRole::Ignored;
+    Channel channel;
+    std::string unit;
 };
 
 } // namespace slidercrank

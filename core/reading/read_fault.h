@@ -31,13 +31,16 @@ struct ReadFault {
         Spreadsheet, ///< or another archive
         Pdf,
         Markup, ///< HTML or XML
+        Json,
         NotText,
         LineTooLong,     ///< for any table
         UnitsContradict, ///< the line of units, and `heading`
         NamesMissing,    ///< numbers stand where the names should
         UnknownUnit,     ///< or one of another quantity than `channel`
         UnknownTimeUnit,
-        ChannelTwice, ///< in the names
+        NoSuchColumn,   ///< as the `heading` that a person named
+        SeveralColumns, ///< of that `heading`
+        ChannelTwice,   ///< in the names
         TimeTwice,
         ChannelChosenTwice, ///< `channel`, by a person
         TimeChosenTwice,

@@ -21,6 +21,7 @@ struct ReadColumn {
     ColumnRole role = ColumnRole::Ignored;
     std::size_t series = 0; ///< its place in TableLayout::channels
     double factor = 1.0;    ///< of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s
+    std::string_view unit;  ///< that stands in the cells themselves, behind the number
 };
 
 struct TableLayout {

@@ -346,6 +346,46 @@
         <source>, </source>
         <translation>, </translation>
     </message>
+    <message>
+        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
+        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
+    </message>
+    <message>
+        <source>ignored: it counts the rows</source>
+        <translation>sin usar: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: it belongs to other instants than those of “%1”</source>
+        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: the same instants as “%1”</source>
+        <translation>sin usar: los mismos instantes que “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
+        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
+    </message>
+    <message>
+        <source>guessed: named as in Modelica</source>
+        <translation>deducido: nombre de Modelica</translation>
+    </message>
+    <message>
+        <source>other instants</source>
+        <translation>otros instantes</translation>
+    </message>
+    <message>
+        <source>same instants as %1</source>
+        <translation>mismos instantes que %1</translation>
+    </message>
+    <message>
+        <source>magnitude of %1 …</source>
+        <translation>módulo de %1 …</translation>
+    </message>
+    <message>
+        <source>counts the rows</source>
+        <translation>numera las filas</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
@@ -368,10 +408,6 @@
     <message>
         <source>not-finite</source>
         <translation>no finitos</translation>
-    </message>
-    <message>
-        <source>Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6</source>
-        <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
     </message>
     <message>
         <source>%1 files: %2 agree, %3 come close, %4 differ</source>
@@ -554,10 +590,6 @@
         <translation>este texto</translation>
     </message>
     <message>
-        <source>name and version of the program</source>
-        <translation>nombre y versión del programa</translation>
-    </message>
-    <message>
         <source>Mechanism</source>
         <translation>Mecanismo</translation>
     </message>
@@ -732,18 +764,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>--at-angle pide un instante y --%1 un recorrido: quite uno de los dos.</translation>
     </message>
     <message>
-        <source>&quot;slidercrank compare&quot; needs a file: slidercrank compare FILE…</source>
-        <translation>«slidercrank compare» necesita un archivo: slidercrank compare ARCHIVO…</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; needs a file: slidercrank identify FILE.</source>
-        <translation>«slidercrank identify» necesita un archivo: slidercrank identify ARCHIVO.</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; takes one file, not %1: remove &quot;%2&quot;.</source>
-        <translation>«slidercrank identify» admite un archivo, no %1: quite «%2».</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
         <translation>«slidercrank render» necesita --output con un nombre que termine en .png, .svg o .pdf.</translation>
     </message>
@@ -842,10 +862,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
     <message>
         <source>The motion is too large to be a number at %1: choose a smaller --omega2, or instants nearer to 0.</source>
         <translation>El movimiento es demasiado grande para ser un número en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
-    </message>
-    <message>
-        <source>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants</source>
-        <translation>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, configuración %7; %8 instantes</translation>
     </message>
     <message>
         <source>method</source>
@@ -955,68 +971,8 @@ abscisa y medida de los errores de las gráficas.
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE [options]     the mechanism that a file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>To go on with the first: %1</source>
         <translation>Para seguir con el primero: %1</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
-CSV: the file&apos;s name, then the same columns.
-</source>
-        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
-CSV: el nombre del archivo y las mismas columnas.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
-      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      Of the outcome nearest the mechanism is no more than what comes nearest.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
-      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que lo más cercano.
-</translation>
     </message>
     <message>
         <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
@@ -1030,58 +986,6 @@ o la salida estándar no se puede leer o escribir, o un archivo no es lo que deb
 ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
 aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
 4, 5, 1, en ese orden.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
-standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
-como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
-se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
-informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
-above all, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
-angles counter-clockwise from x.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
-y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
-encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
-en sentido antihorario desde x.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
-none          ni siquiera eso
 </translation>
     </message>
     <message>
@@ -1148,6 +1052,184 @@ Silently wrong instants: %1. Machine: %2. Done in %3 s.
         <translation>El error es el mayor de los seis canales representados, relativo al pico del canal, frente a un cálculo de 50 a
 100 cifras, en los instantes que el método da por resueltos. Redondeo: lo que puede costar por sí solo redondear
 los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
+</translation>
+    </message>
+    <message>
+        <source>name and version of the program, and what it is built of</source>
+        <translation>nombre y versión del programa, y con qué está compilado</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modelo: %1</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
+CSV: the file&apos;s name, then the same columns; behind them fileVerdict, that of the whole file, and sentence,
+     why it differs.
+</source>
+        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
+CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el veredicto de todo el archivo, y sentence, por
+     qué difiere.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      Of the outcome nearest the mechanism is no more than what comes nearest.
+      Of several files: {&quot;files&quot;:[…]}.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que lo más cercano.
+      De varios archivos: {&quot;files&quot;:[…]}.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+standard error, and the others are still compared. FILE may be - for standard input.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
+como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE… [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
+above all, and how certain each of its parameters is. Where the file means something else by a column than its
+heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
+angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
+looked at. FILE may be - for standard input.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       nothing found explains the file: what comes nearest, as just that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
+y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
+encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
+en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
+examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3 instants</source>
+        <translation>%1: %2; %3 instantes</translation>
+    </message>
+    <message>
+        <source>&quot;slidercrank %1&quot; needs a file: slidercrank %1 FILE…</source>
+        <translation>«slidercrank %1» necesita un archivo: slidercrank %1 ARCHIVO…</translation>
+    </message>
+    <message>
+        <source>%1 files: %2 identified, %3 ambiguous, %4 not identified</source>
+        <translation>%1 archivos: %2 identificados, %3 ambiguos, %4 sin identificar</translation>
+    </message>
+    <message>
+        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
+        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
+    </message>
+    <message>
+        <source>The window opens files: save what comes from standard input as one first.</source>
+        <translation>La ventana abre archivos: guarde antes en uno lo que llega por la entrada estándar.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; there are %2.</source>
+        <translation>--column: no existe el canal «%1»; existen %2.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; did you mean %2?</source>
+        <translation>--column: no existe el canal «%1»; ¿quiso decir %2?</translation>
+    </message>
+    <message>
+        <source>--column: &quot;%1&quot; is no unit of %2.</source>
+        <translation>--column: «%1» no es una unidad de %2.</translation>
+    </message>
+    <message>
+        <source>--column must be a heading, = and what it is, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
+        <translation>--column debe ser un encabezado, = y lo que es, como «slider.s=R4_x [m]», «#1=time» o «id=ignored», y no «%1».</translation>
+    </message>
+    <message>
+        <source>--column says twice what &quot;%1&quot; is: keep one of them.</source>
+        <translation>--column dice dos veces qué es «%1»: deje solo una.</translation>
+    </message>
+    <message>
+        <source>--column is of a reference: give its file with --reference.</source>
+        <translation>--column se refiere a una referencia: dé su archivo con --reference.</translation>
+    </message>
+    <message>
+        <source>what a column of the files is, over what its name says, any number of times: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
+        <translation>qué es una columna de los archivos, por encima de lo que diga su nombre, tantas veces como haga falta: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
     </message>
 </context>
@@ -2262,10 +2344,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Clic</translation>
     </message>
     <message>
-        <source>Read the values of all nine</source>
-        <translation>Leer los valores de las nueve</translation>
-    </message>
-    <message>
         <source>Point at a curve</source>
         <translation>Señalar una curva</translation>
     </message>
@@ -2290,16 +2368,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Desplazar lo ampliado</translation>
     </message>
     <message>
-        <source>Drag</source>
-        <translation>Arrastrar</translation>
-    </message>
-    <message>
         <source>Show the whole run</source>
         <translation>Mostrar todo el recorrido</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doble clic</translation>
     </message>
     <message>
         <source>Make a plot large, and small again</source>
@@ -2320,10 +2390,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Move a measuring cursor</source>
         <translation>Mover un cursor de medida</translation>
-    </message>
-    <message>
-        <source>Drag it, or A and B to bring it to the instant</source>
-        <translation>Arrastrarlo, o A y B para llevarlo al instante</translation>
     </message>
     <message>
         <source>Tables</source>
@@ -2496,6 +2562,30 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Take back what is being typed</source>
         <translation>Deshacer lo que se está escribiendo</translation>
+    </message>
+    <message>
+        <source>Zoom into a part</source>
+        <translation>Ampliar una parte</translation>
+    </message>
+    <message>
+        <source>Drag a box around it; a flat one zooms the time alone, Escape cancels</source>
+        <translation>Arrastre un recuadro a su alrededor; uno plano amplía solo el tiempo, Escape cancela</translation>
+    </message>
+    <message>
+        <source>Shift and drag, or drag with the middle button</source>
+        <translation>Mayús y arrastrar, o arrastrar con el botón central</translation>
+    </message>
+    <message>
+        <source>Double click, or 0</source>
+        <translation>Doble clic, o 0</translation>
+    </message>
+    <message>
+        <source>Drag it, or 1 and 2 to bring it to the instant</source>
+        <translation>Arrástrelo, o 1 y 2 para llevarlo al instante</translation>
+    </message>
+    <message>
+        <source>Read the values of all plots</source>
+        <translation>Leer los valores de todas las gráficas</translation>
     </message>
 </context>
 <context>
@@ -3106,6 +3196,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Loop</source>
         <translation>&amp;Repetir</translation>
+    </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation>V&amp;elocidad</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>Más rápi&amp;do</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>&amp;Run and speed…</source>
+        <translation>Re&amp;corrido y velocidad…</translation>
     </message>
 </context>
 <context>
@@ -3930,16 +4036,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>textbook&apos;s θ₃ = %1</source>
         <translation>θ₃ de los libros = %1</translation>
     </message>
-    <message>
-        <source>B − A = %1 s</source>
-        <comment>the time between the measuring cursors</comment>
-        <translation>B − A = %1 s</translation>
-    </message>
-    <message>
-        <source>A %1 s · B %2 s · %3</source>
-        <comment>instants of the measuring cursors, the time between them</comment>
-        <translation>A %1 s · B %2 s · %3</translation>
-    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -3982,10 +4078,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error of the accelerations over time</source>
         <translation>Error de las aceleraciones en el tiempo</translation>
-    </message>
-    <message>
-        <source>No reference data.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Open a reference…&lt;/a&gt;&lt;br&gt;or drop a CSV here.</source>
-        <translation>Sin datos de referencia.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Abra una referencia…&lt;/a&gt;&lt;br&gt;o suelte aquí un CSV.</translation>
     </message>
     <message>
         <source>Show all &amp;nine plots</source>
@@ -4034,6 +4126,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error &amp;in ° and mm</source>
         <translation>Error en ° &amp;y mm</translation>
+    </message>
+    <message>
+        <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
+        <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
@@ -4190,6 +4286,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
         <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
+    <message>
+        <source>there is no column &quot;%1&quot;.</source>
+        <translation>no hay ninguna columna «%1».</translation>
+    </message>
+    <message>
+        <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
+        <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
+    </message>
+    <message>
+        <source>The file is JSON, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
@@ -4212,6 +4320,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>No se puede leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Entrada estándar</translation>
+    </message>
+    <message>
+        <source>There are: %1.</source>
+        <translation>Están: %1.</translation>
     </message>
 </context>
 <context>
@@ -4608,16 +4724,24 @@ SHA-256: %2</translation>
         <translation>Abrir escena</translation>
     </message>
     <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Escenas (*.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
     </message>
     <message>
         <source>Scenes (*.json)</source>
         <translation>Escenas (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
+        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank)</source>
+        <translation>Escenas (*.slidercrank)</translation>
     </message>
 </context>
 <context>
@@ -4745,6 +4869,14 @@ SHA-256: %2</translation>
         <source>use of the file&apos;s mechanism</source>
         <translation>uso del mecanismo del archivo</translation>
     </message>
+    <message>
+        <source>showing the scene in less</source>
+        <translation>escena mostrada con menos</translation>
+    </message>
+    <message>
+        <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
+        <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::SolverForm</name>
@@ -4763,22 +4895,6 @@ SHA-256: %2</translation>
     <message>
         <source>How the curves are computed</source>
         <translation>Cómo se calculan las curvas</translation>
-    </message>
-    <message>
-        <source>Intervals; one instant more is computed</source>
-        <translation>Intervalos; se calcula un instante más</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source>From the first instant to the last</source>
-        <translation>Del primer instante al último</translation>
-    </message>
-    <message>
-        <source>The first instant</source>
-        <translation>El primer instante</translation>
     </message>
     <message>
         <source>Iterates until ‖C‖ is at most this; 0: until it no longer falls</source>
@@ -4815,18 +4931,6 @@ SHA-256: %2</translation>
     <message>
         <source>Most iterations</source>
         <translation>Máx. iteraciones</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Pasos</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
     </message>
     <message>
         <source>Iterations</source>
@@ -5503,16 +5607,25 @@ SHA-256: %2</translation>
         <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
-        <source>Playing speed</source>
-        <translation>Velocidad de reproducción</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pausar</translation>
     </message>
     <message>
         <source>Start again at the end (Ctrl+L)</source>
         <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start, duration, steps, one turn, and the speed of playing (Ctrl+R)</source>
+        <translation>Inicio, duración, pasos, una vuelta y velocidad de reproducción (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>%1 s · %2 ▾</source>
+        <comment>duration of the run, speed of playing</comment>
+        <translation>%1 s · %2 ▾</translation>
     </message>
 </context>
 <context>
@@ -5621,6 +5734,69 @@ SHA-256: %2</translation>
     <message>
         <source>PDF documents (*.pdf)</source>
         <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::RunForm</name>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The first instant</source>
+        <translation>El primer instante</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>From the first instant to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>One turn</source>
+        <translation>Una vuelta</translation>
+    </message>
+    <message>
+        <source>As long as the crank takes to turn round once</source>
+        <translation>Lo que la manivela tarda en dar una vuelta</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Intervals; one instant more is computed</source>
+        <translation>Tramos; se calcula un instante más</translation>
+    </message>
+    <message>
+        <source>Playing speed</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Seconds of the motion in a second of the clock</source>
+        <translation>Segundos del movimiento en un segundo de reloj</translation>
+    </message>
+    <message>
+        <source>A turn plays in</source>
+        <translation>Una vuelta dura</translation>
+    </message>
+    <message>
+        <source>Seconds of the clock for one turn of the crank</source>
+        <translation>Segundos de reloj para una vuelta de la manivela</translation>
     </message>
 </context>
 </TS>

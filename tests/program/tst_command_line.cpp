@@ -43,11 +43,15 @@ QProcessEnvironment withoutDisplay()
     return environment;
 }
 
-Outcome run(const QStringList &arguments, const QProcessEnvironment &environment = withoutDisplay())
+/// `input`: what stands on standard input.
+Outcome run(const QStringList &arguments, const QProcessEnvironment &environment = withoutDisplay(),
+            const QByteArray &input = {})
 {
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+    process.write(input);
+    process.closeWriteChannel();
     Outcome outcome;
     if (process.waitForFinished(slidercrank::kPatience) && process.exitStatus() == QProcess::NormalExit) {
         outcome.status = process.exitCode();
@@ -252,6 +256,9 @@ private slots:
     void saysWhatAFileCannotFix();
     void namesTheMirrorImageOfASlider();
     void saysWhenItFindsNoMechanism();
+    void identifiesSeveralFiles();
+    void readsStandardInput();
+    void takesColumnsForWhatIsSaid();
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
     void saysWhichColumnsWereGuessed();
@@ -650,7 +657,23 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("solve --at-angle 30 --omega2 1e-300", "too slowly");
     row("compare", "needs a file");
     row("identify", "needs a file");
-    row("identify a.csv b.csv", "takes one file, not 2: remove \"b.csv\"");
+    row("identify a.csv \"\"", "needs a file");
+    row("compare - - --b 60", "can be read only once");
+    row("identify - --scene -", "can be read only once");
+    row("render --output x.png --scene - --reference -", "can be read only once");
+    row("-", "save what comes from standard input");
+    row("--reference -", "save what comes from standard input");
+    row("compare a.csv --column x", "--column must be a heading, = and what it is");
+    row("compare a.csv --column =time", "--column must be a heading, = and what it is");
+    row("compare a.csv --column x=R4x", "did you mean R4_x?");
+    row("compare a.csv --column x=whatever", "there is no channel \"whatever\"");
+    row("compare a.csv --column \"x=R4_x [furlong]\"", "\"furlong\" is no unit of R4_x");
+    row("compare a.csv --column \"x=R4_x [s]\"", "\"s\" is no unit of R4_x");
+    row("compare a.csv --column \"x=R4_x_diff [mm]\"", "\"mm\" is no unit of R4_x_diff");
+    row("compare a.csv --column \"t=time [mm]\"", "\"mm\" is no unit of time");
+    row("compare a.csv --column x=R4_x --column x=time", "--column says twice what \"x\" is");
+    row("render --output x.png --column x=R4_x", "give its file with --reference");
+    row("solve --column x=R4_x", "no option --column");
     row("identify a.csv --format csv", "--format must be text or json");
     row("identify a.csv --b 0", "--b must be greater than 0");
     row("compare a.csv --method newton", "no option --method");
@@ -909,11 +932,31 @@ void TestCommandLine::comparesTheSampleInCsv()
     const Table table = tableOf(outcome.out);
     QCOMPARE(table.header.join(','),
              QByteArray("file,name,unit,count,maxAbs,timeOfMaxAbs,rms,maxPercent,timeOfMaxPercent,zeroReference,"
-                        "percentOfPeak,roundingStep,verdict"));
+                        "percentOfPeak,roundingStep,verdict,fileVerdict,sentence"));
     QCOMPARE(table.cells.size(), std::size_t(6));
     QCOMPARE(table.cells[0][1], QByteArray("R4_x"));
     QVERIFY(std::abs(table.at(0, "maxAbs") - 7.22) < 0.005);
-    QCOMPARE(table.cells[0].last(), QByteArray("differs"));
+    const qsizetype verdict = table.header.indexOf("verdict");
+    for (const QByteArrayList &row : table.cells) {
+        QCOMPARE(row[verdict], QByteArray("differs"));
+        QCOMPARE(row[verdict + 1], QByteArray("differs"));
+    }
+
+    // The sentence is that of JSON, whole and quoted; where nothing differs there is none.
+    const Outcome json = run({"compare", sample(), "--format", "json"});
+    const QString sentence = QJsonDocument::fromJson(json.out)
+                                 .object()["files"]
+                                 .toArray()
+                                 .first()
+                                 .toObject()["explanation"]
+                                 .toObject()["sentence"]
+                                 .toString();
+    QVERIFY(sentence.contains(QStringLiteral("b = 60")));
+    QString quoted = sentence;
+    QVERIFY(
+        outcome.out.endsWith(",differs,differs,\"" + quoted.replace(u'"', QStringLiteral("\"\"")).toUtf8() + "\"\n"));
+    const Outcome same = run({"compare", sample(), "--b", "60", "--format", "csv"});
+    QVERIFY(same.out.endsWith(",agrees,agrees,\n"));
 }
 
 void TestCommandLine::comparesSeveralFiles()
@@ -927,7 +970,7 @@ void TestCommandLine::comparesSeveralFiles()
     QCOMPARE(csv.cells.size(), std::size_t(8));
     for (std::size_t row = 0; row < csv.cells.size(); ++row) {
         QCOMPARE(csv.cells[row].first(), '"' + (row < 6 ? sample() : other).toUtf8() + '"');
-        QCOMPARE(csv.cells[row].last(), QByteArray(row < 6 ? "agrees" : "differs"));
+        QCOMPARE(csv.cells[row][csv.header.indexOf("verdict")], QByteArray(row < 6 ? "agrees" : "differs"));
     }
 
     QJsonParseError parsing;
@@ -1008,9 +1051,11 @@ void TestCommandLine::tellsRoundingFromDifference()
                                 QProcess::splitCommand(mechanism));
     int agrees = 0;
     int differs = 0;
-    for (const QByteArrayList &row : tableOf(outcome.out).cells) {
-        agrees += row.last() == "agrees" ? 1 : 0;
-        differs += row.last() == "differs" ? 1 : 0;
+    const Table table = tableOf(outcome.out);
+    const qsizetype verdict = table.header.indexOf("verdict");
+    for (const QByteArrayList &row : table.cells) {
+        agrees += row[verdict] == "agrees" ? 1 : 0;
+        differs += row[verdict] == "differs" ? 1 : 0;
     }
     QVERIFY2(agrees == agreeing && differs == differing, outcome.out.constData());
     QCOMPARE(outcome.status, differing > 0 ? 1 : 0);
@@ -1332,6 +1377,134 @@ void TestCommandLine::saysWhenItFindsNoMechanism()
     QCOMPARE(none["identifiable"].toObject()["b"], QJsonValue(false));
     QCOMPARE(none["channels"].toArray(), QJsonArray());
     QCOMPARE(run({"identify", folder.filePath(QStringLiteral("missing.csv"))}).status, 3);
+}
+
+void TestCommandLine::identifiesSeveralFiles()
+{
+    QTemporaryDir folder;
+    const QString missing = folder.filePath(QStringLiteral("missing.csv"));
+    const QString few = folder.filePath(QStringLiteral("few.csv"));
+    writeFile(few, "time,R4_x\n0,80\n0.1,79\n");
+    const auto filesOf = [](const Outcome &outcome) {
+        return QJsonDocument::fromJson(outcome.out).object()["files"].toArray();
+    };
+
+    // The status is that of the worst: 0 only where all are identified or ambiguous.
+    const Outcome two = run({"identify", sample(), sample(), "--format", "json"});
+    QCOMPARE(two.status, 0);
+    QCOMPARE(filesOf(two).size(), qsizetype(2));
+    const Outcome one = run({"identify", sample(), "--format", "json"});
+    QCOMPARE(filesOf(two)[1].toObject(), QJsonDocument::fromJson(one.out).object());
+
+    const Outcome json = run({"identify", few, sample(), "--format", "json"});
+    QCOMPARE(json.status, 5);
+    QCOMPARE(filesOf(json)[0].toObject()["outcome"].toString(), QStringLiteral("insufficient"));
+    QCOMPARE(filesOf(json)[1].toObject()["outcome"].toString(), QStringLiteral("identified"));
+    QVERIFY2(isOneLine(json.err) && json.err.startsWith(few.toUtf8()), json.err.constData());
+
+    const Outcome text = run({"identify", sample(), few, missing});
+    QCOMPARE(text.status, 3);
+    QVERIFY2(text.out.startsWith(sample().toUtf8() + ": t = 0 s"), text.out.constData());
+    QVERIFY2(text.out.contains("\n\n" + few.toUtf8() + ": t = 0 s to 0.1 s, 2 instants\nThere are too few values"),
+             text.out.constData());
+    QVERIFY2(text.out.endsWith("\n\n3 files: 1 identified, 0 ambiguous, 1 not identified, 1 could not be read.\n"),
+             text.out.constData());
+    QVERIFY2(isOneLine(text.err) && text.err.startsWith(missing.toUtf8()), text.err.constData());
+}
+
+void TestCommandLine::readsStandardInput()
+{
+    const QByteArray motion = contentOf(sample());
+    const auto entryOf = [](const Outcome &outcome) {
+        return QJsonDocument::fromJson(outcome.out).object()["files"].toArray().first().toObject();
+    };
+    const QStringList compare{"compare", "--b", "60", "--format", "json"};
+    const Outcome file = run(compare + QStringList{sample()});
+    const Outcome pipe = run(compare + QStringList{"-"}, withoutDisplay(), motion);
+    QCOMPARE(pipe.status, 0);
+    QCOMPARE(entryOf(pipe)["file"].toString(), QStringLiteral("-"));
+    QCOMPARE(entryOf(pipe)["channels"], entryOf(file)["channels"]);
+
+    const Outcome text = run({"identify", "-"}, withoutDisplay(), motion);
+    QCOMPARE(text.status, 0);
+    QVERIFY2(text.out.startsWith("Standard input: t = 0 s to 1 s, 201 instants\n"), text.out.constData());
+
+    QTemporaryDir folder;
+    const QString picture = folder.filePath(QStringLiteral("figure.png"));
+    QCOMPARE(run({"render", "--reference", "-", "--output", picture}, withoutDisplay(), motion).status, 0);
+
+    // More than a pipe holds, and more than is looked at to tell whether it is a table.
+    QByteArray large = "id,T,x\n";
+    for (int row = 0; large.size() < 3'000'000; ++row) {
+        large += QByteArray::number(row) + ',' + QByteArray::number(row) + ",25\n";
+    }
+    const QStringList named{"--column", "T=time [us]", "--column", "x=R4_y", "--column", "id=ignored"};
+    const Outcome all = run(compare + QStringList{"-"} + named, withoutDisplay(), large);
+    QCOMPARE(all.status, 0);
+    QCOMPARE(entryOf(all)["channels"].toArray().first().toObject()["count"].toInt(), large.count('\n') - 1);
+
+    const Outcome none = run({"compare", "-"});
+    QCOMPARE(none.status, 3);
+    QVERIFY2(none.err.startsWith("Standard input: ") && none.err.contains("is empty"), none.err.constData());
+
+    // A scene, too; a pipe by its name is a file like any other.
+    const Outcome scene = run({"limits", "--scene", "-"}, withoutDisplay(), "{\"version\": 1}");
+    QCOMPARE(scene.status, 3);
+    QVERIFY2(scene.err.startsWith("Standard input: "), scene.err.constData());
+    const QString fifo = folder.filePath(QStringLiteral("fifo"));
+    if (QProcess::execute(QStringLiteral("mkfifo"), {fifo}) == 0) {
+        QProcess writer;
+        writer.start(QStringLiteral("cp"), {sample(), fifo});
+        QCOMPARE(entryOf(run(compare + QStringList{fifo}))["channels"], entryOf(file)["channels"]);
+        QVERIFY(writer.waitForFinished(slidercrank::kPatience));
+    }
+}
+
+void TestCommandLine::takesColumnsForWhatIsSaid()
+{
+    // Table 1 with b = 60 under names that say nothing, in m and rad, beside a column that would be taken for another.
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("model.csv"));
+    QByteArray motion = "clock;slider.s;arm.phi (rad);x = y;x = y\n";
+    for (int row = 0; row <= 40; ++row) {
+        const Textbook at = textbook(20, 60, 25, 2 * std::numbers::pi, 2 * std::numbers::pi * row / 40.0, false);
+        const double cells[] = {25.0 * row, at.R4x / 1000.0, at.theta3, at.theta3Dot, 7.0};
+        for (const double cell : cells) {
+            motion += QByteArray::number(cell, 'g', 9) + ';';
+        }
+        motion.back() = '\n';
+    }
+    writeFile(path, motion);
+    const QStringList columns{"--column", "clock=time [ms]", "--column", "slider.s=R4_x [m]",
+                              "--column", "arm.phi=theta3",  "--column", "#4=theta3_diff [rad/s]"};
+    const Outcome json =
+        run(QStringList{"compare", path, "--b", "60", "--format", "json", "--fail-on-difference"} + columns);
+    QVERIFY2(json.status == 0, json.err.constData());
+    const QJsonObject entry = QJsonDocument::fromJson(json.out).object()["files"].toArray().first().toObject();
+    QStringList names;
+    for (const QJsonValue &channel : entry["channels"].toArray()) {
+        names += channel.toObject()["name"].toString();
+    }
+    QCOMPARE(names, QStringList({"R4_x", "theta3", "theta3_diff"}));
+    QCOMPARE(entry["columns"].toArray()[1].toObject()["why"].toString(), QStringLiteral("chosen by hand"));
+    QCOMPARE(entry["ignoredColumns"].toArray().size(), qsizetype(1));
+    const Outcome found = run(QStringList{"identify", path} + columns);
+    QVERIFY2(found.status == 0 && found.out.contains("--b 60 "), found.out.constData());
+
+    // Said otherwise it is another motion.
+    QStringList otherwise = columns;
+    otherwise[3] = QStringLiteral("slider.s=R4_x [cm]");
+    QCOMPARE(run(QStringList{"compare", path, "--b", "60", "--fail-on-difference"} + otherwise).status, 1);
+
+    const auto refusal = [&](const QString &column) {
+        const Outcome outcome = run({"compare", path, "--column", column});
+        return outcome.status == 3 && isOneLine(outcome.err) ? outcome.err : QByteArray();
+    };
+    const QByteArray missing = refusal(QStringLiteral("slider.x=R4_x"));
+    QVERIFY2(missing.contains("no column \"slider.x\"") && missing.contains("clock, slider.s, arm.phi (rad), x = y"),
+             missing.constData());
+    QVERIFY(refusal(QStringLiteral("#6=R4_x")).contains("no column \"#6\""));
+    QVERIFY(refusal(QStringLiteral("x = y=R4_x")).contains("several columns are called \"x = y\""));
 }
 
 void TestCommandLine::saysWhatIsWrongWithAFile()
@@ -1705,17 +1878,25 @@ void TestCommandLine::forgetsTheSettings()
 void TestCommandLine::helpsEverywhere()
 {
     const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
-    for (const QString &command : {QString(), QStringLiteral("solve"), QStringLiteral("compare"),
-                                   QStringLiteral("identify"), QStringLiteral("study"), QStringLiteral("render")}) {
+    const QString manual = QString::fromUtf8(contentOf(QStringLiteral(SLIDERCRANK_MANUAL))).remove(QLatin1Char('\\'));
+    for (const QString &command :
+         {QString(), QStringLiteral("solve"), QStringLiteral("limits"), QStringLiteral("compare"),
+          QStringLiteral("identify"), QStringLiteral("study"), QStringLiteral("render")}) {
         const QStringList words = command.isEmpty() ? QStringList() : QStringList(command);
         const Outcome help = run(words + QStringList(QStringLiteral("--help")));
         QCOMPARE(help.status, 0);
         QCOMPARE(help.err, QByteArray());
         QVERIFY(help.out.contains("Usage: slidercrank"));
         QVERIFY(help.out.contains("Exit status"));
+        for (auto each = option.globalMatch(QString::fromUtf8(help.out)); each.hasNext();) {
+            const QString name = each.next().captured();
+            QVERIFY2(manual.contains(QRegularExpression(name + QStringLiteral("(?![a-z0-9-])"))), qPrintable(name));
+        }
         const Outcome version = run(words + QStringList(QStringLiteral("--version")));
         QCOMPARE(version.status, 0);
-        QVERIFY(QRegularExpression(QStringLiteral("^slidercrank \\d+\\.\\d+\\.\\d+\n$"))
+        QVERIFY(QRegularExpression(
+                    QStringLiteral("^slidercrank \\d+\\.\\d+\\.\\d+\nQt 6\\.\\d+\\.\\d+, Eigen 3\\.\\d+\\.\\d+, "
+                                   "Highway 1\\.\\d+\\.\\d+, Boost 1\\.\\d+\\.\\d+, \\w+ \\d+[.\\d]*\n$"))
                     .match(QString::fromUtf8(version.out))
                     .hasMatch());
     }

@@ -2,6 +2,7 @@
 #include "ui/document/reference_file.h"
 
 #include "ui/document/byte_stream.h"
+#include "ui/words/column_text.h"
 #include "ui/words/read_fault_text.h"
 
 #include <QCoreApplication>
@@ -73,9 +74,21 @@ QString cannotBeRead(const QString &file, const QString &reason)
 
 } // namespace
 
+QString shownNameOf(const QString &path)
+{
+    return isStandardInput(path) ? ReferenceFileText::tr("Standard input") : QDir::toNativeSeparators(path);
+}
+
 QString sentenceOf(const ReadError &error, const QString &file)
 {
-    const QString reason = sentenceOf(error.fault);
+    QString reason = sentenceOf(error.fault);
+    if (error.fault.kind == ReadFault::Kind::NoSuchColumn) {
+        QStringList headings;
+        for (std::size_t i = 0; i < error.layout.columns.size(); ++i) {
+            headings += headingText(error.layout, i);
+        }
+        reason += u' ' + ReferenceFileText::tr("There are: %1.").arg(headings.join(QStringLiteral(", ")));
+    }
     if (error.line == 0) {
         return QStringLiteral("%1: %2").arg(file, reason);
     }
@@ -90,16 +103,17 @@ QString sentenceOf(const ReadError &error, const QString &file)
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop,
                                                                       const ReadOptions &options)
 {
-    const QString shown = QDir::toNativeSeparators(path);
+    const QString shown = shownNameOf(path);
     const QFileInfo info(path);
     if (info.isDir()) {
         return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
     }
     std::variant<ReferenceData, ReadError> outcome;
     QFile file(path);
-    if (isStream(info)) {
-        std::variant<QByteArray, QString> bytes = readStream(path, stop, [](const QByteArray &beginning) {
-            return std::holds_alternative<ReferenceData>(readReferenceData(viewOf(beginning)));
+    if (isStandardInput(path) || isStream(info)) {
+        const ReadOptions asChosen{options.columns, {}, options.named};
+        std::variant<QByteArray, QString> bytes = readStream(path, stop, [&](const QByteArray &beginning) {
+            return std::holds_alternative<ReferenceData>(readReferenceData(viewOf(beginning), {}, asChosen));
         });
         if (const QString *reason = std::get_if<QString>(&bytes)) {
             return cannotBeRead(shown, *reason);
@@ -118,7 +132,7 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     }
     auto reference = std::make_shared<Reference>();
     reference->path = path;
-    reference->name = info.fileName();
+    reference->name = isStandardInput(path) ? shown : info.fileName();
     reference->state = stateOf(info);
     reference->data = std::move(std::get<ReferenceData>(outcome));
     reference->columns = options.columns;

@@ -47,7 +47,8 @@ struct ReferenceSource {
 
 ReferenceSource sourceOf(const Reference &reference);
 
-/// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread.
+/// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread. `path`: "-" is
+/// standard input.
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {},
                                                                       const ReadOptions &options = {});
 
@@ -62,6 +63,9 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
 /// person said of the others was said of other data.
 std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
                                                    const std::shared_ptr<const Reference> &printed);
+
+/// As messages call it.
+QString shownNameOf(const QString &path);
 
 /// "results.csv, line 3, column 2 ("abc"): …". `file`: how it is to be called.
 QString sentenceOf(const ReadError &error, const QString &file);

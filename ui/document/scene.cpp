@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/scene.h"
 
+#include "ui/document/byte_stream.h"
 #include "ui/document/scene_part.h"
 #include "ui/document/whole_file.h"
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 
 namespace slidercrank
 {
@@ -292,7 +294,7 @@ QByteArray jsonOf(const Scene &scene, const QString &path)
 
 std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path)
 {
-    const QString shown = QDir::toNativeSeparators(path);
+    const QString shown = shownNameOf(path);
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (error.error != QJsonParseError::NoError) {
@@ -333,12 +335,12 @@ std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path
 
 std::variant<Scene, QString> readScene(const QString &path)
 {
-    const QString shown = QDir::toNativeSeparators(path);
+    const QString shown = shownNameOf(path);
     QFile file(path);
     if (QFileInfo(path).isDir()) {
         return SceneText::tr("%1 is a folder: choose a scene's file.").arg(shown);
     }
-    if (!file.open(QIODevice::ReadOnly)) {
+    if (!(isStandardInput(path) ? file.open(stdin, QIODevice::ReadOnly) : file.open(QIODevice::ReadOnly))) {
         return SceneText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
     }
     const QByteArray bytes = file.read(kLargestFile + 1);
@@ -349,6 +351,12 @@ std::variant<Scene, QString> readScene(const QString &path)
         return SceneText::tr("%1 is no scene: it is too large. Open a file that this program saved.").arg(shown);
     }
     return sceneOf(bytes, path);
+}
+
+bool isNamedAsScene(const QString &path)
+{
+    return path.endsWith(QLatin1String(".slidercrank"), Qt::CaseInsensitive) ||
+           path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
 }
 
 std::optional<QString> writeScene(const Scene &scene, const QString &path)

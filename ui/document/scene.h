@@ -58,6 +58,9 @@ QByteArray jsonOf(const Scene &scene, const QString &path);
 std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path);
 std::variant<Scene, QString> readScene(const QString &path);
 
+/// Whether a file of that name is taken for a scene: .slidercrank, or .json as all were called once.
+bool isNamedAsScene(const QString &path);
+
 /// Writes the file whole or not at all; a sentence where it cannot be written.
 std::optional<QString> writeScene(const Scene &scene, const QString &path);
 

@@ -45,6 +45,23 @@ bool holds(const Sampling &run, const std::vector<double> &instants)
            (instants.front() >= std::min(run.start, end) - room && instants.back() <= std::max(run.start, end) + room);
 }
 
+/// As much of them as can be shown at once.
+Choices soonShown(Choices choices)
+{
+    const auto takesLong = [&choices] {
+        return slidercrank::takesLong(
+            {Mechanism(choices.parameters), choices.sampling, choices.solver, choices.reference});
+    };
+    choices.solver.method = Method::ClosedForm;
+    if (takesLong()) {
+        choices.sampling.steps = std::min(choices.sampling.steps, Sampling().steps);
+    }
+    if (takesLong()) {
+        choices.reference = nullptr;
+    }
+    return choices;
+}
+
 /// Null when stopped. Takes longer than a moment.
 std::shared_ptr<const ReferenceDiagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference,
                                                       const Mechanism &mechanism, std::stop_token stop)
@@ -355,13 +372,14 @@ void Session::cancel()
     m_reading.drop();
     m_diagnosing.drop();
     const Choices shown = choicesOf(*m_result);
-    if (m_choices != shown) {
-        if (m_edits.count() > 0) { // else they came with a scene, and no edit is to turn it into another
-            m_edits.goTo(shown, m_choices);
-        }
-        return;
+    if (m_choices == shown) {
+        endSearch();
+    } else if (m_edits.count() > 0) {
+        m_edits.goTo(shown, m_choices);
+    } else { // they came with a scene, and no edit is to turn it into the one before
+        edit(soonShown(m_choices), [] { return tr("showing the scene in less"); });
+        emit problemFound(tr("Cancelled: what the scene asks for takes longer, and is left out. Undo computes it."));
     }
-    endSearch();
 }
 
 } // namespace slidercrank

@@ -57,7 +57,7 @@ struct PlotSettings {
     friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
 };
 
-/// What is in view; empty: all there is.
+/// What is in view; empty: of the time all there is, of the values what is seen in that time.
 struct PlotZoom {
     std::optional<Interval> time;                           ///< s, of all nine
     std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms where the axis is logarithmic

@@ -163,9 +163,9 @@ QWidget *NewtonPanel::createIterationPage()
     return page;
 }
 
-void NewtonPanel::setSettings(const Sampling &sampling, const SolverSettings &solver)
+void NewtonPanel::setSolver(const SolverSettings &solver)
 {
-    m_form->setSettings(sampling, solver);
+    m_form->setSolver(solver);
 }
 
 void NewtonPanel::setResult(const std::shared_ptr<const Result> &result)

@@ -83,7 +83,7 @@ QString unitText(bool angle, int perSecond)
 /// Every digit there is, for the tool tip.
 QString everyDigit(double value)
 {
-    return localeWithoutGroups().toString(value, 'g', QLocale::FloatingPointShortest);
+    return numberText(value, QLocale::FloatingPointShortest);
 }
 
 TableCell numberCell(double value, const QString &text, const QString &meaning, const QString &unit)
@@ -232,7 +232,7 @@ std::vector<TableRow> jacobianRows(const Mechanism &mechanism, const InstantEqua
             const auto coordinate = static_cast<Coordinate>(j);
             const double value = equations.Cq(i, j);
             const bool isLength = isAngle(coordinate) && !isAngle(row); // mm/rad
-            const QString text = isLength ? steadyText(value, 1e3 * largest) : locale.toString(value, 'g', 6);
+            const QString text = isLength ? steadyText(value, 1e3 * largest) : numberText(value);
             TableCell cell =
                 numberCell(value, text, NewtonTables::tr("∂(%1)/∂%2").arg(nameOf(row), symbolOf(coordinate)),
                            isLength ? QStringLiteral("mm") : QString());

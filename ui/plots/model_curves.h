@@ -44,8 +44,8 @@ public:
 
     /// What a plot of that range shows with so many pixel columns.
     std::vector<CurvePoint> points(std::size_t channel, const Interval &range, std::size_t columns);
-    /// Of the whole run.
-    std::optional<Interval> extremes(std::size_t channel) const;
+    /// Of what is to be seen in that range.
+    std::optional<Interval> extremes(std::size_t channel, const Interval &range) const;
 
 private:
     // Of samples.

@@ -25,7 +25,7 @@ double lineWidth(Ink ink)
     case Ink::Model:
     case Ink::Reference: return 2.0;
     case Ink::Error:
-    case Ink::ErrorOther: return 1.0; // they are noise where all is well
+    case Ink::ErrorOther: return 1.6; // they are noise where all is well, yet to be seen from the last row
     }
     return 1.0;
 }
@@ -66,7 +66,7 @@ QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels, std::optio
     return {beside(labelLength), titleHeight + 2, rightLabelLength ? beside(*rightLabelLength) : kRight, bottom};
 }
 
-PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typography,
+PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typography, bool hasErrors,
                                  std::optional<std::size_t> onlyPlot)
     : size(figure)
     , only(onlyPlot)
@@ -79,7 +79,7 @@ PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typo
         cells[*only] = QRect(0, legend.height(), size.width(), height);
         return;
     }
-    const int cellWidth = size.width() / static_cast<int>(kPlotColumns);
+    const int cellWidth = size.width() / static_cast<int>(hasErrors ? kPlotColumns : kErrorColumn);
     hasTimeLabelsEverywhere =
         cellWidth >= kSmallestLabelledCell.width() && height / kRows >= kSmallestLabelledCell.height();
     const QMargins bare = typography.margins(0, false);
@@ -87,6 +87,9 @@ PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typo
     const int extra = hasTimeLabelsEverywhere ? 0 : labelled.bottom() - bare.bottom();
     const int cellHeight = std::max(0, height - extra) / kRows;
     for (std::size_t i = 0; i < kPlotCount; ++i) {
+        if (isErrorPlot(i) && !hasErrors) {
+            continue;
+        }
         const int row = static_cast<int>(i / kPlotColumns);
         const int column = static_cast<int>(i % kPlotColumns);
         cells[i] = QRect(column * cellWidth, legend.height() + row * cellHeight, cellWidth,

@@ -105,6 +105,26 @@ void PlotCanvas::display(const PlotPicture &picture, const QMargins &margins)
     }
 }
 
+std::vector<QPolygonF> PlotCanvas::curvesInPixels() const
+{
+    std::vector<QPolygonF> parts;
+    for (int i = 0; i < graphCount(); ++i) {
+        bool isBroken = true;
+        for (const QCPGraphData &point : *graph(i)->data()) {
+            if (std::isnan(point.value)) {
+                isBroken = true;
+                continue;
+            }
+            if (isBroken) {
+                parts.emplace_back();
+                isBroken = false;
+            }
+            parts.back() << graph(i)->coordsToPixels(point.key, point.value);
+        }
+    }
+    return parts;
+}
+
 void PlotCanvas::paintEvent(QPaintEvent *)
 {
     if (devicePixelRatioF() != bufferDevicePixelRatio()) { // on another screen, or it was scaled anew

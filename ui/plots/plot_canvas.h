@@ -23,6 +23,11 @@ public:
     const Interval &timeRange() const { return m_picture.time; }
     const Interval &valueRange() const { return m_picture.values; }
     bool hasValues() const { return m_picture.hasValues; }
+    Ink inkOf(std::size_t curve) const { return m_picture.curves[curve].ink; }
+
+    /// In parts without gaps.
+    std::vector<QPolygonF> curvesInPixels() const;
+
     const QCPAxis *valueAxisOf(std::size_t curve) const { return curve == 1 && m_picture.rightValues ? yAxis2 : yAxis; }
 
 protected:

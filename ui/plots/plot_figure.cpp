@@ -129,18 +129,6 @@ void finishCurve(PlotPicture::Curve &curve, const Interval &time, const Interval
     }
 }
 
-std::optional<Interval> extremesWithin(const Interval &range, std::span<const double> instants,
-                                       std::span<const double> values)
-{
-    if (values.empty()) {
-        return std::nullopt; // a channel that the file lacks
-    }
-    const auto begin = std::lower_bound(instants.begin(), instants.end(), range.lower);
-    const auto end = std::upper_bound(begin, instants.end(), range.upper);
-    return extremes(
-        values.subspan(static_cast<std::size_t>(begin - instants.begin()), static_cast<std::size_t>(end - begin)));
-}
-
 /// The errors' axis begins at zero; in decades, where the smallest that matters is.
 Interval errorRange(const Interval &extent, bool isLogarithmic)
 {
@@ -254,7 +242,7 @@ void PlotFigure::setSettings(const PlotSettings &settings)
 
 bool PlotFigure::hasRightAxis(std::size_t plot) const
 {
-    return isErrorPlot(plot) && m_settings.error == ErrorMeasure::Absolute && result && result->reference;
+    return isErrorPlot(plot) && m_settings.error == ErrorMeasure::Absolute && hasErrors();
 }
 
 QString PlotFigure::errorUnit(std::size_t channel) const
@@ -292,7 +280,13 @@ Interval PlotFigure::wholeRange() const
 
 void PlotFigure::zoomTime(const Interval &range)
 {
-    const Interval within = broughtInto(outerRange(), range);
+    const Interval outer = outerRange();
+    // Closer, neighbouring instants could not be told apart on the axis any more.
+    const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
+    if (range.length() < std::min(timeRange().length(), kSmallestPart * largest)) {
+        return;
+    }
+    const Interval within = broughtInto(outer, range);
     timeZoom = within;
     if (within == wholeRange()) {
         timeZoom.reset();
@@ -301,18 +295,16 @@ void PlotFigure::zoomTime(const Interval &range)
 
 void PlotFigure::zoomTime(double about, double factor)
 {
-    const Interval outer = outerRange();
-    const Interval range = scaled(timeRange(), about, factor);
-    // Closer, neighbouring instants could not be told apart on the axis any more.
-    const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
-    if (factor >= 1.0 || range.length() >= kSmallestPart * largest) {
-        zoomTime(range);
-    }
+    zoomTime(scaled(timeRange(), about, factor));
 }
 
 void PlotFigure::zoomValues(std::size_t plot, const Interval &shown, double about, double factor)
 {
-    const Interval range = scaled(shown, about, factor);
+    zoomValues(plot, scaled(shown, about, factor));
+}
+
+void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
+{
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     constexpr double kLargestValue = 1e60;
     if (range.length() >= kSmallestPart * largest && largest <= kLargestValue) {
@@ -328,6 +320,14 @@ Interval PlotFigure::outerRange() const
     }
     const std::vector<double> &instants = result->reference->data.time;
     return united(whole, Interval{instants.front(), instants.back()});
+}
+
+/// What `extremesIn` tells of the time on show; of all there is where that is empty.
+template <class ExtremesIn>
+std::optional<Interval> PlotFigure::valuesSeen(const ExtremesIn &extremesIn) const
+{
+    const std::optional<Interval> seen = extremesIn(timeRange());
+    return seen || !timeZoom ? seen : extremesIn(outerRange());
 }
 
 PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digitWidth)
@@ -394,10 +394,10 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     } else if (result->reference) {
         picture.remarks = picture.shortRemarks = {{tr("not in the file"), Ink::Reference}};
     }
-    // The axis of values stays that of the whole run while one looks at a part of it.
-    const std::optional<Interval> values =
-        united(shown.model.extremes(index),
-               extremesWithin(united(wholeRange(), picture.time), shown.referenceTime, channel.reference));
+    const std::optional<Interval> values = valuesSeen([&](const Interval &range) {
+        return united(shown.model.extremes(index, range),
+                      extremesWithin(shown.referenceTime, channel.reference, range));
+    });
     picture.hasValues = values.has_value();
     if (values) {
         picture.values = roundedOutwards(*values);
@@ -436,7 +436,8 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
             curve.band = shown.roundingBand(index, pixels);
         }
         curve.marks = channel.zeroReference;
-        extents[i] = extremesWithin(united(wholeRange(), picture.time), shown.referenceTime, channel.errors);
+        extents[i] = valuesSeen(
+            [&](const Interval &range) { return extremesWithin(shown.referenceTime, channel.errors, range); });
         if (channel.largestError) {
             constexpr int kFewDigits = 2;
             const double largest = *channel.largestError;

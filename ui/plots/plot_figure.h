@@ -116,7 +116,8 @@ struct ShownData {
     std::array<ShownChannel, ModelCurves::kChannels> channels; ///< as in kPlottedChannels
 };
 
-/// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks.
+/// What a Result looks like, and what of it is to be seen. Converted once a Result, and only when somebody looks. The
+/// values fit what is seen of the time, but for those that a person chose, by a box or by the wheel on their axis.
 class PlotFigure
 {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::PlotFigure)
@@ -130,6 +131,9 @@ public:
     void setSettings(const PlotSettings &settings);
     const PlotSettings &settings() const { return m_settings; }
 
+    /// Whether there is something that the model could be in error of.
+    bool hasErrors() const { return result && result->reference; }
+
     /// Whether lengths have an axis of their own there.
     bool hasRightAxis(std::size_t plot) const;
 
@@ -139,6 +143,7 @@ public:
     /// Closer or farther, about a point of the axis that stays.
     void zoomTime(double about, double factor);
     void zoomValues(std::size_t plot, const Interval &shown, double about, double factor);
+    void zoomValues(std::size_t plot, const Interval &range);
 
     /// One plot whose axes have that size in pixels and whose time axis has characters of that width.
     PlotPicture picture(std::size_t plot, const QSize &axes, double digitWidth);
@@ -167,6 +172,9 @@ private:
     void fillModelPicture(PlotPicture &picture, std::size_t channel, std::size_t columns);
     QString fewSamples() const; ///< empty where no samples are on show, or enough
     void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns);
+
+    template <class ExtremesIn>
+    std::optional<Interval> valuesSeen(const ExtremesIn &extremesIn) const;
 
     PlotSettings m_settings;
     std::optional<ShownData> m_data;

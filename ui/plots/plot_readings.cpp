@@ -180,12 +180,43 @@ std::vector<InkedRow> readingsOf(PlotFigure &figure, std::size_t plot, const Rea
     if (read.hovered) {
         addRow({}, valuesAt(figure, plot, read.hoverTime, wording));
     } else if (read.measured) {
-        const auto [a, b] = *read.measured;
-        addRow(QStringLiteral("A  "), valuesAt(figure, plot, a, wording));
-        addRow(QStringLiteral("B  "), valuesAt(figure, plot, b, wording));
-        addRow(QStringLiteral("B − A  "), changesBetween(figure, plot, a, b, wording));
+        const auto [first, second] = *read.measured;
+        addRow(QStringLiteral("1:  "), valuesAt(figure, plot, first, wording));
+        addRow(QStringLiteral("2:  "), valuesAt(figure, plot, second, wording));
+        addRow(QStringLiteral("Δ:  "), changesBetween(figure, plot, first, second, wording));
     }
     return rows;
+}
+
+std::vector<ReadPoint> pointsReadAt(PlotFigure &figure, std::size_t plot, double t)
+{
+    const ShownData &data = figure.data();
+    std::vector<ReadPoint> points;
+    const auto addUnlessMissing = [&points](std::size_t curve, double instant, double value) {
+        if (std::isfinite(value)) {
+            points.push_back({curve, {instant, value}});
+        }
+    };
+    if (data.model.empty()) {
+        return points;
+    }
+    const std::size_t k = data.referenceTime.empty() ? 0 : nearestIndex(data.referenceTime, t);
+    if (isErrorPlot(plot)) {
+        for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
+            const ShownChannel &channel = data.channels[plot / kPlotColumns * kChannelsPerRow + i];
+            if (!channel.errors.empty()) {
+                addUnlessMissing(i, data.referenceTime[k], channel.errors[k]);
+            }
+        }
+        return points;
+    }
+    const std::size_t index = channelOf(plot);
+    const double now = data.model.instantNear(t);
+    addUnlessMissing(0, now, data.model.value(index, now));
+    if (const std::span<const double> reference = data.channels[index].reference; !reference.empty()) {
+        addUnlessMissing(1, data.referenceTime[k], reference[k]);
+    }
+    return points;
 }
 
 QString measuredText(const PlotFigure &figure, const ReadInstants &read, const QFont &font, int room)
@@ -193,16 +224,14 @@ QString measuredText(const PlotFigure &figure, const ReadInstants &read, const Q
     if (!read.measured) {
         return {};
     }
-    const auto [a, b] = *read.measured;
-    QString change =
-        PlotFigure::tr("B − A = %1 s", "the time between the measuring cursors").arg(shortNumber(b - a, kDigits));
+    const auto [first, second] = *read.measured;
+    QString change = QStringLiteral("Δt = %1 s").arg(shortNumber(second - first, kDigits));
     if (figure.result) {
-        const double turned = figure.result->mechanism.omega2() * (b - a) * kDegreesPerRadian;
+        const double turned = figure.result->mechanism.omega2() * (second - first) * kDegreesPerRadian;
         change += QStringLiteral(" = %1°").arg(shortNumber(turned, kDigits));
     }
     const QString text =
-        PlotFigure::tr("A %1 s · B %2 s · %3", "instants of the measuring cursors, the time between them")
-            .arg(shortNumber(a, kDigits), shortNumber(b, kDigits), change);
+        QStringLiteral("1: %1 s · 2: %2 s · %3").arg(shortNumber(first, kDigits), shortNumber(second, kDigits), change);
     return QFontMetrics(font).horizontalAdvance(text) <= room ? text : change;
 }
 

@@ -2,6 +2,7 @@
 #include "ui/study/study_figure.h"
 
 #include "ui/words/axis_scale.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -432,7 +433,7 @@ QString descriptionOf(const MethodResult &row)
     const QLocale locale;
     QString text = titleOf(row);
     if (row.tolerance) {
-        text += StudyFigureText::tr(", tolerance %1").arg(locale.toString(*row.tolerance, 'g', 3));
+        text += StudyFigureText::tr(", tolerance %1").arg(numberText(*row.tolerance, 3));
     }
     text += u'\n' + explanationOf(row.method.kind);
     text += u'\n' +

@@ -102,14 +102,16 @@ QString shortcutsText(const QMenuBar &menus)
     html += tableOf(
         HelpPage::tr("Plots"),
         {{HelpPage::tr("Go to an instant"), HelpPage::tr("Click")},
-         {HelpPage::tr("Read the values of all nine"), HelpPage::tr("Point at a curve")},
+         {HelpPage::tr("Read the values of all plots"), HelpPage::tr("Point at a curve")},
          {HelpPage::tr("Zoom the time"), HelpPage::tr("Wheel; + and − on a plot with the focus")},
          {HelpPage::tr("Zoom the values"), HelpPage::tr("Wheel left of the axis")},
-         {HelpPage::tr("Move what is zoomed"), HelpPage::tr("Drag")},
-         {HelpPage::tr("Show the whole run"), HelpPage::tr("Double click")},
+         {HelpPage::tr("Zoom into a part"),
+          HelpPage::tr("Drag a box around it; a flat one zooms the time alone, Escape cancels")},
+         {HelpPage::tr("Move what is zoomed"), HelpPage::tr("Shift and drag, or drag with the middle button")},
+         {HelpPage::tr("Show the whole run"), HelpPage::tr("Double click, or 0")},
          {HelpPage::tr("Make a plot large, and small again"), HelpPage::tr("Double click its title, or Enter")},
          {HelpPage::tr("Copy, export, choose the error"), HelpPage::tr("Right click, or the menu key")},
-         {HelpPage::tr("Move a measuring cursor"), HelpPage::tr("Drag it, or A and B to bring it to the instant")}});
+         {HelpPage::tr("Move a measuring cursor"), HelpPage::tr("Drag it, or 1 and 2 to bring it to the instant")}});
     html += tableOf(HelpPage::tr("Tables"),
                     {{HelpPage::tr("Go where a row's value is"), HelpPage::tr("Click, or Enter")},
                      {HelpPage::tr("Light up a row's joint"), HelpPage::tr("Point at it, or the arrow keys")},

@@ -35,7 +35,7 @@ public:
     void showWithinScreen();
 
 public slots:
-    /// A scene where it is named .json, else a reference.
+    /// A scene where it is named as one, else a reference.
     void openFile(const QString &path);
     void openReference(const QString &path);
     void openSample();

@@ -194,6 +194,17 @@ void Menus::addPlayback()
     loop->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
     connect(loop, &QAction::triggered, timeline, &Timeline::setLooping);
     connect(timeline, &Timeline::loopingChanged, loop, &QAction::setChecked);
+    playback->addSeparator();
+    QMenu *speeds = playback->addMenu(tr("Spee&d"));
+    for (const double speed : kSpeeds) {
+        QAction *action = addSwitch(speeds, speedText(speed), speed == timeline->speed());
+        connect(action, &QAction::triggered, timeline, [timeline, speed] { timeline->setSpeed(speed); });
+        connect(timeline, &Timeline::speedChanged, action,
+                [action, speed](double now) { action->setChecked(now == speed); });
+    }
+    playback->addAction(tr("F&aster"), QKeySequence(Qt::SHIFT | Qt::Key_Right), timeline, &Timeline::faster);
+    playback->addAction(tr("Slo&wer"), QKeySequence(Qt::SHIFT | Qt::Key_Left), timeline, &Timeline::slower);
+    playback->addAction(tr("&Run and speed…"), QKeySequence(Qt::CTRL | Qt::Key_R), timeline, &Timeline::openRun);
 }
 
 void Menus::addHelp()

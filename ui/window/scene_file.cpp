@@ -7,6 +7,7 @@
 #include "ui/window/remembered.h"
 #include "ui/window/rooms.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -93,6 +94,11 @@ void SceneFile::askThen(const std::function<void()> &goOn)
 void SceneFile::open(const QString &path, const QString &reference)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (const QFileInfo file(absolute); file.exists() && !file.isFile() && !file.isDir()) {
+        emit problemFound(tr("%1 is a pipe or a device: save the scene in a file, and open that.")
+                              .arg(QDir::toNativeSeparators(absolute)));
+        return;
+    }
     std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit problemFound(*sentence);
@@ -150,7 +156,7 @@ void SceneFile::finishOpening(const QString &problem)
 
 void SceneFile::chooseAndOpen()
 {
-    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.json);;All files (*)"));
+    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.slidercrank *.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
@@ -170,9 +176,9 @@ void SceneFile::saveAs(const std::function<void()> &goOn)
 {
     const QFileInfo file(m_path);
     chooseFileToSave(m_window, {tr("Save scene"),
-                                {tr("Scenes (*.json)")},
+                                {tr("Scenes (*.slidercrank)"), tr("Scenes (*.json)")},
                                 m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
-                                m_path.isEmpty() ? QStringLiteral("scene.json") : file.fileName(),
+                                m_path.isEmpty() ? QStringLiteral("scene.slidercrank") : file.fileName(),
                                 [this, goOn](const QString &path, const QString &) {
                                     if (saveTo(path) && goOn) {
                                         goOn();

@@ -75,7 +75,7 @@ void StatusBar::showRun(const Result &result)
         }
         if (run.found() > 0) {
             parts << tr("iterations: %1").arg(iterationsText(run, result.solver.newton))
-                  << tr("residual %1").arg(QLocale().toString(run.largestResidual, 'g', 2));
+                  << tr("residual %1").arg(numberText(run.largestResidual, 2));
         }
     } else {
         parts << tr("closed form (exact)");

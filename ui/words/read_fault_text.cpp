@@ -60,6 +60,7 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::Pdf: return ReadFaultText::tr("The file is a PDF document, not a table: export the table as CSV.");
     case Kind::Markup:
         return ReadFaultText::tr("The file is HTML or XML, not a table of text: export the table as CSV.");
+    case Kind::Json: return ReadFaultText::tr("The file is JSON, not a table of text: export the table as CSV.");
     case Kind::NotText: return ReadFaultText::tr("the file holds bytes that are not text: export the table as CSV.");
     case Kind::LineTooLong:
         return ReadFaultText::tr("the line has more than a million characters: export the table as CSV, a row a line.");
@@ -78,6 +79,11 @@ QString sentenceOf(const ReadFault &fault)
             .arg(QString::fromUtf8(authorUnitOf(fault.channel)));
     case Kind::UnknownTimeUnit:
         return ReadFaultText::tr("the unit of the time is not known: write [s] or [ms], or none for seconds.");
+    case Kind::NoSuchColumn:
+        return ReadFaultText::tr("there is no column \"%1\".").arg(QString::fromUtf8(fault.heading));
+    case Kind::SeveralColumns:
+        return ReadFaultText::tr("several columns are called \"%1\": give the number of the one, as in #3.")
+            .arg(QString::fromUtf8(fault.heading));
     case Kind::ChannelTwice: return ReadFaultText::tr("there is a column of that name already: keep one of the two.");
     case Kind::TimeTwice: return ReadFaultText::tr("there is a time column already: keep one of the two.");
     case Kind::ChannelChosenTwice:

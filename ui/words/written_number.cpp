@@ -9,13 +9,14 @@ namespace slidercrank
 namespace
 {
 
-/// "1e-08" is how machines write 1e-8.
+/// "1e-08" is how machines write 1e-8, and "1E-8" how some locales do.
 QString withShortExponent(QString number)
 {
     const qsizetype e = number.indexOf(QLatin1Char('e'), 0, Qt::CaseInsensitive);
     if (e < 0) {
         return number;
     }
+    number[e] = QLatin1Char('e');
     qsizetype digits = e + 1;
     if (digits < number.size() && !number[digits].isDigit()) {
         if (number[digits] == QLatin1Char('+')) {

@@ -408,6 +408,49 @@ private slots:
         QCOMPARE(session.undoStack().redoText(), QStringLiteral("change of b"));
     }
 
+    /// The panels had the scene's million steps, the plots what was there before it.
+    void cancelOfWhatASceneAsksForShowsItInLess()
+    {
+        Session session;
+        Choices opened{session.parameters(), session.sampling(), session.solver(), nullptr};
+        opened.parameters.b = 80.0;
+        opened.solver.method = Method::Newton;
+        opened.sampling.steps = 1000000;
+        session.open(opened, 0.0, std::nullopt);
+        QSignalSpy problems(&session, &Session::problemFound);
+        session.cancel();
+        QCOMPARE(problems.count(), 1);
+        QCOMPARE(session.parameters(), opened.parameters);
+        QCOMPARE(session.result()->mechanism.parameters(), opened.parameters);
+        QCOMPARE(session.result()->solver, session.solver());
+        QCOMPARE(session.result()->sampling, session.sampling());
+        QVERIFY(!session.undoStack().isClean());
+        session.undoStack().undo();
+        QCOMPARE(session.solver(), opened.solver);
+        AWAIT_COMPARE(session.result()->solver, opened.solver);
+        QCOMPARE(session.result()->sampling, opened.sampling);
+    }
+
+    void cancelOfAScenesLargeFileLeavesTheFileOut()
+    {
+        Session session;
+        auto large = std::make_shared<Reference>();
+        for (int i = 0; i < 1000000; ++i) {
+            large->data.time.push_back(i * 1e-6);
+        }
+        large->data.series = {{{R4x, Order::Position}, std::vector<double>(large->data.time.size(), 80.0), {}}};
+        session.undoStack().clear();
+        session.setReference(large);
+        session.undoStack().clear(); // as if it had come with a scene
+        session.cancel();
+        QCOMPARE(session.reference(), nullptr);
+        QCOMPARE(session.result()->reference, nullptr);
+        session.undoStack().undo();
+        QCOMPARE(session.reference(), large);
+        session.cancel();
+        QCOMPARE(session.reference(), session.result()->reference);
+    }
+
     void aStepKeepsItsNameInAnotherLanguage()
     {
         Session session;

@@ -42,6 +42,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
 using namespace slidercrank;
 
 namespace
@@ -541,6 +545,19 @@ private slots:
         QVERIFY(!bar->isVisible());
     }
 
+    /// Nobody writes into the pipe, and nobody waits for that.
+    void aSceneThatIsNoFileIsToldAndNotWaitedFor()
+    {
+#ifdef Q_OS_UNIX
+        QTemporaryDir folder;
+        const QString pipe = folder.filePath(QStringLiteral("pipe.json"));
+        QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        drop(*m_window, pipe);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT(bar->isVisible() && bar->text().contains(QLatin1String("pipe.json")));
+#endif
+    }
+
     void showsTheImpossibleAndRecovers()
     {
         // Once there and back first: the view may have become a larger one on the way.
@@ -749,7 +766,7 @@ private slots:
     void savesASceneAndOpensItAgain()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("rig.json"));
+        const QString path = folder.filePath(QStringLiteral("rig.slidercrank"));
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
         m_window->openReference(kSample);
         QVERIFY(loaded.wait(kPatience));
@@ -772,7 +789,7 @@ private slots:
         QVERIFY(m_window->isWindowModified());
         QVERIFY(m_window->scene().saveTo(path));
         QVERIFY(!m_window->isWindowModified());
-        QVERIFY(m_window->windowTitle().startsWith(QLatin1String("rig.json[*]")));
+        QVERIFY(m_window->windowTitle().startsWith(QLatin1String("rig.slidercrank[*]")));
         const Trajectory before = m_window->session().result()->trajectory;
         const QImage picture = pictureOf(*m_window, QStringLiteral("plot_R4_x_diff"));
 
@@ -876,7 +893,7 @@ private slots:
         dialog->setDirectory(folder.path());
         dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(QStringLiteral("rig"));
         QMetaObject::invokeMethod(dialog, "accept");
-        AWAIT_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.json")));
+        AWAIT_COMPARE(m_window->scene().path(), folder.filePath(QStringLiteral("rig.slidercrank")));
         QVERIFY(!m_window->isWindowModified());
     }
 

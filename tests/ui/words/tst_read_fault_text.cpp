@@ -39,6 +39,9 @@ const std::vector<Said> &allFaults()
          "the unit is not known or does not suit the quantity: write for example [mm/s²], m, cm or in in its place, or "
          "none."},
         {{Kind::UnknownTimeUnit}, "the unit of the time is not known: write [s] or [ms], or none for seconds."},
+        {{.kind = Kind::NoSuchColumn, .heading = "x"}, "there is no column \"x\"."},
+        {{.kind = Kind::SeveralColumns, .heading = "x"},
+         "several columns are called \"x\": give the number of the one, as in #3."},
         {{Kind::ChannelTwice}, "there is a column of that name already: keep one of the two."},
         {{Kind::TimeTwice}, "there is a time column already: keep one of the two."},
         {{Kind::ChannelChosenTwice, {R4x, Order::Position}}, "two columns are chosen as R4_x: keep one of the two."},
