@@ -115,7 +115,7 @@ QString roleReason(const FileLayout &layout, std::size_t column)
         return ColumnText::tr("guessed: named as in Modelica, whose variables are in m, rad and s");
     case ColumnReason::AngleForTime:
         return ColumnText::tr("guessed: no column is the time, and this is the angle of the crank");
-    case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
+    case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name is not known");
     case ColumnReason::UnknownBody: return ColumnText::tr("ignored: its name does not tell what moves so");
     case ColumnReason::RowNumber: return ColumnText::tr("ignored: it counts the rows");
     case ColumnReason::Magnitude:
@@ -179,7 +179,7 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::NoName: return ColumnText::tr("no name");
     case ColumnReason::NoNumber: return ColumnText::tr("no number in it");
     case ColumnReason::UnknownUnit: return ColumnText::tr("unit not known");
-    case ColumnReason::LikeOther: return ColumnText::tr("as %1 could be").arg(other);
+    case ColumnReason::LikeOther: return ColumnText::tr("%1 could be it, too").arg(other);
     case ColumnReason::NotDerivative: return ColumnText::tr("not the derivative of %1").arg(other);
     case ColumnReason::AngleOrLength: return ColumnText::tr("angle or length?");
     }
@@ -213,9 +213,9 @@ QString formText(const FileLayout &layout)
         parts << ColumnText::tr("units in line %1").arg(layout.unitsLine);
     }
     if (layout.preambleLines.size() == 1) {
-        parts << ColumnText::tr("line %1 above them passed over").arg(layout.preambleLines[0]);
+        parts << ColumnText::tr("line %1 above them skipped").arg(layout.preambleLines[0]);
     } else if (!layout.preambleLines.empty()) {
-        parts << ColumnText::tr("%1 lines above them passed over").arg(layout.preambleLines.size());
+        parts << ColumnText::tr("%1 lines above them skipped").arg(layout.preambleLines.size());
     }
     return parts.join(ColumnText::tr(", "));
 }

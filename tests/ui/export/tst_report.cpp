@@ -213,7 +213,7 @@ private slots:
         QVERIFY(text.contains("read with the conventions named above"));
         content.diagnosis.isOfMechanismAtHand = true; // by itself that is all there is to say
         text = allText(reportOf(content));
-        QVERIFY(text.contains("Read so, it does not differ") && !text.contains("This error looks like"));
+        QVERIFY(text.contains("Read this way, it does not differ") && !text.contains("This error looks like"));
 
         content.diagnosis.conventions.clear();
         content.diagnosis.isOfMechanismAtHand = false;
@@ -223,8 +223,8 @@ private slots:
 
         content.diagnosis.identification.outcome = Identification::Outcome::Nearest;
         text = allText(reportOf(content));
-        QVERIFY2(text.contains("Nothing found explains this file") && !text.contains("its own mechanism") &&
-                     !text.contains("the file's own"),
+        QVERIFY2(text.contains("No mechanism was found that explains this file") &&
+                     !text.contains("its own mechanism") && !text.contains("the file's own"),
                  qPrintable(text));
     }
 

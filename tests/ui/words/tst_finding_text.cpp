@@ -141,7 +141,8 @@ private slots:
         QVERIFY(summaryOf(std::vector{close, close}).startsWith("Comes close to this mechanism in every channel"));
         ChannelComparison rounded = close;
         rounded.clockIsRounded = true;
-        QVERIFY(summaryOf(std::vector{rounded, rounded}).contains("if the file's instants, evenly spaced"));
+        QVERIFY(summaryOf(std::vector{rounded, rounded})
+                    .contains("provided that the file's instants, though evenly spaced"));
         ChannelComparison coarse = agrees; // whole millimetres: far off, and yet within its rounding
         coarse.channel = kSlider;
         coarse.percentOfPeak = 50.0;
