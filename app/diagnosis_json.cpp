@@ -91,6 +91,7 @@ QString roleOf(const FileColumn &column)
     switch (column.role) {
     case ColumnRole::Ignored: return {};
     case ColumnRole::Time: return QStringLiteral("time");
+    case ColumnRole::CrankAngle: return QStringLiteral("crank-angle");
     case ColumnRole::Channel: return columnNameOf(column.channel);
     }
     return {};

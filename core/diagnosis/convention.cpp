@@ -3,6 +3,7 @@
 
 #include "core/diagnosis/explanation.h"
 #include "core/diagnosis/unit_and_sense.h"
+#include "core/reading/crank_angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +28,7 @@ void multiply(ReferenceSeries &series, double factor)
 /// A column that is to be shifted keeps its decimals, but not its significant digits.
 void keepDecimals(ReferenceSeries &series)
 {
-    Rounding &rounding = series.rounding;
-    if (rounding.rule == Rounding::Rule::SignificantDigits) {
-        const double step = rounding.stepAt(rangeOf(series.values).size()) / rounding.unitFactor;
-        rounding.rule = Rounding::Rule::Decimals;
-        rounding.digits = -static_cast<int>(std::lround(std::log10(step)));
-    }
+    series.rounding = series.rounding.withDecimalsAt(rangeOf(series.values).size());
 }
 
 void shift(ReferenceSeries &series, double amount)
@@ -51,6 +47,26 @@ void turn(ReferenceSeries &series)
         multiply(series, -1.0);
     } else {
         series.channel.coordinate = R4x;
+    }
+}
+
+/// What a file counts by is θ2, too: the instants follow.
+void applyToAngles(const Convention &convention, ReferenceData &data)
+{
+    CrankAngles &crank = *data.crank;
+    for (double &angle : crank.degrees) {
+        angle = convention.kind == Kind::ZeroPoint ? angle + convention.amount : angle * convention.amount;
+    }
+    if (convention.kind == Kind::ZeroPoint) {
+        crank.rounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
+    } else {
+        crank.rounding.unitFactor *= std::abs(convention.amount);
+    }
+    Parameters drive;
+    drive.omega2 = crank.omega2;
+    drive.theta20 = crank.theta20;
+    if (std::optional<ReferenceData> timed = timedBy(Mechanism(drive), data)) {
+        data = *std::move(timed);
     }
 }
 
@@ -80,6 +96,10 @@ std::optional<Convention> axisAlongY(const ReferenceData &data)
 
 ReferenceData applied(const Convention &convention, ReferenceData data)
 {
+    if (data.crank && concerns(convention, {Theta2, Order::Position})) {
+        applyToAngles(convention, data);
+        return data;
+    }
     for (ReferenceSeries &series : data.series) {
         if (!concerns(convention, series.channel)) {
             continue;
@@ -107,6 +127,9 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
     }
     switch (convention.kind) {
     case Kind::TimeUnit:
+        if (data.crank) {
+            break; // its instants are of the model, not of the file
+        }
         for (double &instant : data.time) {
             instant *= convention.amount;
         }

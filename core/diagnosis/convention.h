@@ -42,6 +42,7 @@
 namespace slidercrank
 {
 
+/// In a file that counts by the crank's angle, AngleUnit, Sign and ZeroPoint of θ2 are of what it counts by.
 struct Convention {
     enum class Kind {
         AngleUnit,      ///< angles in another unit than the heading says (or the author's): multiplied by amount

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnosis/diagnosis.h"
 
+#include "core/diagnosis/by_crank_angle.h"
 #include "core/diagnosis/explanation.h"
 #include "core/diagnosis/hypotheses.h"
 #include "core/identification/crank_speed.h"
@@ -441,6 +442,9 @@ bool isOfSlider(const Diagnosis &diagnosis)
 /// The data as they stand.
 Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const std::stop_token &stop)
 {
+    if (data.crank) {
+        return diagnoseByCrankAngle(data, mechanism, stop);
+    }
     const Parameters &given = mechanism.parameters();
     Diagnosis result;
     Identification &found = result.identification;

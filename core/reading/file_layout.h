@@ -18,7 +18,12 @@ enum class TextEncoding { Utf8, Utf16LittleEndian, Utf16BigEndian, Windows1252 }
 
 enum class DecimalSign { Point, Comma };
 
-enum class ColumnRole { Ignored, Time, Channel };
+enum class ColumnRole {
+    Ignored,
+    Time,
+    CrankAngle, ///< counted by instead of the time, which follows from it
+    Channel
+};
 
 /// Why a column became what it is. `otherColumn` is FileColumn::otherColumn.
 enum class ColumnReason {
@@ -34,6 +39,7 @@ enum class ColumnReason {
     EvenRate,          ///< an angle that grows at an even rate is the crank's
     RisingValues,      ///< no column is named as the time; this is the first that only rises
     ModelicaName,      ///< named as Modelica names it, and so taken to be in m, rad and s
+    AngleForTime,      ///< no column is the time; this is the crank's angle, which goes one way throughout
 
     // Ignored.
     UnknownName,   ///< the name means no channel
@@ -52,7 +58,7 @@ enum class ColumnReason {
 
 constexpr bool isGuess(ColumnReason reason)
 {
-    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::ModelicaName;
+    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::AngleForTime;
 }
 
 /// Whether the column may well be a channel: which, only a person can say.

@@ -107,12 +107,14 @@ namespace
 // What an entry of the combo of meanings stands for: the index of a channel, or
 constexpr int kIgnored = -2;
 constexpr int kTime = -1;
+constexpr int kCrankAngle = -3;
 
 int meaningOf(ColumnRole role, Channel channel)
 {
     switch (role) {
     case ColumnRole::Ignored: return kIgnored;
     case ColumnRole::Time: return kTime;
+    case ColumnRole::CrankAngle: return kCrankAngle;
     case ColumnRole::Channel: return static_cast<int>(indexOf(channel));
     }
     return kIgnored;
@@ -148,6 +150,7 @@ void fillMeanings(QComboBox &combo)
 {
     combo.addItem(ColumnMapping::tr("ignored"), kIgnored);
     combo.addItem(ColumnMapping::tr("time"), kTime);
+    combo.addItem(ColumnMapping::tr("crank angle"), kCrankAngle);
     struct Group {
         QString title;
         std::vector<Coordinate> coordinates;
@@ -180,7 +183,8 @@ void fillUnits(QComboBox &combo, int meaning, const FileColumn &column)
     QStringList units{QStringLiteral("s"), QStringLiteral("ms")};
     QString author = QStringLiteral("s");
     if (meaning != kTime) {
-        const Channel channel = channelAt(static_cast<std::size_t>(meaning));
+        const Channel channel =
+            meaning == kCrankAngle ? Channel{Theta2, Order::Position} : channelAt(static_cast<std::size_t>(meaning));
         author = unitOf(channel);
         units = isAngle(channel.coordinate) ? QStringList{QStringLiteral("°"), QStringLiteral("rad")}
                                             : QStringList{QStringLiteral("mm"), QStringLiteral("cm"),
@@ -338,6 +342,8 @@ std::vector<ColumnChoice> ColumnMapping::choices() const
         const int meaning = row.meaning->currentData().toInt();
         if (meaning == kTime) {
             choice.role = ColumnRole::Time;
+        } else if (meaning == kCrankAngle) {
+            choice.role = ColumnRole::CrankAngle;
         } else if (meaning != kIgnored) {
             choice.role = ColumnRole::Channel;
             choice.channel = channelAt(static_cast<std::size_t>(meaning));
@@ -417,11 +423,14 @@ void ColumnMapping::showPreview()
     const ReferenceData &read = std::get<ReferenceData>(m_outcome);
     const FileColumn &column = m_layout.columns[m_current];
     const QString heading = headingText(m_layout, m_current);
-    const QString span = tr("t = %1 … %2 s").arg(numberText(read.time.front()), numberText(read.time.back()));
+    const QString span = abscissaText(read);
     const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
     if (column.role == ColumnRole::Time) {
         m_caption->setText(tr("%1: %2").arg(heading, span));
         m_preview->setCurve(read.time, read.time);
+    } else if (column.role == ColumnRole::CrankAngle) {
+        m_caption->setText(tr("%1: %2").arg(heading, span));
+        m_preview->setCurve(read.time, read.crank->degrees);
     } else if (series) {
         double low = INFINITY;
         double high = -INFINITY;

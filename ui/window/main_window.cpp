@@ -299,6 +299,7 @@ QWidget *MainWindow::makeReferencePanel()
     connect(panel, &ReferencePanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(panel, &ReferencePanel::openSampleRequested, this, &MainWindow::openSample);
     connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->path); });
+    connect(panel, &ReferencePanel::abscissaRequested, m_session, &Session::readAbscissaAs);
     connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
     connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
     connect(panel, &ReferencePanel::takeOverRequested, m_session, &Session::takeOver);

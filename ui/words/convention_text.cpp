@@ -130,8 +130,8 @@ QString zeroPointExplanation(const Convention &convention, const ReferenceData &
     const QString column = columnNameOf(channel);
     const bool fromStart = beginsAtZero(data, channel);
     if (isAngle(channel.coordinate)) {
-        return (fromStart ? ConventionText::tr("%1: counted from where it began; %2 is %1%3.")
-                          : ConventionText::tr("%1: counted from another direction; %2 is %1%3."))
+        return (fromStart ? ConventionText::tr("%1: measured from where it began; %2 is %1%3.")
+                          : ConventionText::tr("%1: measured from another direction; %2 is %1%3."))
             .arg(column, symbolOf(channel), angleAdded(convention.amount));
     }
     // What is missing from the column lies between O2 and its zero.
@@ -140,8 +140,8 @@ QString zeroPointExplanation(const Convention &convention, const ReferenceData &
                                                              : ConventionText::tr("%1 to the left of O₂")
                           : convention.amount > 0.0 ? ConventionText::tr("%1 above O₂")
                                                     : ConventionText::tr("%1 below O₂");
-    return (fromStart ? ConventionText::tr("%1: counted from where it began, %2.")
-                      : ConventionText::tr("%1: counted from another origin, %2."))
+    return (fromStart ? ConventionText::tr("%1: measured from where it began, %2.")
+                      : ConventionText::tr("%1: measured from another origin, %2."))
         .arg(column, where.arg(amountText(convention)));
 }
 
@@ -193,7 +193,7 @@ QString actionOf(const Convention &convention)
                                         : ConventionText::tr("Adds %1 to %2"))
             .arg(amountText(convention), columns);
     case Convention::Kind::SwappedColumns: return ConventionText::tr("Exchanges %1").arg(columns);
-    case Convention::Kind::Branch: return ConventionText::tr("Takes the other assembly for the model");
+    case Convention::Kind::Branch: return ConventionText::tr("Sets the model to the other assembly");
     case Convention::Kind::TimeShift:
         return ConventionText::tr("Adds %1 s to the instants").arg(numberText(convention.amount));
     case Convention::Kind::NotDerivative: return ConventionText::tr("Leaves %1 out").arg(columns);
@@ -235,7 +235,7 @@ QString explanationOf(const Convention &convention, const ReferenceData &data)
                                         [](Channel channel) { return isAngle(channel.coordinate); });
         const bool lengths = std::none_of(convention.channels.begin(), convention.channels.end(),
                                           [](Channel channel) { return isAngle(channel.coordinate); });
-        return angles    ? ConventionText::tr("%1: counted clockwise, against the sense of the model.").arg(columns)
+        return angles    ? ConventionText::tr("%1: measured clockwise, against the sense of the model.").arg(columns)
                : lengths ? ConventionText::tr("%1: along an axis that points the other way.").arg(columns)
                          : ConventionText::tr("%1: of the opposite sign.").arg(columns);
     }
@@ -247,10 +247,9 @@ QString explanationOf(const Convention &convention, const ReferenceData &data)
                                         : ConventionText::tr("%1: off by whole turns; θ³ is %1%2.")
                                               .arg(columns, angleAdded(convention.amount));
     case Convention::Kind::ZeroPoint: return zeroPointExplanation(convention, data);
-    case Convention::Kind::SwappedColumns:
-        return ConventionText::tr("%1: each stands under the other's name.").arg(columns);
+    case Convention::Kind::SwappedColumns: return ConventionText::tr("%1: each has the other's name.").arg(columns);
     case Convention::Kind::Branch:
-        return ConventionText::tr("The file moves as the other assembly: the slider on the other side of A.");
+        return ConventionText::tr("The file is of the other assembly: its slider is on the other side of A.");
     case Convention::Kind::TimeShift:
         return (convention.amount < 0.0
                     ? ConventionText::tr("The file's clock is %1 s ahead: what it has at t happens that much earlier.")

@@ -52,20 +52,20 @@ const std::vector<Said> &allFaults()
          "no column beside the time has a known name: name them as in theta3, theta3_diff, theta3_diff2, R4_x, "
          "R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "P[1]", .column = ColumnReason::AngleOrLength},
-         "no column beside the time can be told for certain (P[1]: neither its unit nor its values tell an angle from "
-         "a length): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
+         "the columns beside the time are unknown (P[1]: neither its unit nor its values tell an angle from a "
+         "length): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::LikeOther},
-         "no column beside the time can be told for certain (x: another column could be the same quantity): name them "
+         "the columns beside the time are unknown (x: another column could be the same quantity): name them "
          "as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "J1_x", .column = ColumnReason::UnknownBody},
          "no column beside the time can be told for certain (J1_x: its name does not say of which part): name them as "
          "in "
          "theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownUnit},
-         "no column beside the time can be told for certain (x: its unit is not known or does not suit the quantity): "
+         "the columns beside the time are unknown (x: its unit is not known or does not suit the quantity): "
          "name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::NotDerivative},
-         "no column beside the time can be told for certain (x: its values are not the derivative that its name says): "
+         "the columns beside the time are unknown (x: its values are not the derivative that its name says): "
          "name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{Kind::NoNumbers}, "there are no numbers below the names of the columns."},
         {{.kind = Kind::NoRow, .row = RowFault::TooManyCells},
@@ -74,6 +74,8 @@ const std::vector<Said> &allFaults()
         {{Kind::NoValues}, "no column beside the time holds a number."},
         {{Kind::TimeNotRising},
          "the time does not increase from the row before: sort the rows by time and keep one of each instant."},
+        {{.kind = Kind::AngleTurnsBack, .heading = "20°"},
+         "the crank's angle turns back behind 20°: sort the rows by it, one row for each angle."},
         {{Kind::LineTooLong}, "the line has more than a million characters: export the table as CSV, a row a line."},
         {{Kind::Stopped}, "Reading was stopped."},
         {{Kind::Unreadable}, "The file became shorter while it was read: open it again."},
