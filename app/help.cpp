@@ -130,7 +130,7 @@ constexpr OptionEntry kWindowOptions[] = {
 
 constexpr OptionEntry kEverywhereOptions[] = {
     {"help", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "this text")},
-    {"version", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "name and version of the program")},
+    {"version", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "name and version of the program, and what it is built of")},
 };
 
 constexpr const char *kMechanism = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Mechanism");

@@ -435,6 +435,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     if (const QString file = reader.file("reference"); !file.isEmpty()) {
         options.reference = ReferenceSource{file, {}, {}};
     }
+    options.kept = reader.scene().kept;
     options.columns = readColumns(reader);
     if (!options.columns.empty() && !options.reference) {
         reader.refuse(CommandLine::tr("--column is of a reference: give its file with --reference."));
@@ -618,7 +619,7 @@ Command parseCommandLine(const QStringList &arguments)
         return WrongCommandLine{*fault};
     }
     if (parser.isSet(QStringLiteral("version"))) {
-        return Answer{QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n")};
+        return Answer{QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n")};
     }
 
     OptionReader reader(parser);

@@ -110,4 +110,14 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     return pose;
 }
 
+ReferencePose referencePoseAt(const Mechanism &mechanism, double time)
+{
+    const Motion motion = ClosedForm(mechanism).motionAt(time);
+    return {.exists = motion.status == Status::Solved || motion.status == Status::Singular,
+            .pinX = mechanism.a() * motion.crank.cos,
+            .pinY = mechanism.a() * motion.crank.sin,
+            .sliderX = motion.R4x,
+            .sliderY = mechanism.c()};
+}
+
 } // namespace slidercrank

@@ -175,6 +175,7 @@ public:
     std::optional<ColumnFault> takeNames();
     void guessTime();
     void guessCrankAngle();
+    void settlePairs();
     void guessChannels();
 
     std::vector<ColumnUse> take() { return std::move(m_uses); }
@@ -238,6 +239,13 @@ private:
     void ignore(std::size_t i, ColumnReason reason, std::optional<std::size_t> other = std::nullopt)
     {
         m_uses[i] = ColumnUse{ColumnRole::Ignored, {}, reason, other, 1.0};
+    }
+
+    /// Whether the columns hold the same numbers.
+    bool areEqual(std::size_t i, std::size_t j)
+    {
+        const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+        return i < samples().size() && j < samples().size() && std::ranges::equal(samples()[i], samples()[j], same);
     }
 
     std::optional<ColumnFault> nameTime(std::size_t i);
@@ -328,7 +336,8 @@ std::optional<ColumnFault> Assignment::nameChannel(std::size_t i, Channel channe
     }
     for (std::size_t j = 0; j < m_uses.size() && !fileName; ++j) { // words are not names: which of two, nobody knows
         const NameMeaning &other = m_meanings[j];
-        if (j != i && other.kind == NameMeaning::Kind::Channel && !other.fileName && other.channel == channel) {
+        if (j != i && other.kind == NameMeaning::Kind::Channel && !other.fileName && other.channel == channel &&
+            !(m_headings[i].unit == m_headings[j].unit && areEqual(i, j))) {
             ignore(i, ColumnReason::LikeOther, j);
             return std::nullopt;
         }
@@ -341,7 +350,8 @@ std::optional<ColumnFault> Assignment::nameChannel(std::size_t i, Channel channe
         ignore(i, ColumnReason::UnknownUnit);
         return std::nullopt;
     }
-    m_uses[i] = ColumnUse{ColumnRole::Channel, channel, ColumnReason::KnownName, std::nullopt, *factor};
+    const ColumnReason reason = m_headings[i].unitOfModelica ? ColumnReason::ModelicaName : ColumnReason::KnownName;
+    m_uses[i] = ColumnUse{ColumnRole::Channel, channel, reason, std::nullopt, *factor};
     return std::nullopt;
 }
 
@@ -360,6 +370,8 @@ std::optional<ColumnFault> Assignment::takeNames()
                 fault = nameChannel(i, meaning.channel);
             } else if (fileNames && m_headings[i].printed.empty()) {
                 ignore(i, ColumnReason::NoName);
+            } else if (fileNames && meaning.kind == NameMeaning::Kind::RowNumber) {
+                ignore(i, ColumnReason::RowNumber);
             }
             if (fault) {
                 return fault;
@@ -398,13 +410,35 @@ void Assignment::guessCrankAngle()
     }
 }
 
+/// Values that stand over other instants than the time's are of no use, instants that are the same of none either.
+void Assignment::settlePairs()
+{
+    const std::optional<std::size_t> time = columnAs(ColumnRole::Time);
+    for (std::size_t i = 0; i < m_uses.size(); ++i) {
+        const Heading &heading = m_headings[i];
+        if (!time || i == *time || m_uses[i].reason == ColumnReason::Chosen) {
+            continue;
+        }
+        if (heading.part == Heading::Part::Magnitude) {
+            ignore(i, ColumnReason::Magnitude, heading.other);
+        } else if (heading.part == Heading::Part::Abscissa) {
+            ignore(i, areEqual(i, *time) ? ColumnReason::SameInstants : ColumnReason::OtherInstants, time);
+        } else if (heading.part == Heading::Part::Ordinate && *heading.other != *time &&
+                   !areEqual(*heading.other, *time)) {
+            ignore(i, ColumnReason::OtherInstants, time);
+        }
+    }
+}
+
 /// The columns whose names say a quantity, with the unit's word on it.
 std::vector<Assignment::Candidate> Assignment::candidates()
 {
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < m_uses.size(); ++i) {
         const NameMeaning &meaning = m_meanings[i];
-        if (!isOpen(i) || meaning.kind != NameMeaning::Kind::Quantity || !meaning.order) {
+        const bool isSettled =
+            m_uses[i].reason == ColumnReason::Magnitude || m_uses[i].reason == ColumnReason::OtherInstants;
+        if (!isOpen(i) || isSettled || meaning.kind != NameMeaning::Kind::Quantity || !meaning.order) {
             continue;
         }
         if (i < samples().size() &&
@@ -427,7 +461,9 @@ std::vector<Assignment::Candidate> Assignment::candidates()
                 continue;
             }
             candidate.dimension = unit->dimension;
-            candidate.reason = grapher ? ColumnReason::LetterAndUnit : ColumnReason::QuantityInName;
+            candidate.reason = m_headings[i].unitOfModelica     ? ColumnReason::ModelicaName
+                               : grapher && !meaning.isModelica ? ColumnReason::LetterAndUnit
+                                                                : ColumnReason::QuantityInName;
         } else if (!grapher && !candidate.dimension) {
             candidate.dimension = Dimension::Length; // "velocity" alone is no angular velocity
         }
@@ -548,13 +584,23 @@ void Assignment::give(const std::vector<Candidate> &all, Channel channel)
         const std::optional<std::size_t> base = columnAs(ColumnRole::Channel, {channel.coordinate, before});
         const bool isByTime = columnAs(ColumnRole::Time).has_value(); // by angle, nobody knows per how many seconds
         std::erase_if(left, [&](const Candidate *candidate) {
-            const bool wrong = base && isByTime && !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
-                                                     scaledSamples(candidate->column, factorIn(candidate->column)));
+            const bool wrong = base && isByTime &&
+                               !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
+                                             scaledSamples(candidate->column, factorIn(candidate->column)));
             if (wrong) {
                 ignore(candidate->column, ColumnReason::NotDerivative, base);
             }
             return wrong;
         });
+    }
+    if (std::ranges::all_of(left, [&](const Candidate *candidate) {
+            const std::size_t first = left.front()->column;
+            return m_headings[candidate->column].unit == m_headings[first].unit && areEqual(candidate->column, first);
+        })) {
+        while (left.size() > 1) {
+            ignore(left.back()->column, ColumnReason::LikeOther, left.front()->column);
+            left.pop_back();
+        }
     }
     if (left.size() == 1) {
         const Candidate &found = *left.front();
@@ -599,6 +645,7 @@ std::variant<std::vector<ColumnUse>, ColumnFault> assignColumns(std::span<const 
     }
     assignment.guessTime();
     assignment.guessCrankAngle();
+    assignment.settlePairs();
     assignment.guessChannels();
     return assignment.take();
 }

@@ -39,9 +39,14 @@ enum class ColumnReason {
     EvenRate,          ///< an angle that grows at an even rate is the crank's
     RisingValues,      ///< no column is named as the time; this is the first that only rises
     AngleForTime,      ///< no column is the time; this is the crank's angle, which goes one way throughout
+    ModelicaName,      ///< named as Modelica names it, and so taken to be in m, rad and s
 
     // Ignored.
     UnknownName,   ///< the name means no channel
+    RowNumber,     ///< it counts the rows
+    Magnitude,     ///< of a vector whose components are other columns, otherColumn the first
+    SameInstants,  ///< the instants of another column's values, the same as the time's
+    OtherInstants, ///< its values stand at other instants than the time's, which is otherColumn
     NoName,        ///< the heading is empty
     NoNumber,      ///< no cell holds a number
     UnknownUnit,   ///< the name suggests a channel, but the unit is none of that quantity
@@ -52,7 +57,7 @@ enum class ColumnReason {
 
 constexpr bool isGuess(ColumnReason reason)
 {
-    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::AngleForTime;
+    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::ModelicaName;
 }
 
 /// One column of the file, UTF-8 whatever the file's encoding.

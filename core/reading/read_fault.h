@@ -31,6 +31,7 @@ struct ReadFault {
         Spreadsheet, ///< or another archive
         Pdf,
         Markup, ///< HTML or XML
+        Json,
         NotText,
         LineTooLong,     ///< for any table
         UnitsContradict, ///< the line of units, and `heading`

@@ -9,10 +9,11 @@
 //
 // Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
 // (nameOf(), or words), in any order and case, each with its unit or none for the author's; perhaps a line of units.
-// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us.
-// Cells are separated by commas, semicolons or tabs and may be quoted; a cell never spans lines. Numbers hold a decimal
-// point or a decimal comma, the same throughout a file; separators of thousands are not read. An empty cell or "nan" is
-// a gap.
+// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us,
+// min. Cells are separated by commas, semicolons, tabs, or, where none of these does it, by runs of spaces; they may be
+// quoted; a cell never spans lines. The names may stand behind a comment's mark (#, %, //), a unit in every cell of a
+// column. Numbers hold a decimal point or a decimal comma, the same throughout a file; separators of thousands are not
+// read. An empty cell or "nan" is a gap.
 //
 // A name that leaves open which channel it is, is guessed at only where unit and values bear that out, and the guess is
 // marked in the layout; otherwise the column is left out.

@@ -25,10 +25,9 @@ ColumnSamples sampleRows(const Table &table, std::string_view rowText)
 {
     ColumnSamples samples(table.headings.size());
     for (CellScanner scanner(rowText, table.layout.delimiter, 1); !scanner.atEnd(); scanner.nextLine()) {
-        for (std::vector<double> &column : samples) {
-            const bool there = scanner.hasCell();
-            column.push_back(
-                readNumber(there ? scanner.cell().text : std::string_view(), table.layout.decimalSign).value);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const std::string_view text = scanner.hasCell() ? scanner.cell().text : std::string_view();
+            samples[i].push_back(readNumber(withoutUnit(text, table.cellUnits[i]), table.layout.decimalSign).value);
         }
     }
     // A row without a single number is none.
@@ -91,7 +90,8 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
         described.reason = use.reason;
         described.otherColumn = use.otherColumn;
         const bool isTime = use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle;
-        layout.columns.push_back({isTime ? ColumnRole::Time : use.role, layout.channels.size(), use.factor});
+        const ColumnRole role = isTime ? ColumnRole::Time : use.role;
+        layout.columns.push_back({role, layout.channels.size(), use.factor, table.cellUnits[i]});
         if (isTime) {
             hasTime = true;
             layout.timeColumn = i;
@@ -125,6 +125,13 @@ std::optional<ReadError> findForeignFormat(std::string_view bytes)
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (first != bytes.npos && bytes[first] == '<') {
         return ReadError{0, 0, {}, {Fault::Markup}};
+    }
+    // "{"name": …", "[{…", "[[…"; "[s]" may be a unit.
+    const std::size_t second = bytes.find_first_not_of(" \t\r\n", first + 1);
+    if (first != bytes.npos && second != bytes.npos &&
+        (bytes[first] == '{' ? bytes[second] == '"'
+                             : bytes[first] == '[' && (bytes[second] == '{' || bytes[second] == '['))) {
+        return ReadError{0, 0, {}, {Fault::Json}};
     }
     return std::nullopt;
 }

@@ -72,7 +72,7 @@ std::optional<BadCell> readRow(CellScanner &scanner, const TableLayout &layout, 
         if (!cell.wellFormed) {
             number.fault = RowFault::OpenQuotation;
         } else if (column.role != ColumnRole::Ignored) {
-            number = readNumber(cell.text, layout.table.layout.decimalSign);
+            number = readNumber(withoutUnit(cell.text, column.unit), layout.table.layout.decimalSign);
         } else if (!named && !cell.text.empty()) {
             number.fault = RowFault::TooManyCells;
         }

@@ -366,6 +366,46 @@
         <source>t = %1 … %2 s</source>
         <translation>t = %1 … %2 s</translation>
     </message>
+    <message>
+        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
+        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
+    </message>
+    <message>
+        <source>ignored: it counts the rows</source>
+        <translation>sin usar: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: it belongs to other instants than those of “%1”</source>
+        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: the same instants as “%1”</source>
+        <translation>sin usar: los mismos instantes que “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
+        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
+    </message>
+    <message>
+        <source>guessed: named as in Modelica</source>
+        <translation>deducido: nombre de Modelica</translation>
+    </message>
+    <message>
+        <source>other instants</source>
+        <translation>otros instantes</translation>
+    </message>
+    <message>
+        <source>same instants as %1</source>
+        <translation>mismos instantes que %1</translation>
+    </message>
+    <message>
+        <source>magnitude of %1 …</source>
+        <translation>módulo de %1 …</translation>
+    </message>
+    <message>
+        <source>counts the rows</source>
+        <translation>numera las filas</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
@@ -572,10 +612,6 @@
     <message>
         <source>this text</source>
         <translation>este texto</translation>
-    </message>
-    <message>
-        <source>name and version of the program</source>
-        <translation>nombre y versión del programa</translation>
     </message>
     <message>
         <source>Mechanism</source>
@@ -880,24 +916,12 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>error</translation>
     </message>
     <message>
-        <source>bound κu</source>
-        <translation>cota κu</translation>
-    </message>
-    <message>
         <source>outcome</source>
         <translation>resultado</translation>
     </message>
     <message>
         <source>, %1 of them silently wrong</source>
         <translation>, %1 de ellos erróneos sin aviso</translation>
-    </message>
-    <message>
-        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
-instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 s.
-</source>
-        <translation>Los errores son los del peor de los seis canales graficados, relativos al pico del canal, frente a 50 a 100 cifras, en
-los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1. Máquina: %2. Hecho en %3 s.
-</translation>
     </message>
     <message>
         <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
@@ -1226,6 +1250,24 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
     <message>
         <source>at θ2 [°]</source>
         <translation>en θ2 [°]</translation>
+    </message>
+    <message>
+        <source>name and version of the program, and what it is built of</source>
+        <translation>nombre y versión del programa, y con qué está compilado</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
+instants that a method calls solved. Rounding: what rounding the given numbers may cost by itself.
+Silently wrong instants: %1. Machine: %2. Done in %3 s.
+</source>
+        <translation>El error es el mayor de los seis canales representados, relativo al pico del canal, frente a un cálculo de 50 a
+100 cifras, en los instantes que el método da por resueltos. Redondeo: lo que puede costar por sí solo redondear
+los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
+</translation>
     </message>
 </context>
 <context>
@@ -1660,6 +1702,14 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <source>change of the method</source>
         <translation>cambio del método</translation>
     </message>
+    <message>
+        <source>forgetting the kept motions</source>
+        <translation>olvido de los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>keeping the motion</source>
+        <translation>conservación del movimiento</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EmptyPage</name>
@@ -1875,6 +1925,50 @@ differs: anything else, and what lies beyond the rounding by 1 % of half the mot
         <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
 próximo: ninguno más allá de cien veces
 difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
+    </message>
+    <message>
+        <source>Without bounds where one of the two ends its stroke</source>
+        <translation>Sin límite donde uno de los dos acaba su carrera</translation>
+    </message>
+    <message>
+        <source>Click to go to the instant of the largest difference</source>
+        <translation>Clic para ir al instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>Differences from the kept motion, a row a channel</source>
+        <translation>Diferencias con el movimiento conservado, una fila por canal</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>max |this − kept|, in the channel&apos;s unit</source>
+        <translation>máx |este − conservado|, en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>Instant of the largest difference</source>
+        <translation>Instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>√( mean of (this − kept)² ), in the channel&apos;s unit</source>
+        <translation>√( media de (este − conservado)² ), en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>max |this − kept| / max |kept| · 100</source>
+        <translation>máx |este − conservado| / máx |conservado| · 100</translation>
+    </message>
+    <message>
+        <source>This mechanism is the one that was kept: change it to see what differs.</source>
+        <translation>Este mecanismo es el conservado: cámbielo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
+    <message>
+        <source>. Where one of the two cannot be assembled there is nothing to compare.</source>
+        <translation>. Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2286,74 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Comes close to this mechanism in every channel, if the file&apos;s instants, evenly spaced as they are, were rounded.</source>
         <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, aun a intervalos iguales, se redondearon.</translation>
     </message>
+    <message>
+        <source>ground</source>
+        <translation>bancada</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>%1 angle</source>
+        <translation>ángulo de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular velocity</source>
+        <translation>velocidad angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular acceleration</source>
+        <translation>aceleración angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>posición de la %1</translation>
+    </message>
+    <message>
+        <source>%1 velocity</source>
+        <translation>velocidad de la %1</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <translation>aceleración de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in x</source>
+        <translation>centro de la %1 en x</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in x</source>
+        <translation>velocidad en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in x</source>
+        <translation>aceleración en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in y</source>
+        <translation>centro de la %1 en y</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in y</source>
+        <translation>velocidad en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in y</source>
+        <translation>aceleración en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FoldingTabs</name>
@@ -2279,10 +2441,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Clic</translation>
     </message>
     <message>
-        <source>Read the values of all nine</source>
-        <translation>Leer los valores de las nueve</translation>
-    </message>
-    <message>
         <source>Point at a curve</source>
         <translation>Señalar una curva</translation>
     </message>
@@ -2307,16 +2465,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Desplazar lo ampliado</translation>
     </message>
     <message>
-        <source>Drag</source>
-        <translation>Arrastrar</translation>
-    </message>
-    <message>
         <source>Show the whole run</source>
         <translation>Mostrar todo el recorrido</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doble clic</translation>
     </message>
     <message>
         <source>Make a plot large, and small again</source>
@@ -2337,10 +2487,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Move a measuring cursor</source>
         <translation>Mover un cursor de medida</translation>
-    </message>
-    <message>
-        <source>Drag it, or A and B to bring it to the instant</source>
-        <translation>Arrastrarlo, o A y B para llevarlo al instante</translation>
     </message>
     <message>
         <source>Tables</source>
@@ -2514,6 +2660,30 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Take back what is being typed</source>
         <translation>Deshacer lo que se está escribiendo</translation>
     </message>
+    <message>
+        <source>Zoom into a part</source>
+        <translation>Ampliar una parte</translation>
+    </message>
+    <message>
+        <source>Drag a box around it; a flat one zooms the time alone, Escape cancels</source>
+        <translation>Arrastre un recuadro a su alrededor; uno plano amplía solo el tiempo, Escape cancela</translation>
+    </message>
+    <message>
+        <source>Shift and drag, or drag with the middle button</source>
+        <translation>Mayús y arrastrar, o arrastrar con el botón central</translation>
+    </message>
+    <message>
+        <source>Double click, or 0</source>
+        <translation>Doble clic, o 0</translation>
+    </message>
+    <message>
+        <source>Drag it, or 1 and 2 to bring it to the instant</source>
+        <translation>Arrástrelo, o 1 y 2 para llevarlo al instante</translation>
+    </message>
+    <message>
+        <source>Read the values of all plots</source>
+        <translation>Leer los valores de todas las gráficas</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::IterationPlot</name>
@@ -2620,6 +2790,38 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Peaks of speed and acceleration</source>
         <translation>Picos de velocidad y aceleración</translation>
     </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copiar como CSV</translation>
+    </message>
+    <message>
+        <source>Both tables with every digit (Ctrl+C in one of them: the rows that are chosen)</source>
+        <translation>Las dos tablas con todas las cifras (Ctrl+C en una de ellas: las filas elegidas)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Both tables as a CSV file</source>
+        <translation>Las dos tablas como archivo CSV</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>limits.csv</source>
+        <translation>limites.csv</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MainWindow</name>
@@ -2713,12 +2915,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>G₃</source>
         <translation>G₃</translation>
     </message>
+    <message>
+        <source>outer dead centre</source>
+        <translation>punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>inner dead centre</source>
+        <translation>punto muerto interior</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismLinkage</name>
     <message>
         <source>file</source>
         <translation>archivo</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
     </message>
 </context>
 <context>
@@ -2769,6 +2983,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up tell about its parts one after the other.</source>
         <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y las casillas de abajo cambian sus longitudes. Más, menos y 0 amplían y reducen, Control con las flechas mueve el dibujo, Av Pág y Re Pág hablan de sus piezas una tras otra.</translation>
+    </message>
+    <message>
+        <source>An&amp;gles θ₂ and θ³</source>
+        <translation>Án&amp;gulos θ₂ y θ³</translation>
+    </message>
+    <message>
+        <source>Instant &amp;centre of the coupler</source>
+        <translation>Centro &amp;instantáneo de la biela</translation>
     </message>
 </context>
 <context>
@@ -3009,10 +3231,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Mostrar los &amp;paneles de abajo</translation>
     </message>
     <message>
-        <source>Show the file&apos;s &amp;motion</source>
-        <translation>Mostrar el &amp;movimiento del archivo</translation>
-    </message>
-    <message>
         <source>Lan&amp;guage</source>
         <translation>&amp;Idioma</translation>
     </message>
@@ -3091,6 +3309,34 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Loop</source>
         <translation>&amp;Repetir</translation>
+    </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation>V&amp;elocidad</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>Más rápi&amp;do</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>&amp;Run and speed…</source>
+        <translation>Re&amp;corrido y velocidad…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>For&amp;get kept motions</source>
+        <translation>&amp;Olvidar los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s or the kept &amp;motion</source>
+        <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
     </message>
 </context>
 <context>
@@ -3659,10 +3905,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>● ‖C‖</translation>
     </message>
     <message>
-        <source>From afar: θ² exact, θ³ = 0 (crossed: 180°)</source>
-        <translation>Desde lejos: θ² exacto, θ³ = 0 (cruzada: 180°)</translation>
-    </message>
-    <message>
         <source>● θ³ [°]</source>
         <translation>● θ³ [°]</translation>
     </message>
@@ -3681,6 +3923,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>‖C‖</source>
         <translation>‖C‖</translation>
+    </message>
+    <message>
+        <source>From afar: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
+        <translation>Desde lejos: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
     </message>
 </context>
 <context>
@@ -3916,14 +4162,25 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>θ₃ de los libros = %1</translation>
     </message>
     <message>
-        <source>B − A = %1 s</source>
-        <comment>the time between the measuring cursors</comment>
-        <translation>B − A = %1 s</translation>
+        <source>difference</source>
+        <translation>diferencia</translation>
     </message>
     <message>
-        <source>A %1 s · B %2 s · %3</source>
-        <comment>instants of the measuring cursors, the time between them</comment>
-        <translation>A %1 s · B %2 s · %3</translation>
+        <source>difference of %1</source>
+        <translation>diferencia de %1</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>ninguna diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1: %2</source>
+        <translation>diferencia de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept motion, its value</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3967,10 +4224,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error of the accelerations over time</source>
         <translation>Error de las aceleraciones en el tiempo</translation>
-    </message>
-    <message>
-        <source>No reference data.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Open a reference…&lt;/a&gt;&lt;br&gt;or drop a CSV here.</source>
-        <translation>Sin datos de referencia.&lt;br&gt;&lt;a href=&quot;open&quot;&gt;Abra una referencia…&lt;/a&gt;&lt;br&gt;o suelte aquí un CSV.</translation>
     </message>
     <message>
         <source>Show all &amp;nine plots</source>
@@ -4019,6 +4272,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error &amp;in ° and mm</source>
         <translation>Error en ° &amp;y mm</translation>
+    </message>
+    <message>
+        <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
+        <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
     </message>
 </context>
 <context>
@@ -4186,6 +4447,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>the crank&apos;s angle turns back behind %1: sort the rows by it, one row for each angle.</source>
         <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
+    </message>
+    <message>
+        <source>The file is JSON, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
 </context>
 <context>
@@ -4560,6 +4825,60 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Iterations: %1; the largest residual is %2.</source>
         <translation>Iteraciones: %1; el residuo máximo es %2.</translation>
     </message>
+    <message>
+        <source>%1, by %2 %3</source>
+        <translation>%1, por %2 %3</translation>
+    </message>
+    <message>
+        <source>File: %1
+SHA-256: %2</source>
+        <translation>Archivo: %1
+SHA-256: %2</translation>
+    </message>
+    <message>
+        <source>the sample that comes with the program</source>
+        <translation>el ejemplo que viene con el programa</translation>
+    </message>
+    <message>
+        <source>unknown: the file cannot be read again, or was changed since</source>
+        <translation>desconocida: el archivo no se puede volver a leer o ha cambiado desde entonces</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>“%1” as %2 (%3)</source>
+        <translation>«%1» como %2 (%3)</translation>
+    </message>
+    <message>
+        <source>No column was guessed.</source>
+        <translation>No se ha deducido ninguna columna.</translation>
+    </message>
+    <message>
+        <source>Columns guessed: %1.</source>
+        <translation>Columnas deducidas: %1.</translation>
+    </message>
+    <message>
+        <source>Thin: the linkage that was kept.</source>
+        <translation>Fino: el mecanismo conservado.</translation>
+    </message>
+    <message>
+        <source>Thin curves: motions that were kept, %1.</source>
+        <translation>Curvas finas: movimientos conservados, %1.</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
+    <message>
+        <source>Reference: %1, %2, %3 angles.</source>
+        <translation>Referencia: %1, %2, %3 ángulos.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4721,6 +5040,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>&quot;time&quot;, &quot;crank-angle&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
         <translation>«time», «crank-angle», «ignored» o un canal como «theta3» o «R4_x_diff»</translation>
     </message>
+    <message>
+        <source>a list of at most %1 mechanisms</source>
+        <translation>una lista de %1 mecanismos como máximo</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
@@ -4748,6 +5071,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
         <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
     </message>
+    <message>
+        <source>This motion is kept already: change the mechanism to see what differs.</source>
+        <translation>Este movimiento ya está conservado: cambie el mecanismo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>%1 motions are kept already: forget them before you keep another one.</source>
+        <translation>Ya hay %1 movimientos conservados: olvídelos antes de conservar otro.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::SolverForm</name>
@@ -4766,22 +5097,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>How the curves are computed</source>
         <translation>Cómo se calculan las curvas</translation>
-    </message>
-    <message>
-        <source>Intervals; one instant more is computed</source>
-        <translation>Intervalos; se calcula un instante más</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source>From the first instant to the last</source>
-        <translation>Del primer instante al último</translation>
-    </message>
-    <message>
-        <source>The first instant</source>
-        <translation>El primer instante</translation>
     </message>
     <message>
         <source>Iterates until ‖C‖ is at most this; 0: until it no longer falls</source>
@@ -4818,18 +5133,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Most iterations</source>
         <translation>Máx. iteraciones</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Pasos</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
     </message>
     <message>
         <source>Iterations</source>
@@ -4954,10 +5257,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>tiempo por estado [ns]</translation>
     </message>
     <message>
-        <source>largest error / peak</source>
-        <translation>error máximo / pico</translation>
-    </message>
-    <message>
         <source>Newton dense (report)</source>
         <translation>Newton denso (informe)</translation>
     </message>
@@ -5010,12 +5309,52 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>ningún instante resuelto</translation>
     </message>
     <message>
-        <source>rounded input alone makes κ·u = %1</source>
-        <translation>los datos redondeados por sí solos causan κ·u = %1</translation>
+        <source>so many harmonics</source>
+        <translation>tantos armónicos</translation>
     </message>
     <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
+        <source>fastest for its error</source>
+        <translation>los mejores</translation>
+    </message>
+    <message>
+        <source>cost of rounded input</source>
+        <translation>redondear los datos</translation>
+    </message>
+    <message>
+        <source>error / peak</source>
+        <translation>error / pico</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson as in the report: 12 equations solved together (dense LU), started from the instant before</source>
+        <translation>Newton-Raphson como en el informe: 12 ecuaciones resueltas juntas (LU densa), a partir del instante anterior</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson on the same 12 equations, solved joint by joint</source>
+        <translation>Newton-Raphson con las mismas 12 ecuaciones, resueltas junta a junta</translation>
+    </message>
+    <message>
+        <source>The same, started from the position, velocity and acceleration of the instant before (Taylor series)</source>
+        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
+    </message>
+    <message>
+        <source>The exact formulas, instant by instant</source>
+        <translation>Las fórmulas exactas, instante a instante</translation>
+    </message>
+    <message>
+        <source>The exact formulas for several instants at once (vector instructions)</source>
+        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration as central differences of exact positions</source>
+        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
+    </message>
+    <message>
+        <source>The motion as a Fourier series with so many harmonics</source>
+        <translation>El movimiento como serie de Fourier con tantos armónicos</translation>
+    </message>
+    <message>
+        <source>rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
+        <translation>solo redondear a, b, c, ω₂, θ₂₀ y t al formato double puede costar %1</translation>
     </message>
 </context>
 <context>
@@ -5125,28 +5464,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>De Newton-Raphson: absoluta como en el informe para su propio procedimiento, relativa para los demás</translation>
     </message>
     <message>
-        <source>ns</source>
-        <translation>ns</translation>
-    </message>
-    <message>
-        <source>Time per state: median over interleaved rounds</source>
-        <translation>Tiempo por estado: mediana de rondas intercaladas</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>error</translation>
     </message>
     <message>
         <source>The worst of the six plotted channels, relative to the channel&apos;s peak, over solved instants</source>
         <translation>El peor de los seis canales graficados, relativo al pico del canal, en los instantes resueltos</translation>
-    </message>
-    <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
-    </message>
-    <message>
-        <source>The error that rounding the given numbers makes by itself</source>
-        <translation>El error que causa por sí solo redondear los datos</translation>
     </message>
     <message>
         <source>iterations</source>
@@ -5189,14 +5512,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation> (cancelado)</translation>
     </message>
     <message>
-        <source>. The mechanism has changed since: run again</source>
-        <translation>. El mecanismo ha cambiado desde entonces: mida de nuevo</translation>
-    </message>
-    <message>
-        <source>. Times of %1</source>
-        <translation>. Tiempos de %1</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet: run the study first.</source>
         <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
     </message>
@@ -5217,12 +5532,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>velocidad.csv</translation>
     </message>
     <message>
-        <source>⚠ %1</source>
-        <translation>⚠ %1</translation>
-    </message>
-    <message>
         <source>Tables (*.csv)</source>
         <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>time [ns]</source>
+        <translation>tiempo [ns]</translation>
+    </message>
+    <message>
+        <source>Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds</source>
+        <translation>Por estado, es decir, posición, velocidad y aceleración en un instante: mediana de varias rondas alternadas</translation>
+    </message>
+    <message>
+        <source>Times of %1</source>
+        <translation>Tiempos de %1</translation>
+    </message>
+    <message>
+        <source> The mechanism has changed since: run again.</source>
+        <translation> El mecanismo ha cambiado desde entonces: vuelva a medir.</translation>
     </message>
 </context>
 <context>
@@ -5330,6 +5657,62 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>other</source>
         <translation>otra</translation>
     </message>
+    <message>
+        <source>%1 times as fast as the report&apos;s way</source>
+        <translation>%1 veces más rápida que el método del informe</translation>
+    </message>
+    <message>
+        <source>as fast as the report&apos;s way</source>
+        <translation>tan rápida como el método del informe</translation>
+    </message>
+    <message>
+        <source>takes %1 times as long as the report&apos;s way</source>
+        <translation>tarda %1 veces lo que el método del informe</translation>
+    </message>
+    <message>
+        <source>, but it solves no instant here</source>
+        <translation>, pero aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source>, which solves no instant here</source>
+        <translation>, que aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source> and %1 times as exact here</source>
+        <translation> y aquí %1 veces más exacta</translation>
+    </message>
+    <message>
+        <source> and right to the last digit here</source>
+        <translation> y aquí exacta hasta la última cifra</translation>
+    </message>
+    <message>
+        <source> and as exact here</source>
+        <translation> e igual de exacta aquí</translation>
+    </message>
+    <message>
+        <source>, but its error is %1 times as large here</source>
+        <translation>, pero aquí su error es %1 veces el de este</translation>
+    </message>
+    <message>
+        <source>, which is right to the last digit here</source>
+        <translation>, que aquí es exacto hasta la última cifra</translation>
+    </message>
+    <message>
+        <source>Neither the closed form nor the report&apos;s way solves an instant here.</source>
+        <translation>Ni la forma cerrada ni el método del informe resuelven aquí ningún instante.</translation>
+    </message>
+    <message>
+        <source>Closed form: %1%2.</source>
+        <translation>Forma cerrada: %1%2.</translation>
+    </message>
+    <message>
+        <source>It solves %1 of %2 instants, the report&apos;s way %3.</source>
+        <translation>Resuelve %1 de %2 instantes; el método del informe, %3.</translation>
+    </message>
+    <message>
+        <source>At %1 instants the report&apos;s way is wrong without saying so.</source>
+        <translation>En %1 instantes el método del informe falla sin avisar.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Timeline</name>
@@ -5426,16 +5809,25 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
-        <source>Playing speed</source>
-        <translation>Velocidad de reproducción</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pausar</translation>
     </message>
     <message>
         <source>Start again at the end (Ctrl+L)</source>
         <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start, duration, steps, one turn, and the speed of playing (Ctrl+R)</source>
+        <translation>Inicio, duración, pasos, una vuelta y velocidad de reproducción (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>%1 s · %2 ▾</source>
+        <comment>duration of the run, speed of playing</comment>
+        <translation>%1 s · %2 ▾</translation>
     </message>
 </context>
 <context>
@@ -5544,6 +5936,93 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>PDF documents (*.pdf)</source>
         <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::RunForm</name>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The first instant</source>
+        <translation>El primer instante</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>From the first instant to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>One turn</source>
+        <translation>Una vuelta</translation>
+    </message>
+    <message>
+        <source>As long as the crank takes to turn round once</source>
+        <translation>Lo que la manivela tarda en dar una vuelta</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Intervals; one instant more is computed</source>
+        <translation>Tramos; se calcula un instante más</translation>
+    </message>
+    <message>
+        <source>Playing speed</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Seconds of the motion in a second of the clock</source>
+        <translation>Segundos del movimiento en un segundo de reloj</translation>
+    </message>
+    <message>
+        <source>A turn plays in</source>
+        <translation>Una vuelta dura</translation>
+    </message>
+    <message>
+        <source>Seconds of the clock for one turn of the crank</source>
+        <translation>Segundos de reloj para una vuelta de la manivela</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismCentre</name>
+    <message>
+        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>P at infinity: the coupler does not turn,</source>
+        <translation>P en el infinito: la biela no gira,</translation>
+    </message>
+    <message>
+        <source>A and B move alike, at %1 mm/s</source>
+        <translation>A y B se mueven igual, a %1 mm/s</translation>
+    </message>
+    <message>
+        <source>P: the coupler turns about it at %1 rad/s</source>
+        <translation>P: la biela gira en torno a él a %1 rad/s</translation>
+    </message>
+    <message>
+        <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
+        <comment>of a point: |ω₃| times its distance</comment>
+        <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
     </message>
 </context>
 </TS>

@@ -2042,17 +2042,25 @@ void TestCommandLine::forgetsTheSettings()
 void TestCommandLine::helpsEverywhere()
 {
     const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
-    for (const QString &command : {QString(), QStringLiteral("solve"), QStringLiteral("compare"),
-                                   QStringLiteral("identify"), QStringLiteral("study"), QStringLiteral("render")}) {
+    const QString manual = QString::fromUtf8(contentOf(QStringLiteral(SLIDERCRANK_MANUAL))).remove(QLatin1Char('\\'));
+    for (const QString &command :
+         {QString(), QStringLiteral("solve"), QStringLiteral("limits"), QStringLiteral("compare"),
+          QStringLiteral("identify"), QStringLiteral("study"), QStringLiteral("render")}) {
         const QStringList words = command.isEmpty() ? QStringList() : QStringList(command);
         const Outcome help = run(words + QStringList(QStringLiteral("--help")));
         QCOMPARE(help.status, 0);
         QCOMPARE(help.err, QByteArray());
         QVERIFY(help.out.contains("Usage: slidercrank"));
         QVERIFY(help.out.contains("Exit status"));
+        for (auto each = option.globalMatch(QString::fromUtf8(help.out)); each.hasNext();) {
+            const QString name = each.next().captured();
+            QVERIFY2(manual.contains(QRegularExpression(name + QStringLiteral("(?![a-z0-9-])"))), qPrintable(name));
+        }
         const Outcome version = run(words + QStringList(QStringLiteral("--version")));
         QCOMPARE(version.status, 0);
-        QVERIFY(QRegularExpression(QStringLiteral("^slidercrank \\d+\\.\\d+\\.\\d+\n$"))
+        QVERIFY(QRegularExpression(
+                    QStringLiteral("^slidercrank \\d+\\.\\d+\\.\\d+\nQt 6\\.\\d+\\.\\d+, Eigen 3\\.\\d+\\.\\d+, "
+                                   "Highway 1\\.\\d+\\.\\d+, Boost 1\\.\\d+\\.\\d+, \\w+ \\d+[.\\d]*\n$"))
                     .match(QString::fromUtf8(version.out))
                     .hasMatch());
     }

@@ -46,6 +46,10 @@ QString changeName(const Choices &before, const Choices &after)
         return (sameFile ? EditCommandText::tr("other reading of %1") : EditCommandText::tr("opening of %1"))
             .arg(after.reference->name);
     }
+    if (before.kept != after.kept) {
+        return after.kept.empty() ? EditCommandText::tr("forgetting the kept motions")
+                                  : EditCommandText::tr("keeping the motion");
+    }
     if (before.parameters != after.parameters) { // whatever follows from it
         return changeName(before.parameters, after.parameters);
     }

@@ -8,6 +8,7 @@
 #include "ui/words/read_fault_text.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -65,6 +66,11 @@ bool isOfTheSame(const Convention &convention, const ReferenceData &x, const Ref
 struct ReferenceFileText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferenceFileText)
 };
+
+FileState stateOf(const QFileInfo &info)
+{
+    return {info.size(), info.lastModified()};
+}
 
 QString cannotBeRead(const QString &file, const QString &reason)
 {
@@ -132,6 +138,7 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     auto reference = std::make_shared<Reference>();
     reference->path = path;
     reference->name = isStandardInput(path) ? shown : info.fileName();
+    reference->state = stateOf(info);
     reference->data = std::move(std::get<ReferenceData>(outcome));
     reference->columns = options.columns;
     return reference;
@@ -211,6 +218,16 @@ std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
         }
     }
     return reference;
+}
+
+QByteArray checksumOf(const Reference &reference)
+{
+    const QFileInfo info(reference.path);
+    QFile file(reference.path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const bool isRead = !isStream(info) && stateOf(info) == reference.state && file.open(QIODevice::ReadOnly) &&
+                        hash.addData(&file) && stateOf(QFileInfo(reference.path)) == reference.state;
+    return isRead ? hash.result().toHex() : QByteArray();
 }
 
 QByteArray beginningOf(const QString &path)

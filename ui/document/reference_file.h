@@ -7,6 +7,7 @@
 #include "core/reading/reference_data.h"
 
 #include <QByteArray>
+#include <QDateTime>
 #include <QString>
 
 #include <memory>
@@ -17,10 +18,19 @@
 namespace slidercrank
 {
 
+/// What tells a file from the same one after somebody wrote to it.
+struct FileState {
+    qint64 size = -1; ///< bytes
+    QDateTime changed;
+
+    friend bool operator==(const FileState &, const FileState &) = default;
+};
+
 /// A loaded file and where it came from.
 struct Reference {
     QString path;       ///< as opened
     QString name;       ///< file name, for legends and titles
+    FileState state;    ///< of the file when it was read
     ReferenceData data; ///< as it reads with the conventions below
 
     std::vector<ColumnChoice> columns;          ///< a person's, over what the names say
@@ -67,6 +77,10 @@ QString shownNameOf(const QString &path);
 
 /// "results.csv, line 3, column 2 ("abc"): …". `file`: how it is to be called.
 QString sentenceOf(const ReadError &error, const QString &file);
+
+/// SHA-256 of the file's bytes, in hexadecimal; empty where they are no longer those that were read, as of a pipe.
+/// Reads the whole file: may run in any thread.
+QByteArray checksumOf(const Reference &reference);
 
 /// The first lines of the file: enough to see how it is written, and for a preview. Empty where it cannot be read.
 QByteArray beginningOf(const QString &path);

@@ -76,7 +76,13 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
             result->untimed = request.reference;
         }
     }
+    result->kept = request.kept;
     result->limits = motionLimits(request.mechanism);
+    if (!request.reference && !request.kept.empty()) {
+        const Sampling &run = request.sampling;
+        result->difference =
+            differenceOf(request.mechanism, Mechanism(request.kept.back()), run.start, run.start + run.duration);
+    }
     if (request.solver.method == Method::ClosedForm && request.sampling.steps >= kMostStepsKept) {
         result->summary = summaryOf(request, stop);
         result->trajectory.complete = !stop.stop_requested();

@@ -19,10 +19,15 @@ namespace
 
 constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner than this are on the move
 
+Request requestOf(const Choices &choices)
+{
+    return {Mechanism(choices.parameters), choices.sampling, choices.solver, choices.reference, choices.kept};
+}
+
 /// What the result was computed from.
 Choices choicesOf(const Result &result)
 {
-    return {result.mechanism.parameters(), result.sampling, result.solver, result.chosenReference()};
+    return {result.mechanism.parameters(), result.sampling, result.solver, result.chosenReference(), result.kept};
 }
 
 /// From the first of these instants to the last; the same run where that is none.
@@ -54,10 +59,7 @@ bool isRunOf(const std::vector<double> &instants, const Sampling &run)
 /// As much of them as can be shown at once.
 Choices soonShown(Choices choices)
 {
-    const auto takesLong = [&choices] {
-        return slidercrank::takesLong(
-            {Mechanism(choices.parameters), choices.sampling, choices.solver, choices.reference});
-    };
+    const auto takesLong = [&choices] { return slidercrank::takesLong(requestOf(choices)); };
     choices.solver.method = Method::ClosedForm;
     if (takesLong()) {
         choices.sampling.steps = std::min(choices.sampling.steps, Sampling().steps);
@@ -84,7 +86,7 @@ Session::Session(QObject *parent)
     SolverSettings &solver = m_choices.solver;
     solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
     solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
-    m_result = compute({Mechanism(m_choices.parameters), m_choices.sampling, solver, nullptr}, {});
+    m_result = compute(requestOf(m_choices), {});
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
     connect(&m_reading, &WorkAside::progressed, this, &Session::readingProgressed);
@@ -147,6 +149,26 @@ void Session::setSolver(const SolverSettings &solver)
     edit(with(m_choices, &Choices::solver, solver));
 }
 
+void Session::keep()
+{
+    std::vector<Parameters> kept = m_choices.kept;
+    if (std::ranges::count(kept, m_choices.parameters) > 0) {
+        emit problemFound(tr("This motion is kept already: change the mechanism to see what differs."));
+    } else if (kept.size() == kMostKept) {
+        emit problemFound(tr("%1 motions are kept already: forget them before you keep another one.").arg(kMostKept));
+    } else {
+        kept.push_back(m_choices.parameters);
+        m_edits.beginStep();
+        edit(with(m_choices, &Choices::kept, kept));
+    }
+}
+
+void Session::forgetKept()
+{
+    m_edits.beginStep();
+    edit(with(m_choices, &Choices::kept, {}));
+}
+
 void Session::edit(const Choices &choices, const EditName &name)
 {
     if (choices == m_choices) {
@@ -199,7 +221,7 @@ void Session::setTime(double seconds)
 
 void Session::recompute()
 {
-    Request request{Mechanism(m_choices.parameters), m_choices.sampling, m_choices.solver, m_choices.reference};
+    Request request = requestOf(m_choices);
     const bool isOnShow = m_choices == choicesOf(*m_result);
     if (isOnShow || !takesLong(request)) {
         m_computation.drop(); // what is still under way is out of date

@@ -19,6 +19,7 @@
 #include <optional>
 #include <stop_token>
 #include <variant>
+#include <vector>
 
 namespace slidercrank
 {
@@ -38,6 +39,7 @@ public:
     Pose pose() const;
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
+    const std::vector<Parameters> &kept() const { return m_choices.kept; }
 
     /// Null without a reference, and until it is known. Of a reference's diagnoses the last stays until the parameters
     /// have rested and the next is there: it may be of other parameters than the ones on show
@@ -59,6 +61,10 @@ public slots:
     void setParameter(slidercrank::Parameter parameter, double value); ///< one of them, the others as they are
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
+
+    /// The motion of the present parameters stays under all that follows; up to kMostKept do.
+    void keep();
+    void forgetKept();
 
     /// Brought into the sampled range.
     void setTime(double seconds);

@@ -57,7 +57,7 @@ struct PlotSettings {
     friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
 };
 
-/// What is in view; empty: all there is.
+/// What is in view; empty: of the time all there is, of the values what is seen in that time.
 struct PlotZoom {
     std::optional<Interval> time;                           ///< s, of all nine
     std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms where the axis is logarithmic
@@ -72,6 +72,10 @@ struct MechanismSettings {
     bool path = false; ///< of the coupler's centre of mass
     bool names = false;
     bool dimensions = false;
+    bool angles = false;        ///< θ₂ and θ³
+    bool instantCentre = false; ///< of the coupler, with the velocities of A and B
+
+    bool showsVelocity() const { return velocity || instantCentre; } ///< of whatever points
 
     friend bool operator==(const MechanismSettings &, const MechanismSettings &) = default;
 };

@@ -51,7 +51,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     auto *equations =
         new NumberTable(QStringLiteral("equationTable"), tr("Equations, a row a constraint"), equationColumns());
     equations->setColumnText(0, longestConstraintName());
-    equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ² + b/2 cos θ³ = 0"));
+    equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ₂ + b/2 cos θ³ = 0"));
     equations->setColumnText(2, QStringLiteral("-0.000·10⁻¹⁰"));
     equations->setColumnText(3, QStringLiteral("-0000.0000"));
     equations->setColumnText(4, QStringLiteral("-0000.0000"));
@@ -163,9 +163,9 @@ QWidget *NewtonPanel::createIterationPage()
     return page;
 }
 
-void NewtonPanel::setSettings(const Sampling &sampling, const SolverSettings &solver)
+void NewtonPanel::setSolver(const SolverSettings &solver)
 {
-    m_form->setSettings(sampling, solver);
+    m_form->setSolver(solver);
 }
 
 void NewtonPanel::setResult(const std::shared_ptr<const Result> &result)

@@ -243,6 +243,33 @@ std::optional<Interval> extremes(std::span<const CurvePoint> points)
     return run.lower > run.upper ? std::nullopt : std::optional(Interval{run.lower, run.upper});
 }
 
+std::optional<Interval> extremesWithin(std::span<const double> time, std::span<const double> values,
+                                       const Interval &range)
+{
+    if (values.empty()) {
+        return std::nullopt;
+    }
+    const auto begin = std::lower_bound(time.begin(), time.end(), range.lower);
+    const auto end = std::upper_bound(begin, time.end(), range.upper);
+    const auto first = static_cast<std::size_t>(begin - time.begin());
+    const auto behind = static_cast<std::size_t>(end - time.begin());
+    std::optional<Interval> found = extremes(values.subspan(first, behind - first));
+    const auto includeLine = [&](std::size_t to, double t) { // at its end of the range
+        if (to == 0 || to == time.size()) {
+            return;
+        }
+        const double part = (t - time[to - 1]) / (time[to] - time[to - 1]);
+        const double value = values[to - 1] + part * (values[to] - values[to - 1]);
+        if (std::isfinite(value)) {
+            found =
+                found ? Interval{std::min(found->lower, value), std::max(found->upper, value)} : Interval{value, value};
+        }
+    };
+    includeLine(first, range.lower);
+    includeLine(behind, range.upper);
+    return found;
+}
+
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)
 {
     const auto isInside = [&](const CurvePoint &point) {

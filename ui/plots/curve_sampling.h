@@ -51,6 +51,10 @@ std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points
 std::optional<Interval> extremes(std::span<const double> values);
 std::optional<Interval> extremes(std::span<const CurvePoint> points);
 
+/// Of the lines between the samples, within that range; `values`: one for each of `time`, or none at all.
+std::optional<Interval> extremesWithin(std::span<const double> time, std::span<const double> values,
+                                       const Interval &range);
+
 /// The parts of the polyline within both ranges, cut exactly at the edges, with a gap between parts.
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values);
 

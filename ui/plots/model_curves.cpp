@@ -62,9 +62,9 @@ std::vector<CurvePoint> ModelCurves::points(std::size_t channel, const Interval 
     return m_views.back().curves[channel];
 }
 
-std::optional<Interval> ModelCurves::extremes(std::size_t channel) const
+std::optional<Interval> ModelCurves::extremes(std::size_t channel, const Interval &range) const
 {
-    return m_motion ? m_motion->extremes(channel) : slidercrank::extremes(m_values[channel]);
+    return m_motion ? m_motion->extremes(channel, range) : extremesWithin(m_time, m_values[channel], range);
 }
 
 } // namespace slidercrank

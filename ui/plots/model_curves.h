@@ -12,6 +12,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace slidercrank
@@ -27,6 +28,11 @@ public:
     ModelCurves() = default; ///< nothing
     /// `result` must outlive it.
     explicit ModelCurves(const Result &result);
+    /// The motion itself, during that run (s).
+    ModelCurves(const Mechanism &mechanism, const Interval &run)
+        : m_motion(std::in_place, mechanism, run)
+    {
+    }
 
     ModelCurves(ModelCurves &&) = default; // a copy would look into the memory of the other
     ModelCurves &operator=(ModelCurves &&) = default;
@@ -44,8 +50,8 @@ public:
 
     /// What a plot of that range shows with so many pixel columns.
     std::vector<CurvePoint> points(std::size_t channel, const Interval &range, std::size_t columns);
-    /// Of the whole run.
-    std::optional<Interval> extremes(std::size_t channel) const;
+    /// Of what is to be seen in that range.
+    std::optional<Interval> extremes(std::size_t channel, const Interval &range) const;
 
 private:
     // Of samples.

@@ -123,7 +123,7 @@ MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &run)
         }
     }
     for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        m_extremes[channel] = extremesOf(channel);
+        m_extremes[channel] = extremesOf(channel, m_run);
     }
 }
 
@@ -172,15 +172,24 @@ void MotionCurves::visitPassages(std::size_t channel, double from, double to, co
     }
 }
 
-std::optional<Interval> MotionCurves::extremesOf(std::size_t channel) const
+std::optional<Interval> MotionCurves::extremes(std::size_t channel, const Interval &part) const
 {
-    const double turned = m_speed * m_run.length();
+    const Interval within{std::max(part.lower, m_run.lower), std::min(part.upper, m_run.upper)};
+    if (within == m_run) {
+        return m_extremes[channel];
+    }
+    return within.lower <= within.upper ? extremesOf(channel, within) : std::nullopt;
+}
+
+std::optional<Interval> MotionCurves::extremesOf(std::size_t channel, const Interval &part) const
+{
+    const double turned = m_speed * part.length();
     const bool isWhole = turned >= kTurn;
     constexpr double kAndALittle = 1.001; // so that no rounding loses what is at its ends
-    const double end = isWhole ? std::min(m_run.upper, m_run.lower + kAndALittle * kTurn / m_speed) : m_run.upper;
+    const double end = isWhole ? std::min(part.upper, part.lower + kAndALittle * kTurn / m_speed) : part.upper;
     std::optional<Interval> range;
     bool isUnbounded = false;
-    visitPassages(channel, m_run.lower, end, [&](double, const Passage &passage) {
+    visitPassages(channel, part.lower, end, [&](double, const Passage &passage) {
         if (std::abs(passage.value) < kBeyondAll) {
             include(range, passage.value);
         } else {
@@ -188,7 +197,7 @@ std::optional<Interval> MotionCurves::extremesOf(std::size_t channel) const
         }
     });
     if (!isUnbounded) {
-        for (const double t : {m_run.lower, m_run.upper}) {
+        for (const double t : {part.lower, part.upper}) {
             if (const double atEnd = value(channel, t); std::isfinite(atEnd)) {
                 include(range, atEnd);
             }
@@ -197,7 +206,7 @@ std::optional<Interval> MotionCurves::extremesOf(std::size_t channel) const
     }
     constexpr std::size_t kLooks = 400;
     constexpr std::size_t kOneInSoMany = 20; // to either side
-    std::vector<double> values = samplesAt(instantsAcross({m_run.lower, end}, kLooks)).values[channel];
+    std::vector<double> values = samplesAt(instantsAcross({part.lower, end}, kLooks)).values[channel];
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
     std::ranges::sort(values);
     if (!values.empty()) {

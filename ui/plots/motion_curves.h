@@ -39,6 +39,9 @@ public:
     /// does not exceed nine tenths of the time.
     const std::optional<Interval> &extremes(std::size_t channel) const { return m_extremes[channel]; }
 
+    /// Of that part of it.
+    std::optional<Interval> extremes(std::size_t channel, const Interval &part) const;
+
 private:
     /// A place of the course as the crank comes by in the course of time.
     struct Passage {
@@ -56,7 +59,7 @@ private:
 
     Samples samplesAt(std::vector<double> instants) const;
     double phaseAt(double t) const { return m_phase0 + m_speed * t; }
-    std::optional<Interval> extremesOf(std::size_t channel) const;
+    std::optional<Interval> extremesOf(std::size_t channel, const Interval &part) const;
     std::vector<CurvePoint> line(std::size_t channel, const Samples &edges) const;
 
     template <class Visit>

@@ -24,8 +24,9 @@ double lineWidth(Ink ink)
     case Ink::Text:
     case Ink::Model:
     case Ink::Reference: return 2.0;
+    case Ink::Kept: return 1.0;
     case Ink::Error:
-    case Ink::ErrorOther: return 1.0; // they are noise where all is well
+    case Ink::ErrorOther: return 1.6; // they are noise where all is well, yet to be seen from the last row
     }
     return 1.0;
 }
@@ -66,7 +67,7 @@ QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels, std::optio
     return {beside(labelLength), titleHeight + 2, rightLabelLength ? beside(*rightLabelLength) : kRight, bottom};
 }
 
-PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typography,
+PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typography, bool hasErrors,
                                  std::optional<std::size_t> onlyPlot)
     : size(figure)
     , only(onlyPlot)
@@ -79,7 +80,7 @@ PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typo
         cells[*only] = QRect(0, legend.height(), size.width(), height);
         return;
     }
-    const int cellWidth = size.width() / static_cast<int>(kPlotColumns);
+    const int cellWidth = size.width() / static_cast<int>(hasErrors ? kPlotColumns : kErrorColumn);
     hasTimeLabelsEverywhere =
         cellWidth >= kSmallestLabelledCell.width() && height / kRows >= kSmallestLabelledCell.height();
     const QMargins bare = typography.margins(0, false);
@@ -87,6 +88,9 @@ PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typo
     const int extra = hasTimeLabelsEverywhere ? 0 : labelled.bottom() - bare.bottom();
     const int cellHeight = std::max(0, height - extra) / kRows;
     for (std::size_t i = 0; i < kPlotCount; ++i) {
+        if (isErrorPlot(i) && !hasErrors) {
+            continue;
+        }
         const int row = static_cast<int>(i / kPlotColumns);
         const int column = static_cast<int>(i % kPlotColumns);
         cells[i] = QRect(column * cellWidth, legend.height() + row * cellHeight, cellWidth,
@@ -105,6 +109,7 @@ QColor colourOf(Ink ink, const SeriesColours &colours)
     case Ink::Text: return colours.text;
     case Ink::Model: return colours.model;
     case Ink::Reference: return colours.reference;
+    case Ink::Kept: return colours.kept;
     case Ink::Error: return colours.error;
     case Ink::ErrorOther: return colours.errorOther;
     }
@@ -214,8 +219,9 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
             break;
         case LegendEntry::Sample::Dashed:
             painter.setPen(penOf(entry.ink, colours));
-            for (double start = 0.0; start < lineSample; start += kDash + kDashGap) {
-                painter.drawLine(QPointF(x + start, middle), QPointF(x + start + kDash, middle));
+            for (double start = 0.0; start < lineSample; start += entry.dashes.length + entry.dashes.gap) {
+                const double end = std::min<double>(start + entry.dashes.length, lineSample);
+                painter.drawLine(QPointF(x + start, middle), QPointF(x + end, middle));
             }
             break;
         }

@@ -41,9 +41,10 @@ struct PlotTypography {
     double digitWidth = 0.0; ///< of the tick font
 };
 
-/// Where legend and plots are in a figure of that size: all nine, or one alone; the cells of the others are empty.
+/// Where legend and plots are in a figure of that size: all nine, those of the model with all the room where there are
+/// no errors to show, or one alone; the cells of the others are empty.
 struct PlotArrangement {
-    PlotArrangement(const QSize &figure, const PlotTypography &typography,
+    PlotArrangement(const QSize &figure, const PlotTypography &typography, bool hasErrors,
                     std::optional<std::size_t> onlyPlot = std::nullopt);
 
     bool hasTimeLabels(std::size_t plot) const;

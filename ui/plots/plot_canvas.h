@@ -23,12 +23,19 @@ public:
     const Interval &timeRange() const { return m_picture.time; }
     const Interval &valueRange() const { return m_picture.values; }
     bool hasValues() const { return m_picture.hasValues; }
+    Ink inkOf(std::size_t curve) const { return m_picture.curves[curve].ink; }
+
+    /// In parts without gaps.
+    std::vector<QPolygonF> curvesInPixels() const;
+
     const QCPAxis *valueAxisOf(std::size_t curve) const { return curve == 1 && m_picture.rightValues ? yAxis2 : yAxis; }
 
 protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    QCPGraph *addCurve();
+
     /// The picture with its background in it: shown by copying, where QCustomPlot's own, transparent one is blended.
     class OpaqueBuffer : public QCPAbstractPaintBuffer
     {
@@ -102,6 +109,7 @@ private:
     };
 
     PlotPicture m_picture;
+    std::vector<QCPGraph *> m_kept; ///< lines under the others; made when one is kept
     QFont m_titleFont;
     QFont m_tickFont;
     SeriesColours m_colours;

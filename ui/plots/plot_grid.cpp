@@ -3,6 +3,7 @@
 
 #include "ui/plots/figure_painting.h"
 #include "ui/plots/plot_canvas.h"
+#include "ui/plots/reading_place.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/theme.h"
 
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace slidercrank
 {
@@ -72,12 +74,9 @@ PlotGrid::PlotGrid(QWidget *parent)
     m_hint = new QLabel(this);
     m_hint->setObjectName(QStringLiteral("no_reference_hint"));
     m_hint->setTextFormat(Qt::RichText);
-    m_hint->setText(tr("No reference data.<br><a href=\"open\">Open a reference…</a><br>or drop a CSV here."));
+    m_hint->setText(tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here."));
     m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // a label's focus is not seen; by keys there is a menu
-    m_hint->setAlignment(Qt::AlignCenter);
-    m_hint->setWordWrap(true);
-    m_hint->setBackgroundRole(QPalette::Base);
-    m_hint->setAutoFillBackground(true);
+    m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(m_hint, &QLabel::linkActivated, this, [this] { emit openReferenceRequested(); });
     QEvent paletteChange(QEvent::PaletteChange);
     changeEvent(&paletteChange);
@@ -104,7 +103,11 @@ QSize PlotGrid::minimumSizeHint() const
 
 void PlotGrid::setResult(const std::shared_ptr<const Result> &result)
 {
+    const bool hadErrors = m_figure.hasErrors();
     m_figure.setResult(result);
+    if (m_figure.hasErrors() != hadErrors) {
+        placePlots();
+    }
     updateHint();
     requestRefresh();
     update(QRect(0, 0, width(), m_typography.legendHeight()));
@@ -160,7 +163,7 @@ void PlotGrid::requestRefresh()
 
 PlotArrangement PlotGrid::arrangementOnScreen() const
 {
-    return PlotArrangement(size(), m_typography, m_maximized);
+    return PlotArrangement(size(), m_typography, m_figure.hasErrors(), m_maximized);
 }
 
 void PlotGrid::refresh()
@@ -212,21 +215,18 @@ void PlotGrid::moveCursors()
     }
 }
 
+/// In the legend's line, where that has room for it.
 void PlotGrid::updateHint()
 {
-    m_hint->setVisible((!m_figure.result || !m_figure.result->reference) && !m_maximized);
-    if (m_hint->isHidden()) {
-        return;
+    const QSize size = m_hint->sizeHint();
+    constexpr int kGap = 12;
+    constexpr int kRoomForSample = 66; // px: a line of the legend and the gaps around it
+    int room = width() - size.width() - 2 * kGap;
+    for (const LegendEntry &entry : m_figure.legend(m_maximized)) {
+        room -= kRoomForSample + QFontMetrics(m_typography.title).horizontalAdvance(entry.text);
     }
-    const QRect first = m_plots[kErrorColumn]->geometry();
-    const QRect last = m_plots[kPlotCount - 1]->geometry();
-    const QMargins margins = m_typography.margins(0, true);
-    constexpr int kInset = 6;
-    const int width = std::max(0, first.width() - margins.left() - margins.right() - 2 * kInset);
-    const int height = m_hint->heightForWidth(width);
-    m_hint->setGeometry(first.left() + margins.left() + kInset, (first.top() + last.bottom() - height) / 2, width,
-                        height);
-    m_hint->raise();
+    m_hint->setVisible(!m_figure.hasErrors() && !m_maximized && !m_read.measured && room >= 0);
+    m_hint->setGeometry(width() - size.width() - kGap, 0, size.width(), m_typography.legendHeight());
 }
 
 void PlotGrid::pan(std::size_t plot, const QPoint &to)
@@ -254,6 +254,7 @@ void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
             [this, plot] { emit copyPlotRequested(plotName(plot)); });
     connect(menu->addAction(tr("&Export this plot…")), &QAction::triggered, this,
             [this, plot] { emit exportPlotRequested(plotName(plot)); });
+    connect(menu->addAction(tr("&Keep this motion")), &QAction::triggered, this, &PlotGrid::keepRequested);
     menu->addSeparator();
     menu->addActions(m_choices);
     menu->popup(globalPosition);
@@ -289,6 +290,7 @@ void PlotGrid::setMeasuring(bool measuring)
         }
         updateOverlays();
     }
+    updateHint();
     if (QAction *action = findChild<QAction *>(QStringLiteral("measuringAction"))) {
         action->setChecked(measuring);
     }
@@ -317,22 +319,45 @@ OverlayContent PlotGrid::overlayOf(std::size_t plot)
     if (!shown.hasValues()) {
         return content;
     }
-    const auto lineAt = [&](double time, const QString &name, bool isSolid) {
+    PlotSight sight{content.axes, shown.curvesInPixels(), {}, {}};
+    const auto readAt = [&](double time, const QString &name, bool isSolid) {
         if (shown.timeRange().contains(time)) {
-            content.lines.push_back({static_cast<int>(std::lround(shown.xAxis->coordToPixel(time))), name, isSolid});
+            const int x = static_cast<int>(std::lround(shown.xAxis->coordToPixel(time)));
+            content.lines.push_back({x, name, isSolid});
+            sight.lines.push_back(x);
+        }
+        for (const ReadPoint &read : pointsReadAt(m_figure, plot, time)) {
+            const QPointF at(shown.xAxis->coordToPixel(read.point.t),
+                             shown.valueAxisOf(read.curve)->coordToPixel(read.point.value));
+            if (QRectF(content.axes).contains(at)) {
+                content.dots.push_back({at, shown.inkOf(read.curve)});
+                sight.dots.push_back(at);
+            }
         }
     };
     if (m_read.measured) {
-        const auto [a, b] = *m_read.measured;
-        lineAt(a, QStringLiteral("A"), true);
-        lineAt(b, QStringLiteral("B"), true);
+        const auto [first, second] = *m_read.measured;
+        readAt(first, QStringLiteral("1"), true);
+        readAt(second, QStringLiteral("2"), true);
     }
     if (m_read.hovered) {
-        lineAt(m_read.hoverTime, {}, false);
+        readAt(m_read.hoverTime, {}, false);
     }
-    content.box = readingsOf(m_figure, plot, m_read, Wording::Full);
-    if (!m_overlays[plot]->fits(content.box)) {
-        content.box = readingsOf(m_figure, plot, m_read, Wording::Brief);
+    constexpr int kInset = 3; // px
+    const QRect room(kInset, content.axes.top() + kInset, shown.width() - 2 * kInset,
+                     content.axes.height() - 2 * kInset);
+    double leastHidden = 0.0;
+    for (const Wording wording : {Wording::Full, Wording::Brief}) { // briefly only where that hides less
+        const std::vector<InkedRow> rows = readingsOf(m_figure, plot, m_read, wording);
+        const std::optional<ReadingPlace> place = placeOfReading(m_overlays[plot]->sizeOf(rows), room, sight);
+        if (!rows.empty() && place && (content.box.empty() || place->hidden < leastHidden)) {
+            content.box = rows;
+            content.boxPlace = place->topLeft;
+            leastHidden = place->hidden;
+        }
+        if (!content.box.empty() && leastHidden == 0.0) {
+            break;
+        }
     }
     return content;
 }
@@ -340,13 +365,18 @@ OverlayContent PlotGrid::overlayOf(std::size_t plot)
 void PlotGrid::updateOverlays()
 {
     for (std::size_t i = 0; i < kPlotCount; ++i) {
-        const bool isBare = !m_read.hovered && !m_read.measured && !m_plots[i]->hasFocus();
-        m_overlays[i]->setContent(isBare || m_plots[i]->isHidden() ? OverlayContent() : overlayOf(i));
+        const bool isFramed = m_drag && m_drag->plot == i && m_drag->kind == Drag::Kind::Box && m_drag->hasMoved;
+        const bool isBare = !m_read.hovered && !m_read.measured && !m_plots[i]->hasFocus() && !isFramed;
+        OverlayContent content = isBare || m_plots[i]->isHidden() ? OverlayContent() : overlayOf(i);
+        if (isFramed) {
+            content.frame = framedBox();
+        }
+        m_overlays[i]->setContent(content);
     }
     update(QRect(0, 0, width(), m_typography.legendHeight()));
 }
 
-/// 0 for A, 1 for B.
+/// 0 or 1.
 std::optional<std::size_t> PlotGrid::measuringCursorAt(std::size_t plot, const QPoint &position) const
 {
     if (!m_read.measured || !m_plots[plot]->axisRect()->rect().contains(position)) {
@@ -365,14 +395,20 @@ std::optional<std::size_t> PlotGrid::measuringCursorAt(std::size_t plot, const Q
     return nearest;
 }
 
-/// Of the plot that has the focus. + and − zoom about the current instant; A and B bring the measuring cursors to the
-/// current instant.
+/// Of the plot that has the focus, or over which a button is held. + and − zoom about the current instant; 1 and 2
+/// bring the measuring cursors to it.
 bool PlotGrid::pressKey(std::size_t plot, int key)
 {
     switch (key) {
     case Qt::Key_Return:
     case Qt::Key_Enter: toggleMaximized(plot); return true;
     case Qt::Key_Escape:
+        if (m_drag) {
+            const PlotZoom before = m_drag->before;
+            endDrag();
+            setZoom(before);
+            return true;
+        }
         if (!m_maximized) {
             return false;
         }
@@ -389,16 +425,142 @@ bool PlotGrid::pressKey(std::size_t plot, int key)
         requestRefresh();
         return true;
     }
-    case Qt::Key_A:
-    case Qt::Key_B:
+    case Qt::Key_0: showAll(); return true;
+    case Qt::Key_1:
+    case Qt::Key_2:
         if (!m_read.measured || !m_cursorTime) {
             return false;
         }
-        (*m_read.measured)[key == Qt::Key_A ? 0 : 1] = m_figure.nearestInstant(*m_cursorTime);
+        (*m_read.measured)[key == Qt::Key_1 ? 0 : 1] = m_figure.nearestInstant(*m_cursorTime);
         updateOverlays();
         return true;
     default: return false;
     }
+}
+
+void PlotGrid::pressOn(std::size_t plot, const QMouseEvent &mouse)
+{
+    const bool isLeft = mouse.button() == Qt::LeftButton;
+    if (m_drag || !(isLeft || mouse.button() == Qt::MiddleButton)) {
+        return;
+    }
+    Drag drag;
+    drag.plot = plot;
+    drag.button = mouse.button();
+    drag.start = drag.last = mouse.pos();
+    drag.before = zoom();
+    const std::optional<std::size_t> cursor = measuringCursorAt(plot, mouse.pos());
+    if (!isLeft || mouse.modifiers().testFlag(Qt::ShiftModifier)) {
+        drag.kind = Drag::Kind::Move;
+    } else if (cursor) {
+        drag.kind = Drag::Kind::MeasuringCursor;
+        drag.measuringCursor = *cursor;
+    }
+    m_drag = drag;
+}
+
+void PlotGrid::moveOver(std::size_t plot, const QPoint &to)
+{
+    PlotCanvas &shown = *m_plots[plot];
+    const double time = m_figure.pointedInstant(shown.xAxis->pixelToCoord(to.x()));
+    if (!m_drag) {
+        const bool isOverCursor = measuringCursorAt(plot, to).has_value();
+        shown.setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
+        const bool reads = !isOverCursor && shown.axisRect()->rect().contains(to);
+        hoverOver(reads ? std::optional(plot) : std::nullopt, time);
+        return;
+    }
+    if (!m_drag->hasMoved && (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance()) {
+        m_drag->hasMoved = true;
+        shown.grabKeyboard(); // for Escape
+        if (m_drag->kind == Drag::Kind::Move) {
+            shown.setCursor(Qt::ClosedHandCursor);
+        }
+    }
+    switch (m_drag->kind) {
+    case Drag::Kind::MeasuringCursor:
+        if (m_read.measured) {
+            (*m_read.measured)[m_drag->measuringCursor] = m_figure.nearestInstant(time);
+        }
+        break;
+    case Drag::Kind::Move:
+        if (m_drag->hasMoved) {
+            pan(plot, to);
+        }
+        break;
+    case Drag::Kind::Box: break;
+    }
+    if (m_drag->hasMoved || m_drag->kind == Drag::Kind::MeasuringCursor) {
+        m_drag->last = to;
+        hoverOver(std::nullopt, time);
+    }
+}
+
+void PlotGrid::releaseOver(std::size_t plot, const QMouseEvent &mouse)
+{
+    if (!m_drag || mouse.button() != m_drag->button) {
+        return;
+    }
+    const bool isOfBox = m_drag->kind == Drag::Kind::Box;
+    const bool isClick = isOfBox && !m_drag->hasMoved;
+    const QRect box = isOfBox && m_drag->hasMoved ? framedBox() : QRect();
+    endDrag();
+    if (!box.isNull()) {
+        zoomInto(plot, box);
+    } else if (isClick && m_plots[plot]->axisRect()->rect().contains(mouse.pos())) {
+        emit timeRequested(m_plots[plot]->xAxis->pixelToCoord(mouse.pos().x()));
+    }
+}
+
+void PlotGrid::endDrag()
+{
+    PlotCanvas &held = *m_plots[m_drag->plot];
+    m_drag.reset();
+    held.releaseKeyboard();
+    held.setCursor(Qt::ArrowCursor);
+    updateOverlays();
+}
+
+/// What a drag of a box frames: all of the values where it is too flat, all of the time where it is too narrow. Null
+/// where it is both.
+QRect PlotGrid::framedBox() const
+{
+    constexpr int kLeast = 8; // px
+    const QRect axes = m_plots[m_drag->plot]->axisRect()->rect();
+    const auto spanOf = [](int from, int to, int lowest, int highest) {
+        return std::pair(std::clamp(std::min(from, to), lowest, highest),
+                         std::clamp(std::max(from, to), lowest, highest));
+    };
+    auto [left, right] = spanOf(m_drag->start.x(), m_drag->last.x(), axes.left(), axes.right());
+    auto [top, bottom] = spanOf(m_drag->start.y(), m_drag->last.y(), axes.top(), axes.bottom());
+    const bool isNarrow = right - left < kLeast;
+    const bool isFlat = bottom - top < kLeast;
+    if (isNarrow && isFlat) {
+        return {};
+    }
+    if (isNarrow) {
+        left = axes.left();
+        right = axes.right();
+    }
+    if (isFlat) {
+        top = axes.top();
+        bottom = axes.bottom();
+    }
+    return QRect(QPoint(left, top), QPoint(right, bottom));
+}
+
+void PlotGrid::zoomInto(std::size_t plot, const QRect &box)
+{
+    const PlotCanvas &shown = *m_plots[plot];
+    const QRect axes = shown.axisRect()->rect();
+    if (box.width() < axes.width()) {
+        m_figure.zoomTime(Interval{shown.xAxis->pixelToCoord(box.left()), shown.xAxis->pixelToCoord(box.right())});
+    }
+    if (box.height() < axes.height() && shown.hasValues()) {
+        m_figure.zoomValues(plot,
+                            Interval{shown.yAxis->pixelToCoord(box.bottom()), shown.yAxis->pixelToCoord(box.top())});
+    }
+    requestRefresh();
 }
 
 bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
@@ -416,6 +578,9 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
         return true;
     case QEvent::Wheel: {
         const auto *wheel = static_cast<QWheelEvent *>(event);
+        if (m_drag) {
+            return true; // what is framed or held is not to move away
+        }
         constexpr double kNotch = 120.0;
         constexpr double kFactor = 0.85;
         const double factor = std::pow(kFactor, wheel->angleDelta().y() / kNotch);
@@ -429,47 +594,14 @@ bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
         event->accept();
         return true;
     }
-    case QEvent::MouseButtonPress: {
-        const auto *mouse = static_cast<QMouseEvent *>(event);
-        if (mouse->button() == Qt::LeftButton) {
-            m_drag = Drag{index, mouse->pos(), mouse->pos(), false, measuringCursorAt(index, mouse->pos())};
+    case QEvent::MouseButtonPress: pressOn(index, *static_cast<QMouseEvent *>(event)); return true;
+    case QEvent::MouseMove: moveOver(index, static_cast<QMouseEvent *>(event)->pos()); return true;
+    case QEvent::MouseButtonRelease: releaseOver(index, *static_cast<QMouseEvent *>(event)); return true;
+    case QEvent::Hide:
+        if (m_drag && m_drag->plot == index) {
+            endDrag();
         }
-        return true;
-    }
-    case QEvent::MouseMove: {
-        const auto *mouse = static_cast<QMouseEvent *>(event);
-        const QPoint to = mouse->pos();
-        const double time = m_figure.pointedInstant(plot.xAxis->pixelToCoord(to.x()));
-        if (m_drag) {
-            m_drag->hasMoved =
-                m_drag->hasMoved || (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance();
-            if (m_drag->measuringCursor && m_read.measured) {
-                (*m_read.measured)[*m_drag->measuringCursor] = m_figure.nearestInstant(time);
-                hoverOver(std::nullopt, time);
-            } else if (m_drag->hasMoved) {
-                pan(m_drag->plot, to);
-                m_drag->last = to;
-            }
-        } else {
-            const bool isOverCursor = measuringCursorAt(index, to).has_value();
-            plot.setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
-            const bool reads = !isOverCursor && plot.axisRect()->rect().contains(to);
-            hoverOver(reads ? std::optional(index) : std::nullopt, time);
-        }
-        return true;
-    }
-    case QEvent::MouseButtonRelease: {
-        const auto *mouse = static_cast<QMouseEvent *>(event);
-        if (mouse->button() == Qt::LeftButton && m_drag) {
-            const bool isClick =
-                !m_drag->hasMoved && !m_drag->measuringCursor && plot.axisRect()->rect().contains(mouse->pos());
-            m_drag.reset();
-            if (isClick) {
-                emit timeRequested(plot.xAxis->pixelToCoord(mouse->pos().x()));
-            }
-        }
-        return true;
-    }
+        return false;
     case QEvent::MouseButtonDblClick: {
         const bool isTitle = static_cast<QMouseEvent *>(event)->pos().y() < plot.axisRect()->rect().top();
         if (isTitle) {
@@ -561,16 +693,16 @@ void PlotGrid::showEvent(QShowEvent *event)
 
 void PlotGrid::paintFigure(QPainter &painter, const QSize &size, const QPalette &palette)
 {
-    paintPlots(painter, m_figure, PlotArrangement(size, m_typography), m_typography, seriesColours(palette),
-               m_markedTime);
+    paintPlots(painter, m_figure, PlotArrangement(size, m_typography, m_figure.hasErrors()), m_typography,
+               seriesColours(palette), m_markedTime);
 }
 
 void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
 {
     const auto index = static_cast<std::size_t>(plotNames().indexOf(name));
     Q_ASSERT(index < kPlotCount);
-    paintPlots(painter, m_figure, PlotArrangement(size, m_typography, index), m_typography, seriesColours(palette),
-               m_markedTime);
+    paintPlots(painter, m_figure, PlotArrangement(size, m_typography, m_figure.hasErrors(), index), m_typography,
+               seriesColours(palette), m_markedTime);
 }
 
 } // namespace slidercrank

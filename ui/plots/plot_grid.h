@@ -3,6 +3,11 @@
 
 // Figure 2 of the report: three rows (position, velocity, acceleration) by three columns (θ³, R_x⁴, error in per cent),
 // the model solid and the reference dashed, with one legend, one time range and one time cursor for all nine plots.
+// Without a reference there are no errors, and the other six have all the room.
+//
+// A left drag zooms into the box that it draws, one too flat into its time alone and one too narrow into its values
+// alone; Shift or the middle button moves what is on show. The values fit what is seen of the time, but in a plot whose
+// values a person chose, by a box or by the wheel on their axis: there they stay until all is shown again.
 
 #include "ui/document/result.h"
 #include "ui/plots/plot_arrangement.h"
@@ -80,6 +85,7 @@ signals:
     void openReferenceRequested();
     void exportPlotRequested(const QString &plotName);
     void copyPlotRequested(const QString &plotName);
+    void keepRequested(); ///< the motion on show
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:
@@ -100,6 +106,12 @@ private:
     void moveCursors();
     void updateHint();
     void pan(std::size_t plot, const QPoint &to);
+    void pressOn(std::size_t plot, const QMouseEvent &mouse);
+    void moveOver(std::size_t plot, const QPoint &to);
+    void releaseOver(std::size_t plot, const QMouseEvent &mouse);
+    void endDrag();
+    QRect framedBox() const;
+    void zoomInto(std::size_t plot, const QRect &box);
     void showMenu(std::size_t plot, const QPoint &globalPosition);
     void toggleMaximized(std::size_t plot);
     void hoverOver(std::optional<std::size_t> plot, double time);
@@ -122,13 +134,17 @@ private:
     bool m_isStale = true;              ///< the plots do not show m_figure yet
     bool m_isRefreshQueued = false;
 
-    /// A left button held down over a plot.
+    /// A button held down over a plot.
     struct Drag {
+        enum class Kind { Box, Move, MeasuringCursor };
+        Kind kind = Kind::Box;
         std::size_t plot = 0;
+        Qt::MouseButton button = Qt::LeftButton;
         QPoint start;
         QPoint last;
+        PlotZoom before; ///< to go back to
         bool hasMoved = false;
-        std::optional<std::size_t> measuringCursor; ///< the one held
+        std::size_t measuringCursor = 0; ///< the one held
     };
     std::optional<Drag> m_drag;
 };

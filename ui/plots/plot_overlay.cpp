@@ -15,20 +15,6 @@ namespace
 {
 
 constexpr int kPadding = 4; // px
-constexpr int kInset = 3;   // px
-
-double boxWidth(const std::vector<InkedRow> &box, const QFontMetricsF &metrics)
-{
-    double width = 0.0;
-    for (const InkedRow &row : box) {
-        double length = 0.0;
-        for (const InkedText &part : row) {
-            length += metrics.horizontalAdvance(part.text);
-        }
-        width = std::max(width, length);
-    }
-    return width + 2 * kPadding;
-}
 
 } // namespace
 
@@ -82,33 +68,52 @@ void PlotOverlay::paintEvent(QPaintEvent *)
             painter.drawText(line.x + kGap, axes.bottom() - kGap, line.name);
         }
     }
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const OverlayContent::Dot &dot : m_content.dots) {
+        constexpr double kRadius = 3.5;
+        painter.setPen(QPen(m_colours.background, 1.0)); // to be told from its curve
+        painter.setBrush(colourOf(dot.ink, m_colours));
+        painter.drawEllipse(dot.at, kRadius, kRadius);
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const QColor highlight = palette().color(QPalette::Highlight);
+    if (!m_content.frame.isNull()) {
+        constexpr int kOpacity = 40; // of 255
+        QColor within = highlight;
+        within.setAlpha(kOpacity);
+        painter.setPen(QPen(highlight, 1));
+        painter.setBrush(within);
+        painter.drawRect(m_content.frame.adjusted(0, 0, -1, -1));
+    }
     if (!m_content.box.empty()) {
         paintBox(painter);
     }
     if (m_content.hasFocus) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.setPen(QPen(highlight, 2));
         painter.setBrush(Qt::NoBrush); // the box left its own
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
 }
 
-bool PlotOverlay::fits(const std::vector<InkedRow> &box) const
+QSizeF PlotOverlay::sizeOf(const std::vector<InkedRow> &box) const
 {
-    return boxWidth(box, QFontMetricsF(m_font)) <= parentWidget()->width() - 2 * kInset;
+    const QFontMetricsF metrics(m_font);
+    double width = 0.0;
+    for (const InkedRow &row : box) {
+        double length = 0.0;
+        for (const InkedText &part : row) {
+            length += metrics.horizontalAdvance(part.text);
+        }
+        width = std::max(width, length);
+    }
+    return {width + 2 * kPadding, metrics.height() * static_cast<double>(box.size()) + 2 * kPadding};
 }
 
-/// At the top, on the side where the last line is not; over the margins where the axes are too narrow.
 void PlotOverlay::paintBox(QPainter &painter) const
 {
     const QFontMetricsF metrics(m_font);
     const double lineHeight = metrics.height();
-    QRectF box(0.0, 0.0, boxWidth(m_content.box, metrics),
-               lineHeight * static_cast<double>(m_content.box.size()) + 2 * kPadding);
-    const QRect &axes = m_content.axes;
-    const bool toTheRight = !m_content.lines.empty() && m_content.lines.back().x < axes.center().x();
-    box.moveTopLeft(
-        QPointF(toTheRight ? axes.right() - kInset - box.width() : axes.left() + kInset, axes.top() + kInset));
-    box.moveLeft(std::max(1.0, std::min(box.left(), width() - kInset - box.width())));
+    const QRectF box(m_content.boxPlace, sizeOf(m_content.box));
     constexpr int kOpacity = 225; // of 255
     QColor background = m_colours.background;
     background.setAlpha(kOpacity);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What lies over a plot while one reads it: lines at instants, a box with values, the mark of the keyboard's focus. The
-// plot beneath is not replotted for it.
+// What lies over a plot while one reads it: lines at instants, dots on the curves there, a box with values beside them,
+// the frame that a drag draws, the mark of the keyboard's focus. The plot beneath is not replotted for it.
 
 #include "ui/plots/plot_figure.h"
 #include "ui/words/theme.h"
@@ -24,12 +24,19 @@ struct OverlayContent {
         QString name; ///< beside it; may be empty
         bool isSolid = true;
     };
+    struct Dot {
+        QPointF at; ///< px, in the plot
+        Ink ink = Ink::Model;
+    };
     std::vector<Line> lines;
+    std::vector<Dot> dots;
     std::vector<InkedRow> box;
-    QRect axes; ///< where both belong, px in the plot
+    QPointF boxPlace; ///< its upper left corner, px in the plot
+    QRect axes;       ///< where lines belong, px in the plot
+    QRect frame;      ///< that is being drawn, px in the plot; null: none
     bool hasFocus = false;
 
-    bool isEmpty() const { return lines.empty() && box.empty() && !hasFocus; }
+    bool isEmpty() const { return lines.empty() && box.empty() && frame.isNull() && !hasFocus; }
 };
 
 class PlotOverlay : public QWidget
@@ -47,8 +54,11 @@ public:
     /// The rows of the box, a line each.
     QString text() const;
 
-    /// Whether a box of these rows has room in the plot.
-    bool fits(const std::vector<InkedRow> &box) const;
+    /// What a box of these rows takes, px.
+    QSizeF sizeOf(const std::vector<InkedRow> &box) const;
+
+    /// What is on show.
+    const OverlayContent &content() const { return m_content; }
 
 protected:
     void paintEvent(QPaintEvent *event) override;

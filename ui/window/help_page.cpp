@@ -102,14 +102,16 @@ QString shortcutsText(const QMenuBar &menus)
     html += tableOf(
         HelpPage::tr("Plots"),
         {{HelpPage::tr("Go to an instant"), HelpPage::tr("Click")},
-         {HelpPage::tr("Read the values of all nine"), HelpPage::tr("Point at a curve")},
+         {HelpPage::tr("Read the values of all plots"), HelpPage::tr("Point at a curve")},
          {HelpPage::tr("Zoom the time"), HelpPage::tr("Wheel; + and − on a plot with the focus")},
          {HelpPage::tr("Zoom the values"), HelpPage::tr("Wheel left of the axis")},
-         {HelpPage::tr("Move what is zoomed"), HelpPage::tr("Drag")},
-         {HelpPage::tr("Show the whole run"), HelpPage::tr("Double click")},
+         {HelpPage::tr("Zoom into a part"),
+          HelpPage::tr("Drag a box around it; a flat one zooms the time alone, Escape cancels")},
+         {HelpPage::tr("Move what is zoomed"), HelpPage::tr("Shift and drag, or drag with the middle button")},
+         {HelpPage::tr("Show the whole run"), HelpPage::tr("Double click, or 0")},
          {HelpPage::tr("Make a plot large, and small again"), HelpPage::tr("Double click its title, or Enter")},
          {HelpPage::tr("Copy, export, choose the error"), HelpPage::tr("Right click, or the menu key")},
-         {HelpPage::tr("Move a measuring cursor"), HelpPage::tr("Drag it, or A and B to bring it to the instant")}});
+         {HelpPage::tr("Move a measuring cursor"), HelpPage::tr("Drag it, or 1 and 2 to bring it to the instant")}});
     html += tableOf(HelpPage::tr("Tables"),
                     {{HelpPage::tr("Go where a row's value is"), HelpPage::tr("Click, or Enter")},
                      {HelpPage::tr("Light up a row's joint"), HelpPage::tr("Point at it, or the arrow keys")},
@@ -130,7 +132,7 @@ QString formulasText()
         HelpPage::tr("The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length "
                      "b, leads from its pin A to the pin B of the slider, which moves along y = c. Bodies "
                      "are superscripts: 1 ground, 2 crank, 3 coupler, 4 slider."));
-    html += formulas({QStringLiteral("θ² = ω₂ t + θ₂₀")});
+    html += formulas({QStringLiteral("θ₂ = ω₂ t + θ₂₀")});
     html += paragraph(HelpPage::tr(
         "Rₓ⁴ and R_y⁴ are counted from O₂, x along the slider's line, and angles counter-clockwise from x. "
         "At the start it is the mechanism of Table 1 of the report that the program began with, a piece "
@@ -141,11 +143,11 @@ QString formulasText()
     html += formulas({QStringLiteral("a + |c| ≤ b")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Closed form, exact"));
     html += paragraph(HelpPage::tr("Plus: open assembly, the slider to the right of A. Minus: crossed."));
-    html += formulas({QStringLiteral("h = c − a sin θ²"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),
-                      QStringLiteral("Rₓ⁴ = a cos θ² + b cos θ³"), QStringLiteral("dθ³/dt = −a ω₂ cos θ² / (b cos θ³)"),
-                      QStringLiteral("dRₓ⁴/dt = −a ω₂ sin θ² − b sin θ³ dθ³/dt"),
-                      QStringLiteral("d²θ³/dt² = (a ω₂² sin θ² + b sin θ³ (dθ³/dt)²) / (b cos θ³)"),
-                      QStringLiteral("d²Rₓ⁴/dt² = −a ω₂² cos θ² − b cos θ³ (dθ³/dt)² − b sin θ³ d²θ³/dt²")});
+    html += formulas({QStringLiteral("h = c − a sin θ₂"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),
+                      QStringLiteral("Rₓ⁴ = a cos θ₂ + b cos θ³"), QStringLiteral("dθ³/dt = −a ω₂ cos θ₂ / (b cos θ³)"),
+                      QStringLiteral("dRₓ⁴/dt = −a ω₂ sin θ₂ − b sin θ³ dθ³/dt"),
+                      QStringLiteral("d²θ³/dt² = (a ω₂² sin θ₂ + b sin θ³ (dθ³/dt)²) / (b cos θ³)"),
+                      QStringLiteral("d²Rₓ⁴/dt² = −a ω₂² cos θ₂ − b cos θ³ (dθ³/dt)² − b sin θ³ d²θ³/dt²")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Newton-Raphson"));
     html += paragraph(
         HelpPage::tr("The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations "

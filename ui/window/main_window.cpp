@@ -199,6 +199,7 @@ void MainWindow::remakeRooms()
     const MechanismView::Look drawing = m_rooms.mechanism->look();
     const bool hasGhost = m_rooms.ghost->isWanted();
     const bool isPlaying = m_rooms.timeline->isPlaying();
+    const double speed = m_rooms.timeline->speed();
     auto *study = m_rooms.tabs->findChild<StudyPanel *>(); // made anew only where it has been opened
     const int studyTab = m_rooms.tabs->indexOf(study);
     if (study) {
@@ -219,6 +220,7 @@ void MainWindow::remakeRooms()
     m_rooms.plots->maximize(maximized);
     m_rooms.plots->setMeasured(measured);
     m_rooms.mechanism->setLook(drawing);
+    m_rooms.timeline->setSpeed(speed);
     if (study) {
         m_rooms.tabs->setCurrent(studyTab);
         m_rooms.tabs->findChild<StudyPanel *>()->takeOver(*study);
@@ -254,6 +256,7 @@ void MainWindow::connectRooms()
     follow(&Session::settingsChanged, m_rooms.timeline, &Timeline::setSampling, m_session->sampling());
     connect(m_session, &Session::timeChanged, m_rooms.timeline, &Timeline::setPose);
     connect(m_rooms.timeline, &Timeline::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.timeline, &Timeline::samplingEdited, m_session, &Session::setSampling);
 
     follow(&Session::resultChanged, m_rooms.mechanism, &MechanismView::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.mechanism, &MechanismView::setPose);
@@ -265,6 +268,7 @@ void MainWindow::connectRooms()
     follow(&Session::resultChanged, m_rooms.plots, &PlotGrid::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
     connect(m_rooms.plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.plots, &PlotGrid::keepRequested, m_session, &Session::keep);
     connect(m_rooms.plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_rooms.plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
@@ -300,11 +304,10 @@ QWidget *MainWindow::makeReferencePanel()
 QWidget *MainWindow::makeNewtonPanel()
 {
     auto *panel = new NewtonPanel(this);
-    connect(panel, &NewtonPanel::edited, m_session, [this](const Sampling &sampling, const SolverSettings &solver) {
-        m_session->setSolver(solver);
-        m_session->setSampling(sampling);
-    });
-    follow(&Session::settingsChanged, panel, &NewtonPanel::setSettings, m_session->sampling(), m_session->solver());
+    connect(panel, &NewtonPanel::edited, m_session, &Session::setSolver);
+    panel->setSolver(m_session->solver());
+    connect(m_session, &Session::settingsChanged, panel,
+            [panel](const Sampling &, const SolverSettings &solver) { panel->setSolver(solver); });
     follow(&Session::resultChanged, panel, &NewtonPanel::setResult, m_session->result());
     follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
 
@@ -330,6 +333,7 @@ QWidget *MainWindow::makeLimitsPanel()
     follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &LimitsPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
 

@@ -109,7 +109,15 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
     case ColumnReason::AngleForTime:
         return ColumnText::tr("guessed: no column is the time, and this is the angle of the crank");
+    case ColumnReason::ModelicaName:
+        return ColumnText::tr("guessed: named as in Modelica, whose variables are in m, rad and s");
     case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name means no channel");
+    case ColumnReason::RowNumber: return ColumnText::tr("ignored: it counts the rows");
+    case ColumnReason::Magnitude:
+        return ColumnText::tr("ignored: a magnitude, without direction; “%1” is a component of it").arg(other);
+    case ColumnReason::SameInstants: return ColumnText::tr("ignored: the same instants as “%1”").arg(other);
+    case ColumnReason::OtherInstants:
+        return ColumnText::tr("ignored: it belongs to other instants than those of “%1”").arg(other);
     case ColumnReason::NoName: return ColumnText::tr("ignored: it has no name");
     case ColumnReason::NoNumber: return ColumnText::tr("ignored: it holds no number");
     case ColumnReason::UnknownUnit:
@@ -136,7 +144,12 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::EvenRate: return ColumnText::tr("guessed: even rate");
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
     case ColumnReason::AngleForTime: return ColumnText::tr("guessed: no time here");
+    case ColumnReason::ModelicaName: return ColumnText::tr("guessed: named as in Modelica");
     case ColumnReason::UnknownName: return ColumnText::tr("name not known");
+    case ColumnReason::RowNumber: return ColumnText::tr("counts the rows");
+    case ColumnReason::Magnitude: return ColumnText::tr("magnitude of %1 …").arg(other);
+    case ColumnReason::SameInstants: return ColumnText::tr("same instants as %1").arg(other);
+    case ColumnReason::OtherInstants: return ColumnText::tr("other instants");
     case ColumnReason::NoName: return ColumnText::tr("no name");
     case ColumnReason::NoNumber: return ColumnText::tr("no number in it");
     case ColumnReason::UnknownUnit: return ColumnText::tr("unit not known");

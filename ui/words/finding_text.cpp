@@ -49,13 +49,43 @@ QString symbolOf(Channel channel)
     const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ")
                            : axis == 0                 ? QStringLiteral("Rₓ")
                                                        : QStringLiteral("R_y");
-    const QString symbol = letter + QStringLiteral("¹²³⁴")[body];
+    // The crank's angle is the drive's, too: one letter for both.
+    const QString symbol = channel.coordinate == Theta2 ? QStringLiteral("θ₂") : letter + QStringLiteral("¹²³⁴")[body];
     switch (channel.order) {
     case Order::Position: return symbol;
     case Order::Velocity: return QStringLiteral("d%1/dt").arg(symbol);
     case Order::Acceleration: return QStringLiteral("d²%1/dt²").arg(symbol);
     }
     return {};
+}
+
+QString quantityOf(Channel channel)
+{
+    const auto one = [channel](const QString &position, const QString &velocity, const QString &acceleration) {
+        switch (channel.order) {
+        case Order::Position: return position;
+        case Order::Velocity: return velocity;
+        case Order::Acceleration: return acceleration;
+        }
+        return QString();
+    };
+    const std::array bodies{FindingText::tr("ground"), FindingText::tr("crank"), FindingText::tr("coupler"),
+                            FindingText::tr("slider")};
+    QString quantity;
+    if (isAngle(channel.coordinate)) {
+        quantity = one(FindingText::tr("%1 angle"), FindingText::tr("%1 angular velocity"),
+                       FindingText::tr("%1 angular acceleration"));
+    } else if (channel.coordinate == R4x) {
+        quantity =
+            one(FindingText::tr("%1 position"), FindingText::tr("%1 velocity"), FindingText::tr("%1 acceleration"));
+    } else if (static_cast<int>(channel.coordinate) % 3 == 0) {
+        quantity = one(FindingText::tr("%1 centre in x"), FindingText::tr("%1 centre's velocity in x"),
+                       FindingText::tr("%1 centre's acceleration in x"));
+    } else {
+        quantity = one(FindingText::tr("%1 centre in y"), FindingText::tr("%1 centre's velocity in y"),
+                       FindingText::tr("%1 centre's acceleration in y"));
+    }
+    return quantity.arg(bodies[static_cast<std::size_t>(channel.coordinate) / 3]);
 }
 
 QString columnNameOf(Channel channel)
@@ -132,6 +162,21 @@ QString mechanismText(const Mechanism &mechanism, int digits)
             symbolOf(parameter), parameterText(parameter, valueOf(mechanism.parameters(), parameter), digits));
     }
     return (parts << withNoun(mechanism.branch())).join(FindingText::tr(", "));
+}
+
+QString keptText(const Parameters &kept, const Parameters &present)
+{
+    QStringList parts;
+    for (const Parameter parameter : kParameters) {
+        if (valueOf(kept, parameter) != valueOf(present, parameter)) {
+            parts << FindingText::tr("%1 = %2").arg(symbolOf(parameter),
+                                                    parameterText(parameter, valueOf(kept, parameter)));
+        }
+    }
+    if (kept.branch != present.branch) {
+        parts << withNoun(kept.branch);
+    }
+    return parts.isEmpty() ? FindingText::tr("kept") : parts.join(FindingText::tr(", "));
 }
 
 QString measuredText(double value, double standardError, double scale)

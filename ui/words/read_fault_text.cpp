@@ -60,6 +60,7 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::Pdf: return ReadFaultText::tr("The file is a PDF document, not a table: export the table as CSV.");
     case Kind::Markup:
         return ReadFaultText::tr("The file is HTML or XML, not a table of text: export the table as CSV.");
+    case Kind::Json: return ReadFaultText::tr("The file is JSON, not a table of text: export the table as CSV.");
     case Kind::NotText: return ReadFaultText::tr("the file holds bytes that are not text: export the table as CSV.");
     case Kind::LineTooLong:
         return ReadFaultText::tr("the line has more than a million characters: export the table as CSV, a row a line.");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/session.h"
 
+#include "core/closed_form/closed_form.h"
+
 #include "tests/support/waiting.h"
 
 #include <QSignalSpy>
@@ -742,6 +744,51 @@ private slots:
         QCOMPARE(session.sampling(), sampling);
         QCOMPARE(session.solver(), solver);
         QCOMPARE(session.reference(), reference);
+    }
+
+    void aMotionIsKeptAndForgottenAStepEach()
+    {
+        Session session;
+        QSignalSpy problems(&session, &Session::problemFound);
+        session.keep();
+        session.keep(); // once is enough
+        QCOMPARE(problems.count(), 1);
+        QVERIFY(session.kept() == std::vector<Parameters>{Parameters()});
+        session.setParameter(Parameter::B, 80.0);
+        const std::shared_ptr<const Result> result = session.result();
+        QVERIFY(result->kept == session.kept() && !result->reference && result->isCompared());
+        const Motion now = ClosedForm(Mechanism(session.parameters())).motionAt(0.0);
+        const Motion kept = ClosedForm(Mechanism(Parameters())).motionAt(0.0);
+        QVERIFY(result->difference->channels[1].maxAbs >= now.R4x - kept.R4x);
+
+        session.keep();
+        QCOMPARE(session.kept().size(), std::size_t(2));
+        QCOMPARE(session.result()->difference->channels[1].maxAbs, 0.0); // from the last
+        session.undoStack().undo();
+        QCOMPARE(session.kept().size(), std::size_t(1));
+        for (const double b : {81.0, 82.0, 83.0, 84.0}) {
+            session.setParameter(Parameter::B, b);
+            session.keep();
+        }
+        QCOMPARE(session.kept().size(), std::size_t(4)); // the last found no room
+        QCOMPARE(problems.count(), 2);
+        QVERIFY(problems.last().first().toString().contains(QStringLiteral("forget")));
+        session.forgetKept();
+        QVERIFY(session.kept().empty() && !session.result()->isCompared());
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("forgetting the kept motions"));
+        session.undoStack().undo();
+        QCOMPARE(session.kept().size(), std::size_t(4));
+    }
+
+    void aFileIsComparedBeforeWhatIsKept()
+    {
+        Session session;
+        session.keep();
+        session.setParameter(Parameter::B, 80.0);
+        session.setReference(std::make_shared<Reference>());
+        QVERIFY(session.result()->kept.size() == 1 && session.result()->reference && !session.result()->difference);
+        session.setReference(nullptr);
+        QVERIFY(session.result()->difference);
     }
 
     void anUndoTellsThePanels()

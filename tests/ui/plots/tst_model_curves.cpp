@@ -117,7 +117,7 @@ private slots:
         const Result result = runOf(parameters, {0.0, 1.0, 200});
         ModelCurves curves(result);
         QVERIFY(curves.points(0, {0.0, 1.0}, kColumns).empty());
-        QVERIFY(!curves.extremes(0));
+        QVERIFY(!curves.extremes(0, {0.0, 1.0}));
     }
 
     void aLongRunInClosedFormIsCountedButNotKept_data()

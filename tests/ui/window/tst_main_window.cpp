@@ -347,7 +347,7 @@ private slots:
         QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
         QVERIFY(pictureOf(*m_window, QStringLiteral("plot_theta3")) != curve);
         QVERIFY(pictureOf(*m_window, QStringLiteral("plot_error_position")) != error);
-        const auto *table = m_window->findChild<QTableView *>();
+        const auto *table = m_window->findChild<QTableView *>(QStringLiteral("errorTable"));
         QVERIFY(table && table->isVisible());
         QCOMPARE(table->model()->rowCount(), 6);
     }
@@ -518,7 +518,7 @@ private slots:
         AWAIT(m_window->session().diagnosis());
         QAction *ghost = nullptr;
         for (QAction *action : m_window->findChildren<QAction *>()) {
-            if (action->text().remove(u'&') == QLatin1String("Show the file's motion")) {
+            if (action->text().remove(u'&') == QLatin1String("Show the file's or the kept motion")) {
                 ghost = action;
             }
         }
@@ -848,7 +848,7 @@ private slots:
         grid->setSettings(settings);
         grid->setZoom(zoom);
         auto *mechanism = m_window->findChild<MechanismView *>();
-        const MechanismSettings drawing{true, false, true, false, true};
+        const MechanismSettings drawing{true, false, true, false, true, true, true};
         const QRectF part(-15.0, -10.0, 60.0, 40.0); // mm
         mechanism->setSettings(drawing);
         mechanism->setZoom(part);
@@ -879,6 +879,50 @@ private slots:
         QVERIFY(!m_window->session().undoStack().canUndo());
         QCOMPARE(recentFiles(kRecentScenes), QStringList{path});
         AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
+    }
+
+    /// "Consider the effect of another coupler length."
+    void aKeptMotionStaysUnderWhatFollows()
+    {
+        auto *grid = m_window->findChild<PlotGrid *>();
+        const QImage curves = pictureOf(*m_window, QStringLiteral("plot_R4_x"));
+        const QImage linkage = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QVERIFY(m_window->session().kept() == std::vector<Parameters>{Parameters()});
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) == linkage); // it is this one
+        m_window->session().setParameters(withCoupler(80.0));
+        const QImage both = pictureOf(*m_window, QStringLiteral("plot_R4_x"));
+        const QImage ghost = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        m_window->findChild<FoldingTabs *>()->setFolded(false);
+        auto *title = m_window->findChild<QLabel *>(QStringLiteral("keptLabel"));
+        AWAIT(title->isVisible());
+        AWAIT_COMPARE(title->text(), QStringLiteral("This mechanism − kept b = 65 mm"));
+        QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("no_reference_hint"))->isVisible());
+        QVERIFY(!isBlank(pictureOf(*m_window, QStringLiteral("plot_error_velocity"))));
+        QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(m_window->session().kept().empty());
+        QVERIFY(pictureOf(*m_window, QStringLiteral("plot_R4_x")) != both);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != ghost);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x")), both);
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), ghost);
+
+        const QTemporaryDir folder; // as a scene, too
+        const QString path = folder.filePath(QStringLiteral("kept.json"));
+        QVERIFY(m_window->scene().saveTo(path));
+        init();
+        grid = m_window->findChild<PlotGrid *>();
+        m_window->openFile(path);
+        QVERIFY(m_window->session().kept() == std::vector<Parameters>{Parameters()});
+        AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x")), both);
+        while (m_window->session().undoStack().canUndo()) {
+            m_window->session().undoStack().undo();
+        }
+        emit grid->keepRequested(); // as from its menu
+        QCOMPARE(m_window->session().kept().size(), std::size_t(2));
+        m_window->session().forgetKept();
+        m_window->session().setParameters({});
+        AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x")), curves); // as if nothing had ever been kept
     }
 
     void saysWhatIsModified()
