@@ -200,7 +200,7 @@ void warnOf(const QString &file, const ReferenceData &data)
                      QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
     if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
-        say(CommandLine::tr("%1: these columns are no channels and were ignored: %2.")
+        say(CommandLine::tr("%1: these columns are not known and were not used: %2.")
                 .arg(shownNameOf(file), ignored.join(QStringLiteral(", "))));
     }
     if (const QStringList guesses = guessesIn(data.layout); !guesses.empty()) {

@@ -97,7 +97,7 @@ constexpr OptionEntry kRenderOptions[] = {
     {"what", "WHAT",
      QT_TRANSLATE_NOOP(
          "slidercrank::CommandLine",
-         "figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: "
+         "figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: "
          "theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
          "error_acceleration (figure)")},
     {"output", "FILE",

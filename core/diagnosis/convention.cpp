@@ -39,6 +39,17 @@ void shift(ReferenceSeries &series, double amount)
     }
 }
 
+/// A column of one axis becomes that of the other.
+void turn(ReferenceSeries &series)
+{
+    if (series.channel.coordinate == R4x) {
+        series.channel.coordinate = R4y;
+        multiply(series, -1.0);
+    } else {
+        series.channel.coordinate = R4x;
+    }
+}
+
 /// What a file counts by is θ2, too: the instants follow.
 void applyToAngles(const Convention &convention, ReferenceData &data)
 {
@@ -60,6 +71,28 @@ void applyToAngles(const Convention &convention, ReferenceData &data)
 }
 
 } // namespace
+
+std::optional<Convention> axisAlongY(const ReferenceData &data)
+{
+    constexpr double kStands = 1e-3; // of what moves: rounding, or an axis that is not quite upright
+    Convention axis{Convention::Kind::Axis, {}, 1.0};
+    for (const ReferenceSeries &series : data.series) {
+        if (series.channel.coordinate != R4x && series.channel.coordinate != R4y) {
+            continue;
+        }
+        axis.channels.push_back(series.channel);
+        const ReferenceSeries *const other =
+            data.find({series.channel.coordinate == R4x ? R4y : R4x, series.channel.order});
+        const double width = rangeOf(series.values).width();
+        const double otherWidth = other ? rangeOf(other->values).width() : 0.0;
+        const bool isUpright = series.channel.coordinate == R4y ? width > 0.0 && otherWidth <= kStands * width
+                                                                : width <= kStands * otherWidth;
+        if (!isUpright) {
+            return std::nullopt;
+        }
+    }
+    return axis.channels.empty() ? std::nullopt : std::optional(std::move(axis));
+}
 
 ReferenceData applied(const Convention &convention, ReferenceData data)
 {
@@ -86,6 +119,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         case Kind::SwappedColumns:
             series.channel = convention.channels[series.channel == convention.channels[0] ? 1 : 0];
             break;
+        case Kind::Axis: turn(series); break;
         case Kind::Branch:
         case Kind::TimeShift:
         case Kind::NotDerivative: break;
@@ -116,6 +150,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
     case Kind::WholeTurns:
     case Kind::ZeroPoint:
     case Kind::SwappedColumns:
+    case Kind::Axis:
     case Kind::Branch: break;
     }
     return data;

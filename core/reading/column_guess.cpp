@@ -174,8 +174,8 @@ public:
     std::optional<ColumnFault> choose(std::span<const ColumnChoice> choices);
     std::optional<ColumnFault> takeNames();
     void guessTime();
-    void guessCrankAngle();
     void settlePairs();
+    void guessCrankAngle();
     void guessChannels();
 
     std::vector<ColumnUse> take() { return std::move(m_uses); }
@@ -372,6 +372,9 @@ std::optional<ColumnFault> Assignment::takeNames()
                 ignore(i, ColumnReason::NoName);
             } else if (fileNames && meaning.kind == NameMeaning::Kind::RowNumber) {
                 ignore(i, ColumnReason::RowNumber);
+            } else if (fileNames && meaning.kind == NameMeaning::Kind::Nothing &&
+                       m_headings[i].part == Heading::Part::Own && endsInQuantity(m_headings[i])) {
+                ignore(i, ColumnReason::UnknownBody);
             }
             if (fault) {
                 return fault;
@@ -390,7 +393,7 @@ void Assignment::guessTime()
     }
     for (std::size_t i = 0; i < m_uses.size(); ++i) {
         const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty() &&
-                           !isCrankAngle(m_headings[i]);
+                           m_uses[i].reason != ColumnReason::UnknownBody && !isCrankAngle(m_headings[i]);
         const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
         if (isOpen(i) && named && factor && i < samples().size() && onlyRises(samples()[i])) {
             m_uses[i] = ColumnUse{ColumnRole::Time, {}, ColumnReason::RisingValues, std::nullopt, *factor};

@@ -3,6 +3,7 @@
 
 #include "core/mechanism/in_parallel.h"
 #include "core/reading/crank_angles.h"
+#include "core/reading/difference.h"
 #include "core/reading/table_columns.h"
 #include "core/reading/table_rows.h"
 #include "core/reading/text_pieces.h"
@@ -240,6 +241,11 @@ std::variant<ReferenceData, ReadError> read(const ByteSource &source, const std:
     if (std::optional<ReadError> error = findWhyUseless(data, firstDataLine)) {
         error->layout = std::move(data.layout);
         return *std::move(error);
+    }
+    for (FileColumn &column : data.layout.columns) {
+        if (column.role == ColumnRole::Channel) {
+            column.difference = differenceIn(data, column.channel);
+        }
     }
     return data;
 }

@@ -20,7 +20,8 @@ namespace slidercrank
 struct ReadColumn {
     ColumnRole role = ColumnRole::Ignored; ///< Time: or the crank's angle in its place
     std::size_t series = 0;                ///< its place in TableLayout::channels
-    double factor = 1.0;   ///< of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s
+    /// Of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s; of the angle: to degrees.
+    double factor = 1.0;
     std::string_view unit; ///< that stands in the cells themselves, behind the number
 };
 

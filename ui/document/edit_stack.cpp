@@ -53,7 +53,7 @@ QString changeName(const Choices &before, const Choices &after)
     if (before.parameters != after.parameters) { // whatever follows from it
         return changeName(before.parameters, after.parameters);
     }
-    return before.sampling != after.sampling ? EditCommandText::tr("change of the sampling")
+    return before.sampling != after.sampling ? EditCommandText::tr("change of the run")
                                              : EditCommandText::tr("change of the method");
 }
 

@@ -69,6 +69,7 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
     result->sampling = request.sampling;
     result->solver = request.solver;
     result->reference = request.reference;
+    result->kept = request.kept;
     if (request.reference && request.reference->data.crank) {
         const auto timed = timedBy(request.mechanism, request.reference);
         if (const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&timed)) {
@@ -76,7 +77,6 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
             result->untimed = request.reference;
         }
     }
-    result->kept = request.kept;
     result->limits = motionLimits(request.mechanism);
     if (!request.reference && !request.kept.empty()) {
         const Sampling &run = request.sampling;

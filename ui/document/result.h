@@ -46,6 +46,7 @@ struct Result {
     /// What it was before that, where it counts by the crank's angle.
     std::shared_ptr<const Reference> untimed;
     const std::shared_ptr<const Reference> &chosenReference() const { return untimed ? untimed : reference; }
+
     std::vector<Parameters> kept; ///< motions to stay under the model's, the first kept first
 
     /// Where there is no reference: how far the model is from the motion kept last.

@@ -42,7 +42,7 @@ constexpr std::array<Word<ErrorMeasure>, 3> kErrorMeasures{
 constexpr std::array<Word<Abscissa>, 2> kAbscissae{{{Abscissa::Time, "time"}, {Abscissa::CrankAngle, "crank-angle"}}};
 constexpr std::array<Word<ColumnRole>, 3> kRoles{
     {{ColumnRole::Ignored, "ignored"}, {ColumnRole::Time, "time"}, {ColumnRole::CrankAngle, "crank-angle"}}};
-constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
+constexpr std::array<Word<Convention::Kind>, 12> kConventions{{
     {Convention::Kind::AngleUnit, "angle-unit"},
     {Convention::Kind::LengthUnit, "length-unit"},
     {Convention::Kind::TimeUnit, "time-unit"},
@@ -54,6 +54,7 @@ constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
     {Convention::Kind::Branch, "branch"},
     {Convention::Kind::TimeShift, "time-shift"},
     {Convention::Kind::NotDerivative, "not-derivative"},
+    {Convention::Kind::Axis, "axis"},
 }};
 
 template <typename Value, std::size_t count>

@@ -425,7 +425,7 @@ void Session::takeOver()
 {
     if (m_diagnosis && m_diagnosis->found.identification.stands()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
-             [] { return tr("taking over the file's mechanism"); });
+             [] { return tr("use of the file's mechanism"); });
     }
 }
 

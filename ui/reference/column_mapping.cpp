@@ -21,9 +21,11 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -131,7 +133,17 @@ FileLayout layoutIn(const std::variant<ReferenceData, ReadError> &outcome)
 
 QString channelText(Channel channel)
 {
-    return QStringLiteral("%1  (%2)").arg(symbolOf(channel), columnNameOf(channel));
+    return QStringLiteral("%1  %2  (%3)").arg(quantityOf(channel), symbolOf(channel), columnNameOf(channel));
+}
+
+/// A line among the entries that cannot be chosen.
+void addTitle(QComboBox &combo, const QString &title)
+{
+    combo.addItem(title);
+    QFont bold = combo.font();
+    bold.setBold(true);
+    combo.setItemData(combo.count() - 1, bold, Qt::FontRole);
+    qobject_cast<QStandardItemModel *>(combo.model())->item(combo.count() - 1)->setFlags(Qt::NoItemFlags);
 }
 
 void fillMeanings(QComboBox &combo)
@@ -139,16 +151,24 @@ void fillMeanings(QComboBox &combo)
     combo.addItem(ColumnMapping::tr("ignored"), kIgnored);
     combo.addItem(ColumnMapping::tr("time"), kTime);
     combo.addItem(ColumnMapping::tr("crank angle"), kCrankAngle);
-    for (const Channel channel : kPlottedChannels) {
-        combo.addItem(channelText(channel), static_cast<int>(indexOf(channel)));
-    }
-    combo.insertSeparator(combo.count());
-    const ChannelSet plotted = plottedChannels();
-    for (std::size_t i = 0; i < kChannelCount; ++i) {
-        if (!plotted.test(i)) {
-            combo.addItem(channelText(channelAt(i)), static_cast<int>(i));
+    struct Group {
+        QString title;
+        std::vector<Coordinate> coordinates;
+    };
+    const std::array groups{
+        Group{ColumnMapping::tr("Slider"), {R4x}}, Group{ColumnMapping::tr("Coupler"), {Theta3}},
+        Group{ColumnMapping::tr("Crank"), {Theta2}},
+        Group{ColumnMapping::tr("Seldom exported"), {R4y, Theta4, R3x, R3y, R2x, R2y, R1x, R1y, Theta1}}};
+    for (const Group &group : groups) {
+        addTitle(combo, group.title);
+        for (const Coordinate coordinate : group.coordinates) {
+            for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+                const Channel channel{coordinate, order};
+                combo.addItem(channelText(channel), static_cast<int>(indexOf(channel)));
+            }
         }
     }
+    combo.setMaxVisibleItems(16);
 }
 
 /// The units that a column of that meaning may have; the first entry is the file's own.
@@ -237,7 +257,7 @@ ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, Q
     rows->addWidget(m_preview);
     rows->addWidget(m_problem);
     rows->addWidget(buttons);
-    resize(900, 560);
+    resize(1000, 600);
 
     for (const ColumnChoice &choice : rememberedChoices(m_layout, path)) {
         Row &row = m_rows[choice.column];
@@ -249,12 +269,13 @@ ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, Q
         row.unit->setCurrentIndex(std::max(0, row.unit->findData(QString::fromStdString(choice.unit))));
         row.chosen = true;
     }
-    // The first column that was guessed is what brings a person here.
-    const auto guessed = std::find_if(m_layout.columns.begin(), m_layout.columns.end(), [](const FileColumn &column) {
-        return column.role == ColumnRole::Channel && isGuess(column.reason);
+    // The first column that is open, or was guessed, is what brings a person here.
+    const auto open = std::ranges::find_if(m_layout.columns, [this](const FileColumn &column) {
+        return m_layout.isOpen() ? leavesOpen(column.reason)
+                                 : column.role == ColumnRole::Channel && isGuess(column.reason);
     });
-    if (guessed != m_layout.columns.end()) {
-        m_current = static_cast<std::size_t>(guessed - m_layout.columns.begin());
+    if (open != m_layout.columns.end()) {
+        m_current = static_cast<std::size_t>(open - m_layout.columns.begin());
     }
     readAgain();
     if (m_current < m_rows.size()) {

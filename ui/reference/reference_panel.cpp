@@ -135,7 +135,8 @@ QWidget *ReferencePanel::createFilePage()
     auto *room = new QWidget;
     m_findingsRoom = new QVBoxLayout(room);
     m_findingsRoom->setContentsMargins(8, 0, 4, 0);
-    m_findingsArea = named("findings", new QScrollArea, tr("Whose motion the file is, and how else it may be read"));
+    m_findingsArea =
+        named("findings", new QScrollArea, tr("Which mechanism the file belongs to, and how else it may be read"));
     m_findingsArea->setWidgetResizable(true);
     m_findingsArea->setFrameShape(QFrame::NoFrame);
     m_findingsArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -166,7 +167,7 @@ QWidget *ReferencePanel::createTables()
 
     m_choice = new QButtonGroup(this);
     for (const auto &[name, text] : {std::pair{"showColumns", tr("Columns")}, std::pair{"showSkipped", QString()},
-                                     std::pair{"showFindings", tr("Whose motion")}}) {
+                                     std::pair{"showFindings", tr("Its mechanism")}}) {
         auto *button = named(name, new QToolButton);
         button->setText(text);
         button->setCheckable(true);
@@ -367,13 +368,13 @@ void ReferencePanel::fillFindings()
     const auto later = Qt::QueuedConnection; // what follows a click makes all of this anew, the button too
 
     if (!m_reference->conventions.empty()) {
-        rows->addWidget(boldLabel(tr("Read otherwise than printed")));
+        rows->addWidget(boldLabel(tr("Read differently from how it is written")));
         const ReferenceData &printed = (m_reference->asPrinted ? m_reference->asPrinted : m_reference)->data;
         QStringList sentences;
         for (const Convention &convention : m_reference->conventions) {
             sentences << explanationOf(convention, printed);
         }
-        auto *asPrinted = named("asPrintedButton", new QPushButton(tr("Read as printed again")));
+        auto *asPrinted = named("asPrintedButton", new QPushButton(tr("Read as written again")));
         connect(asPrinted, &QPushButton::clicked, this, &ReferencePanel::readAsPrintedRequested, later);
         rows->addLayout(rowOf(plainText(sentences.join(QLatin1Char('\n'))), asPrinted));
     }
@@ -390,9 +391,9 @@ void ReferencePanel::fillFindings()
             rows->addLayout(rowOf(plainText(explanation + QLatin1Char('\n') + effectOf(finding)), apply));
         }
     }
-    rows->addWidget(boldLabel(tr("Whose motion it is")));
+    rows->addWidget(boldLabel(tr("Which mechanism it belongs to")));
     if (!known) {
-        rows->addWidget(plainText(tr("Being found out…")));
+        rows->addWidget(plainText(tr("Searching…")));
     } else {
         QString summary = summaryOf(m_diagnosis->found);
         if (const QString rounded = roundNumbersText(m_diagnosis->found); !rounded.isEmpty()) {
@@ -405,9 +406,8 @@ void ReferencePanel::fillFindings()
         QLabel *mechanism = named("identificationLabel", plainText(summary));
         if (const Identification &found = m_diagnosis->found.identification; found.stands()) {
             const bool isOne = found.outcome == Identification::Outcome::Identified;
-            auto *takeOver =
-                named("takeOverButton", new QPushButton(isOne ? tr("Take over") : tr("Take the first over")));
-            takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
+            auto *takeOver = named("takeOverButton", new QPushButton(isOne ? tr("Take over") : tr("Use the first")));
+            takeOver->setToolTip(tr("Sets the sliders to this mechanism; can be undone"));
             takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);
             rows->addLayout(rowOf(mechanism, takeOver));

@@ -189,7 +189,8 @@ void Exports::writeAnimation(const QString &path)
                                          .arg(QString::number(older.size()), older.first(), older.last()),
                                      QMessageBox::Cancel, m_window);
     question->setObjectName(QStringLiteral("framesQuestion"));
-    question->setInformativeText(tr("All of them go; new ones, %1, take their place.").arg(animation.frameCount()));
+    question->setInformativeText(
+        tr("All of them are deleted; the new ones, %1, take their place.").arg(animation.frameCount()));
     question->addButton(tr("Replace"), QMessageBox::AcceptRole);
     question->setDefaultButton(QMessageBox::Cancel);
     question->setAttribute(Qt::WA_DeleteOnClose);

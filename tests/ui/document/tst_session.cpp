@@ -459,7 +459,7 @@ private slots:
         session.cancel();
         QCOMPARE(session.result(), before);
         QCOMPARE(session.sampling(), Sampling());
-        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the sampling"));
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the run"));
 
         session.undoStack().undo(); // the same over two steps, then forward again
         session.cancel();
@@ -522,7 +522,7 @@ private slots:
         AWAIT(session.diagnosis());
         session.takeOver();
         const QString name = session.undoStack().undoText();
-        QVERIFY(name.startsWith(QLatin1String("taking over")));
+        QVERIFY(name.startsWith(QLatin1String("use of")));
         session.retranslateEdits();
         QCOMPARE(session.undoStack().undoText(), name);
     }

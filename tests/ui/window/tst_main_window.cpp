@@ -22,6 +22,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
@@ -612,6 +613,42 @@ private slots:
     }
 
     /// Nobody writes into the pipe, and nobody waits for that.
+    void asksWhatTheColumnsAreWhereNothingTells_data()
+    {
+        QTest::addColumn<QByteArray>("names");
+        QTest::addColumn<bool>("asks");
+        QTest::newRow("of two points") << QByteArray("time,J1_x,J2_x\n") << true;
+        QTest::newRow("one of them known") << QByteArray("time,R4_x,J2_x\n") << false;
+        QTest::newRow("of another kind") << QByteArray("time,temperature,humidity\n") << false;
+    }
+
+    void asksWhatTheColumnsAreWhereNothingTells()
+    {
+        QFETCH(const QByteArray, names);
+        QFETCH(const bool, asks);
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("columns.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(names + "0,80,1\n1,70,2\n2,75,1\n");
+        file.close();
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        QSignalSpy refused(&m_window->session(), &Session::referenceRefused);
+        m_window->openReference(file.fileName());
+        AWAIT(loaded.count() + refused.count() == 1);
+        auto *dialog = m_window->findChild<QDialog *>(QStringLiteral("columnMapping"));
+        QCOMPARE(dialog != nullptr && dialog->isVisible(), asks);
+        if (!asks) {
+            return;
+        }
+        auto *second = dialog->findChild<QComboBox *>(QStringLiteral("meaning2"));
+        second->setCurrentIndex(second->findData(static_cast<int>(indexOf({R4x, Order::Position}))));
+        loaded.clear();
+        QTest::mouseClick(dialog->findChild<QAbstractButton *>(QStringLiteral("useButton")), Qt::LeftButton);
+        QVERIFY(loaded.wait(kPatience));
+        QCOMPARE(m_window->session().reference()->data.find({R4x, Order::Position})->values.front(), 1.0);
+        AWAIT(!m_window->findChild<QDialog *>(QStringLiteral("columnMapping"))); // it asks once
+    }
+
     void aSceneThatIsNoFileIsToldAndNotWaitedFor()
     {
 #ifdef Q_OS_UNIX
