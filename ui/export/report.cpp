@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report.h"
+#include "ui/document/byte_stream.h"
 
 #include "ui/words/axis_scale.h"
 #include "ui/words/column_text.h"
@@ -147,8 +148,9 @@ QString identityText(const ReportContent &content)
 {
     const QString &path = content.result->reference->path;
     return Report::tr("File: %1\nSHA-256: %2")
-        .arg(path.startsWith(u':') ? Report::tr("the sample that comes with the program")
-                                   : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
+        .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
+             : isStandardInput(path) ? shownNameOf(path)
+                                     : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
              content.checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or was changed since")
                                         : QString::fromLatin1(content.checksum));
 }
