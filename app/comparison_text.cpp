@@ -7,7 +7,6 @@
 #include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
-#include "ui/words/written_number.h"
 
 #include <QStringList>
 
@@ -113,7 +112,7 @@ const char *wordOf(Verdict verdict)
 
 QString headlineOf(const QString &file, const ReferenceData &data)
 {
-    const auto number = [](double value) { return numberText(value, 9); };
+    const auto number = [](double value) { return rounded(value, 9); };
     if (data.crank) {
         const CrankAngles &crank = *data.crank;
         return CommandLine::tr("%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°")

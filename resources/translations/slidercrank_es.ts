@@ -4951,6 +4951,10 @@ SHA-256: %2</translation>
         <source>Thin: the mechanism as the file has it.</source>
         <translation>Trazo fino: el mecanismo según el archivo.</translation>
     </message>
+    <message>
+        <source>Reference: %1, %2, %3 angles.</source>
+        <translation>Referencia: %1, %2, %3 ángulos.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>

@@ -1603,8 +1603,11 @@ void TestCommandLine::knowsNoSpeedOfATableWithoutDerivatives()
         QCOMPARE(mechanism[QLatin1String(name)].toDouble(), value);
     }
     const Outcome text = run(identify);
-    QVERIFY2(text.out.contains("The data do not fix ω₂ = 3 rad/s and θ₂₀ = 30°: kept as given."), text.out.constData());
+    QVERIFY2(text.out.contains("The data do not determine ω₂ = 3 rad/s and θ₂₀ = 30°: kept as given."), text.out.constData());
     QVERIFY2(text.out.contains("--a 20 --b 60 --c 25 --omega2 3 "), text.out.constData());
+    static const QRegularExpression otherPowers(QStringLiteral("[0-9]E[-0-9]|e[+]|e-?0[0-9]|10⁻"));
+    QVERIFY2(!QString::fromUtf8(text.out).contains(otherPowers), text.out.constData());
+    QVERIFY2(text.out.contains("e-6 "), text.out.constData());
 }
 
 void TestCommandLine::takesTheSpeedFromTheDerivatives()
@@ -1669,7 +1672,7 @@ void TestCommandLine::saysWhereTheAnglesAreCountedFrom()
             QCOMPARE(conventions.first().toObject()["name"].toString(), QStringLiteral("sign"));
         }
         QVERIFY(entry["explanation"].toObject()["sentence"].toString().contains(
-            QStringLiteral("Read so, it does not differ from this mechanism.")));
+            QStringLiteral("Read this way, it does not differ from this mechanism.")));
     }
 }
 
