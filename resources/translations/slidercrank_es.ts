@@ -3297,6 +3297,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Show the file&apos;s or the kept &amp;motion</source>
         <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
     </message>
+    <message>
+        <source>In &amp;front of a class</source>
+        <translation>&amp;Ante una clase</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
@@ -4033,6 +4037,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Shaded: with the crank there the mechanism cannot be assembled</source>
         <translation>Sombreado: con la manivela ahí el mecanismo no se puede ensamblar</translation>
+    </message>
+    <message>
+        <source>Parameter to change</source>
+        <translation>Parámetro que se cambia</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -5958,6 +5970,57 @@ SHA-256: %2</translation>
         <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
         <comment>of a point: |ω₃| times its distance</comment>
         <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::AnimationForm</name>
+    <message>
+        <source>Export animation</source>
+        <translation>Exportar animación</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Unit of the length</source>
+        <translation>Unidad de la duración</translation>
+    </message>
+    <message>
+        <source>s of the motion</source>
+        <translation>s del movimiento</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>%1 frames: %2 s at the speed of playing, %3×.</source>
+        <translation>%1 fotogramas: %2 s a la velocidad de reproducción, %3×.</translation>
+    </message>
+    <message>
+        <source>More than %1 frames: choose a shorter length, fewer frames a second or a higher speed of playing.</source>
+        <translation>Más de %1 fotogramas: elija una duración menor, menos fotogramas por segundo o una velocidad de reproducción mayor.</translation>
     </message>
 </context>
 </TS>
