@@ -2643,6 +2643,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Read the values of all plots</source>
         <translation>Leer los valores de todas las gráficas</translation>
     </message>
+    <message>
+        <source>Leave what fills the screen</source>
+        <translation>Salir de la pantalla completa</translation>
+    </message>
+    <message>
+        <source>Make it large, and small again</source>
+        <translation>Agrandarlo y reducirlo</translation>
+    </message>
+    <message>
+        <source>Double click a link, or Enter</source>
+        <translation>Doble clic en una barra, o Intro</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::IterationPlot</name>
