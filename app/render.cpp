@@ -157,7 +157,7 @@ ExitStatus render(const RenderOptions &options)
     std::shared_ptr<const Reference> reference;
     if (options.reference) {
         const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readReference(*options.reference, {}, {{}, {}, options.columns});
+            readTimed(*options.reference, options.columns, options.mechanism);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             return ExitStatus::FileFailed;

@@ -56,8 +56,8 @@ QString Shortfall::sentence(const Mechanism &mechanism, int maxIterations) const
                          .arg(maxIterations);
     }
     if (const Instants &instants = of(Status::Singular); instants.count > 0) {
-        sentences += CommandLine::tr("Velocity and acceleration do not exist at %1: the coupler stands square to the "
-                                     "slider's line there; a longer coupler (--b) avoids it.")
+        sentences += CommandLine::tr("Velocity and acceleration do not exist at %1: the coupler is perpendicular to "
+                                     "the slider's line there; a longer coupler (--b) avoids it.")
                          .arg(where(instants));
     }
     if (const Instants &instants = of(Status::NotFinite); instants.count > 0) {

@@ -86,7 +86,12 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     double theta3 = 0.0;
     double sliderX = 0.0;
     if (!angle || !slider) {
-        const Motion motion = ClosedForm(mechanism).motionAt(time);
+        Parameters parameters = mechanism.parameters();
+        if (data.crank) { // its angles are those of the file's, whatever else turns the mechanism
+            parameters.omega2 = data.crank->omega2;
+            parameters.theta20 = data.crank->theta20;
+        }
+        const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(time);
         theta3 = motion.theta3;
         sliderX = motion.R4x;
     }

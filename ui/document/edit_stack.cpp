@@ -50,13 +50,11 @@ QString changeName(const Choices &before, const Choices &after)
         return after.kept.empty() ? EditCommandText::tr("forgetting the kept motions")
                                   : EditCommandText::tr("keeping the motion");
     }
-    if (before.sampling != after.sampling) {
-        return EditCommandText::tr("change of the sampling");
+    if (before.parameters != after.parameters) { // whatever follows from it
+        return changeName(before.parameters, after.parameters);
     }
-    if (before.solver != after.solver) {
-        return EditCommandText::tr("change of the method");
-    }
-    return changeName(before.parameters, after.parameters);
+    return before.sampling != after.sampling ? EditCommandText::tr("change of the run")
+                                             : EditCommandText::tr("change of the method");
 }
 
 /// One edit: all that was chosen before it and after it. Edits in a row become one where `step` is the same.

@@ -41,8 +41,13 @@ struct Result {
     RunSummary summary;
     Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
     MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null
-    std::vector<Parameters> kept;               ///< motions to stay under the model's, the first kept first
+    std::shared_ptr<const Reference> reference; ///< may be null; timed for this mechanism
+
+    /// What it was before that, where it counts by the crank's angle.
+    std::shared_ptr<const Reference> untimed;
+    const std::shared_ptr<const Reference> &chosenReference() const { return untimed ? untimed : reference; }
+
+    std::vector<Parameters> kept; ///< motions to stay under the model's, the first kept first
 
     /// Where there is no reference: how far the model is from the motion kept last.
     std::optional<MotionDifference> difference;

@@ -40,7 +40,9 @@ constexpr std::array<Word<Elimination>, 2> kEliminations{
 constexpr std::array<Word<ErrorMeasure>, 3> kErrorMeasures{
     {{ErrorMeasure::Percent, "percent"}, {ErrorMeasure::Absolute, "absolute"}, {ErrorMeasure::OfPeak, "of-peak"}}};
 constexpr std::array<Word<Abscissa>, 2> kAbscissae{{{Abscissa::Time, "time"}, {Abscissa::CrankAngle, "crank-angle"}}};
-constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
+constexpr std::array<Word<ColumnRole>, 3> kRoles{
+    {{ColumnRole::Ignored, "ignored"}, {ColumnRole::Time, "time"}, {ColumnRole::CrankAngle, "crank-angle"}}};
+constexpr std::array<Word<Convention::Kind>, 12> kConventions{{
     {Convention::Kind::AngleUnit, "angle-unit"},
     {Convention::Kind::LengthUnit, "length-unit"},
     {Convention::Kind::TimeUnit, "time-unit"},
@@ -52,6 +54,7 @@ constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
     {Convention::Kind::Branch, "branch"},
     {Convention::Kind::TimeShift, "time-shift"},
     {Convention::Kind::NotDerivative, "not-derivative"},
+    {Convention::Kind::Axis, "axis"},
 }};
 
 template <typename Value, std::size_t count>
@@ -84,10 +87,8 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
 {
     QJsonArray columns;
     for (const ColumnChoice &choice : reference.columns) {
-        QString use = QString::fromUtf8(nameOf(choice.channel));
-        if (choice.role != ColumnRole::Channel) {
-            use = choice.role == ColumnRole::Time ? QStringLiteral("time") : QStringLiteral("ignored");
-        }
+        const QString use = choice.role == ColumnRole::Channel ? QString::fromUtf8(nameOf(choice.channel))
+                                                               : wordOf(kRoles, choice.role);
         columns += QJsonObject{{QStringLiteral("column"), static_cast<qint64>(choice.column) + 1},
                                {QStringLiteral("use"), use},
                                {QStringLiteral("unit"), QString::fromStdString(choice.unit)}};
@@ -211,8 +212,11 @@ ColumnChoice columnChoiceOf(const ScenePart &part)
         choice.channel = *channel;
     } else if (use == u"time") {
         choice.role = ColumnRole::Time;
+    } else if (use == u"crank-angle") {
+        choice.role = ColumnRole::CrankAngle;
     } else if (use != u"ignored") {
-        part.refuse("use", SceneText::tr("\"time\", \"ignored\" or a channel such as \"theta3\" or \"R4_x_diff\""));
+        part.refuse("use", SceneText::tr("\"time\", \"crank-angle\", \"ignored\" or a channel such as \"theta3\" or "
+                                         "\"R4_x_diff\""));
     }
     return choice;
 }

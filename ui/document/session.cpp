@@ -27,7 +27,7 @@ Request requestOf(const Choices &choices)
 /// What the result was computed from.
 Choices choicesOf(const Result &result)
 {
-    return {result.mechanism.parameters(), result.sampling, result.solver, result.reference, result.kept};
+    return {result.mechanism.parameters(), result.sampling, result.solver, result.chosenReference(), result.kept};
 }
 
 /// From the first of these instants to the last; the same run where that is none.
@@ -48,6 +48,12 @@ bool holds(const Sampling &run, const std::vector<double> &instants)
     const double room = 1e-9 * std::abs(run.duration); // of rounding
     return instants.empty() ||
            (instants.front() >= std::min(run.start, end) - room && instants.back() <= std::max(run.start, end) + room);
+}
+
+bool isRunOf(const std::vector<double> &instants, const Sampling &run)
+{
+    const Sampling whole = runOf(instants, run);
+    return holds(run, instants) && holds(whole, {run.start, run.start + run.duration});
 }
 
 /// As much of them as can be shown at once.
@@ -165,9 +171,24 @@ void Session::forgetKept()
 
 void Session::edit(const Choices &choices, const EditName &name)
 {
-    if (choices != m_choices) {
-        m_edits.edit(m_choices, choices, name);
+    if (choices == m_choices) {
+        return;
     }
+    const Reading timed = timedBy(Mechanism(choices.parameters), choices.reference);
+    if (const QString *sentence = std::get_if<QString>(&timed)) {
+        emit problemFound(*sentence);
+        emit parametersChanged(m_choices.parameters);
+        return;
+    }
+    const std::shared_ptr<const Reference> &shown = m_result->reference;
+    const bool isOtherDrive = choices.reference && choices.reference->data.crank &&
+                              choices.reference == m_choices.reference && choices.parameters != m_choices.parameters;
+    if (isOtherDrive && shown && isRunOf(shown->data.time, choices.sampling)) { // the run that was the file's still is
+        const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
+        m_edits.edit(m_choices, with(choices, &Choices::sampling, runOf(instants, choices.sampling)), name);
+        return;
+    }
+    m_edits.edit(m_choices, choices, name);
 }
 
 void Session::putInForce(const Choices &choices)
@@ -215,7 +236,7 @@ void Session::recompute()
 
 void Session::publish(std::shared_ptr<const Result> result)
 {
-    const bool newReference = result->reference != m_result->reference;
+    const bool newReference = result->chosenReference() != m_result->chosenReference();
     m_result = std::move(result);
     emit resultChanged(m_result);
     emit timeChanged(pose());
@@ -227,7 +248,8 @@ void Session::publish(std::shared_ptr<const Result> result)
 void Session::diagnoseAside()
 {
     const std::shared_ptr<const Reference> &reference = m_choices.reference;
-    const bool upToDate = m_result->reference == reference && m_result->mechanism.parameters() == m_choices.parameters;
+    const bool upToDate =
+        m_result->chosenReference() == reference && m_result->mechanism.parameters() == m_choices.parameters;
     const bool known = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
     if (!reference || !upToDate || known) {
         return; // nothing to say, or not yet: the next result asks again
@@ -306,6 +328,31 @@ void Session::loadReference(const QString &path, const std::shared_ptr<const Ref
     });
 }
 
+void Session::readAbscissaAs(ColumnRole role)
+{
+    const std::shared_ptr<const Reference> before = m_choices.reference;
+    if (!before) {
+        return;
+    }
+    const ReferenceSource source{before->path, withAbscissaAs(role, *before), {}};
+    const auto read = [source, before](std::stop_token stop, const ReadOptions &options) {
+        Reading outcome = readReference(source, stop, options);
+        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
+            *reference = withConventionsOf(*before, *reference);
+        }
+        return outcome;
+    };
+    readAside(read, [this, source](const Reading &outcome) {
+        if (const QString *sentence = std::get_if<QString>(&outcome)) {
+            emit referenceRefused(source.path, *sentence);
+            return;
+        }
+        const auto &reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        rememberChoices(reference->data.layout, source.path, source.columns);
+        follow(reference);
+    });
+}
+
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
     if (!source) {
@@ -316,10 +363,12 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
     }
     readAside([source = *source](std::stop_token stop,
                                  const ReadOptions &options) { return readReference(source, stop, options); },
-              [this, choices, seconds, before = m_choices](const Reading &outcome) {
+              [this, choices, seconds, before = m_choices](const Reading &read) {
+                  const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&read);
+                  const Reading outcome = reference ? timedBy(Mechanism(choices.parameters), *reference) : read;
                   const QString *problem = std::get_if<QString>(&outcome);
                   Choices complete = choices;
-                  complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
+                  complete.reference = problem ? nullptr : *reference;
                   const auto start = [this, complete, seconds, sentence = problem ? *problem : QString()] {
                       startWith(complete, seconds);
                       emit opened(sentence);
@@ -349,12 +398,20 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
 
 void Session::follow(const std::shared_ptr<const Reference> &reference)
 {
+    const Mechanism model(m_choices.parameters);
+    const Reading timed = timedBy(model, reference);
+    const Reading timedBefore = timedBy(model, m_choices.reference);
+    if (const QString *sentence = std::get_if<QString>(&timed)) {
+        emit referenceRefused(reference->path, *sentence);
+        return;
+    }
+    const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
     Choices choices = with(m_choices, &Choices::reference, reference);
-    const std::shared_ptr<const Reference> &before = m_choices.reference;
+    const std::shared_ptr<const Reference> &before = std::get<std::shared_ptr<const Reference>>(timedBefore);
     const bool hasFollowed =
         before && before->path == reference->path && m_choices.sampling == runOf(before->data.time, m_choices.sampling);
-    if (hasFollowed || !holds(m_choices.sampling, reference->data.time)) {
-        choices.sampling = runOf(reference->data.time, m_choices.sampling);
+    if (hasFollowed || !holds(m_choices.sampling, instants)) {
+        choices.sampling = runOf(instants, m_choices.sampling);
     }
     if (choices.sampling != m_choices.sampling) {
         emit runFollows(reference, choices.sampling);
@@ -368,7 +425,7 @@ void Session::takeOver()
 {
     if (m_diagnosis && m_diagnosis->found.identification.stands()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
-             [] { return tr("taking over the file's mechanism"); });
+             [] { return tr("use of the file's mechanism"); });
     }
 }
 

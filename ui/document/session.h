@@ -77,6 +77,10 @@ public slots:
     /// columns do.
     void readColumnsAnew(const QString &path);
 
+    /// The same as it reads with its instants, or what stands in their place, taken for that: Time or CrankAngle. The
+    /// choice is remembered as those of columns are.
+    void readAbscissaAs(slidercrank::ColumnRole role);
+
     /// Takes one that is already read, at once; null: none. The run stays as it is.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 

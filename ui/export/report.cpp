@@ -70,8 +70,8 @@ ReportBlock mechanismBlock(const ReportContent &content)
     const Identification &found = content.diagnosis.identification;
     ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
     if (content.hasGhost) {
-        block.text = content.result->reference ? Report::tr("Thin: the linkage as the file has it.")
-                                               : Report::tr("Thin: the linkage that was kept.");
+        block.text = content.result->reference ? Report::tr("Thin: the mechanism as the file has it.")
+                                               : Report::tr("Thin: the mechanism that was kept.");
     }
     if (isFound(content)) {
         block.table.header << (found.outcome == Identification::Outcome::Identified ? Report::tr("the file's own")

@@ -107,7 +107,7 @@ LimitsPanel::LimitsPanel(QWidget *parent)
 {
     named("limitsPanel", this, tr("Motion limits"));
     const QString valueName = QStringLiteral("value");
-    const TableColumn value{tr("value"), tr("Positions are Rₓ⁴, those of the slider"), valueName};
+    const TableColumn value{tr("value"), tr("Positions are those of the slider, Rₓ⁴, measured from O₂"), valueName};
     const TableColumn signedValue{tr("value"), tr("With its sign: x to the right, angles counter-clockwise"),
                                   valueName};
     const TableColumn angle{tr("θ₂ [°]"), tr("Crank angle, 0 to 360°"), QStringLiteral("theta2 [°]")};

@@ -163,7 +163,7 @@ QString longestBodyName()
 std::vector<TableColumn> equationColumns()
 {
     return {
-        {NewtonTables::tr("joint"), NewtonTables::tr("What the equation holds together"), QStringLiteral("joint"),
+        {NewtonTables::tr("joint"), NewtonTables::tr("The joint that the equation is of"), QStringLiteral("joint"),
          false},
         {NewtonTables::tr("equation"),
          NewtonTables::tr("C(q, t) = 0, the bodies as superscripts: 1 ground, 2 crank, "
@@ -222,7 +222,6 @@ std::vector<TableRow> jacobianRows(const Mechanism &mechanism, const InstantEqua
 {
     constexpr double kUnity = 0.4; // the tint of ±1, beside that of lengths, which are coloured by their size
     constexpr double kFaintest = 0.1;
-    const QLocale locale = localeWithoutGroups();
     const double largest = 0.5 * std::max(mechanism.a(), mechanism.b());
     std::vector<TableRow> rows;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
@@ -293,9 +292,9 @@ std::vector<TableRow> coordinateRows(const Mechanism &mechanism, const State &st
 std::vector<TableColumn> iterationColumns()
 {
     return {{NewtonTables::tr("step"), NewtonTables::tr("0: the start"), QStringLiteral("step"), true},
-            {NewtonTables::tr("● ‖C‖"), NewtonTables::tr("From afar: θ₂ exact, θ³ = 0 (crossed: 180°)"),
+            {NewtonTables::tr("● ‖C‖"), NewtonTables::tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)"),
              QStringLiteral("residual_from_afar")},
-            {NewtonTables::tr("● θ³ [°]"), NewtonTables::tr("From afar: θ₂ exact, θ³ = 0 (crossed: 180°)"),
+            {NewtonTables::tr("● θ³ [°]"), NewtonTables::tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)"),
              QStringLiteral("theta3_from_afar")},
             {NewtonTables::tr("□ ‖C‖"), NewtonTables::tr("From the position one step of the run before"),
              QStringLiteral("residual_from_before")},

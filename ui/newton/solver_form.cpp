@@ -164,10 +164,9 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
         sentence = sentence.arg(locale.toString(result->solver.newton.maxIterations));
     }
     tell(Status::NotAssemblable, tr("%1 of %2 instants cannot be assembled: the coupler is too short there."));
-    tell(Status::Singular,
-         tr("At %1 of %2 instants the coupler stands square to the slider's line: the position exists, "
-            "velocity and acceleration do not."));
-    tell(Status::NotFinite, tr("%1 of %2 instants gave no finite number: the numbers are too large."));
+    tell(Status::Singular, tr("At %1 of %2 instants the coupler is perpendicular to the slider's line: the position "
+                              "exists, velocity and acceleration do not."));
+    tell(Status::NotFinite, tr("At %1 of %2 instants the result is too large to be a number."));
     if (const QString few = newton ? fewSamplesSentence(result->mechanism, result->sampling) : QString();
         !few.isEmpty()) {
         sentences << few;

@@ -190,7 +190,8 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
     for (LegendEntry &entry : std::views::reverse(shown)) {
         const double length = metrics.horizontalAdvance(entry.text);
         if (entry.mayBeElided && excess > 0.0 && length > kShortest) {
-            entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, std::max(kShortest, length - excess));
+            const Qt::TextElideMode elide = entry.ink == Ink::Kept ? Qt::ElideRight : Qt::ElideMiddle; // "b = 65 …"
+            entry.text = metrics.elidedText(entry.text, elide, std::max(kShortest, length - excess));
             excess -= length - metrics.horizontalAdvance(entry.text);
         }
     }

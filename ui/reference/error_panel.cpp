@@ -159,7 +159,7 @@ TableRow errorRowOf(const ChannelComparison &channel, const SeriesColours &colou
          cell(numberText(channel.roundingStep, kErrorDigits),
               channel.roundingStep ? ErrorPanel::tr("The file writes this channel in steps of %1 at most")
                                          .arg(withUnit(numberText(channel.roundingStep, kErrorDigits)))
-                                   : ErrorPanel::tr("The file does not show how it was rounded"))},
+                                   : ErrorPanel::tr("How the file was rounded is unknown"))},
         exists ? std::optional(channel.timeOfMaxAbs) : std::nullopt};
     row.cells[0].csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel.channel), unit);
     row.cells[1].csv = verdictText(channel);
@@ -245,8 +245,8 @@ QWidget *ErrorPanel::createTablePage()
          {tr("at [s]"), tr("Instant of the largest percentage"), QStringLiteral("max_percent_at [s]")},
          {tr("% of peak"), tr("max |model − reference| / max |reference| · 100"), QStringLiteral("percent_of_peak")},
          {tr("step"),
-          tr("Distance between neighbouring numbers that the file can write, where it is largest, in the "
-             "channel's unit. Rounding alone makes an error of half of it."),
+          tr("One unit of the last digit that the file writes, where it is largest, in the channel's unit. Rounding "
+             "alone makes an error of up to half of it."),
           QStringLiteral("step")}},
         TableLook::Striped);
     connect(m_table, &NumberTable::instantRequested, this, &ErrorPanel::timeRequested);
@@ -358,7 +358,7 @@ void ErrorPanel::fill()
 
 bool ErrorPanel::isOnTheMove() const
 {
-    const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->reference;
+    const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->chosenReference();
     return ofThisFile && m_diagnosis->parameters != m_result->mechanism.parameters();
 }
 
@@ -367,7 +367,7 @@ void ErrorPanel::fillFindings()
     // What was found for others stays, dimmed, lest the panel jump under the hand.
     const bool outOfDate = isOnTheMove() && worstOf(m_result->comparison) != Verdict::Agrees;
     if (!outOfDate) {
-        const bool ofThese = m_diagnosis && m_diagnosis->reference == m_result->reference && !isOnTheMove();
+        const bool ofThese = m_diagnosis && m_diagnosis->reference == m_result->chosenReference() && !isOnTheMove();
         m_findings->setFindings(findingsOf(*m_result, ofThese ? m_diagnosis.get() : nullptr));
     }
     m_findings->setUpToDate(!outOfDate);

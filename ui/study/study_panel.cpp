@@ -112,7 +112,7 @@ QIcon markOf(const MethodResult &method, const QWidget &where)
 
 QString lengthsOf(const Parameters &p)
 {
-    const auto number = [](double value) { return QLocale().toString(value, 'g', 9); };
+    const auto number = [](double value) { return numberText(value, 9); };
     return StudyPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6")
         .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20), assemblyText(p.branch));
 }
@@ -172,7 +172,7 @@ protected:
         painter.setPen(colours.text);
         painter.drawText(rect().adjusted(12, 4, -12, -4), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("How fast is each method, and how exact? Run the study: every method is timed on the same "
-                            "instants and its error measured against 50 digits and more."));
+                            "instants, and its error measured against a computation in 50 digits or more."));
     }
 
     void mouseMoveEvent(QMouseEvent *event) override
@@ -218,7 +218,8 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_runThis->setToolTip(tr("Times every method on one turn of this mechanism"));
     connect(m_runThis, &QPushButton::clicked, this, &StudyPanel::runThisMechanism);
     m_runHard = named("runHardButton", new QPushButton(tr("Run hard cases")));
-    m_runHard->setToolTip(tr("Toggles, rockers, other scales, far times: takes some ten seconds"));
+    m_runHard->setToolTip(tr("Cranks that only just turn or only rock, very long and very short links, very late "
+                             "instants: takes some ten seconds"));
     connect(m_runHard, &QPushButton::clicked, this, &StudyPanel::runHardCases);
     m_cancel = named("cancelStudyButton", new QPushButton(tr("Cancel")));
     connect(m_cancel, &QPushButton::clicked, this, &StudyPanel::cancel);
@@ -226,8 +227,8 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_progress->setRange(0, kProgressSteps);
     m_progress->setMaximumWidth(140);
 
-    m_cases = named("caseBox", new QComboBox, tr("Case on show"));
-    m_cases->setToolTip(tr("Case on show"));
+    m_cases = named("caseBox", new QComboBox, tr("Case shown"));
+    m_cases->setToolTip(tr("Case shown"));
     m_cases->setMinimumContentsLength(12);
     m_cases->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(m_cases, &QComboBox::currentIndexChanged, this, &StudyPanel::showCase);
@@ -259,7 +260,7 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_table = new NumberTable(
         QStringLiteral("studyTable"), tr("Methods, a row a method and tolerance"),
         {{tr("method"), tr("How the motion is computed"), {}, false},
-         {tr("tolerance"), tr("Of Newton-Raphson: absolute as in the report for its own way, relative for the others")},
+         {tr("tolerance"), tr("Of Newton-Raphson: absolute for the report's way, relative for the others")},
          {tr("time [ns]"),
           tr("Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds")},
          {tr("error"),

@@ -133,7 +133,7 @@ void Exports::writeReport(const QString &path)
     const Result &result = *content->result;
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
     const bool isKnown =
-        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+        diagnosis && diagnosis->reference == result.chosenReference() && diagnosis->parameters == result.mechanism.parameters();
     if (isKnown) {
         content->diagnosis = diagnosis->found;
     }
@@ -203,7 +203,8 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
                                          .arg(QString::number(older.size()), older.first(), older.last()),
                                      QMessageBox::Cancel, m_window);
     question->setObjectName(QStringLiteral("framesQuestion"));
-    question->setInformativeText(tr("All of them go; new ones, %1, take their place.").arg(animation.frameCount()));
+    question->setInformativeText(
+        tr("All of them are deleted; the new ones, %1, take their place.").arg(animation.frameCount()));
     question->addButton(tr("Replace"), QMessageBox::AcceptRole);
     question->setDefaultButton(QMessageBox::Cancel);
     question->setAttribute(Qt::WA_DeleteOnClose);

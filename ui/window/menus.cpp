@@ -161,7 +161,7 @@ void Menus::addEdit()
     QAction *forget = edit->addAction(tr("For&get kept motions"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                                       &session, &Session::forgetKept);
     enableWhile(forget, session, [](const Result &result) { return !result.kept.empty(); });
-    edit->addAction(tr("Rese&t parameters to Table 1"), &session, [&session] { session.setParameters(Parameters()); });
+    edit->addAction(tr("Rese&t all parameters"), &session, [&session] { session.setParameters(Parameters()); });
 }
 
 void Menus::addView()

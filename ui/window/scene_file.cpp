@@ -73,10 +73,11 @@ void SceneFile::askThen(const std::function<void()> &goOn)
     if (auto *asked = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))) {
         asked->reject();
     }
-    auto *question = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                     m_path.isEmpty() ? tr("Save what you changed as a scene?")
-                                                      : tr("Save the changes to %1?").arg(QFileInfo(m_path).fileName()),
-                                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    auto *question =
+        new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                        m_path.isEmpty() ? tr("Save what you changed as a scene, to go on from there another time?")
+                                         : tr("Save the changes to %1?").arg(QFileInfo(m_path).fileName()),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     question->setObjectName(QStringLiteral("unsavedQuestion"));
     question->setInformativeText(tr("Otherwise they are lost."));
     question->setDefaultButton(QMessageBox::Save);

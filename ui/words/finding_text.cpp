@@ -252,12 +252,10 @@ QString verdictFormula(const ChannelComparison &channel)
     }
     return rule + u'\n' +
            (channel.clockIsRounded
-                ? FindingText::tr(
-                      "The bound: half a step of the value's last digit, and what the motion does in half a "
-                      "step of the instant's, though the instants are evenly spaced.")
-                : FindingText::tr(
-                      "The bound: half a step of the value's last digit, and what the motion does in half a "
-                      "step of the instant's; evenly spaced instants count as exact.")) +
+                ? FindingText::tr("The bound: half a unit of the value's last digit, plus how far the motion goes in "
+                                  "half a unit of the instant's, though the instants are evenly spaced.")
+                : FindingText::tr("The bound: half a unit of the value's last digit, plus how far the motion goes in "
+                                  "half a unit of the instant's; evenly spaced instants count as exact.")) +
            u'\n' +
            FindingText::tr("Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.")
                .arg(channel.withinBound)
@@ -279,8 +277,8 @@ QString summaryOf(std::span<const ChannelComparison> channels)
     };
     if (count(Verdict::Differs) == 0) {
         if (std::ranges::all_of(channels, &ChannelComparison::clockIsRounded)) {
-            return FindingText::tr("Comes close to this mechanism in every channel, if the file's instants, evenly "
-                                   "spaced as they are, were rounded.");
+            return FindingText::tr("Comes close to this mechanism in every channel, provided that the file's instants, "
+                                   "though evenly spaced, were rounded.");
         }
         if (count(Verdict::Agrees) == 0) {
             return FindingText::tr("Comes close to this mechanism in every channel, a little beyond the rounding of "

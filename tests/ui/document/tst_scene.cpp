@@ -96,7 +96,8 @@ ReferenceSource randomReference(RandomMechanisms &random, const QString &folder)
     for (std::size_t column = 0; column < 3; ++column) {
         ColumnChoice choice;
         choice.column = column * 7;
-        choice.role = oneOf(random, {ColumnRole::Ignored, ColumnRole::Time, ColumnRole::Channel});
+        choice.role =
+            oneOf(random, {ColumnRole::Ignored, ColumnRole::Time, ColumnRole::CrankAngle, ColumnRole::Channel});
         if (choice.role == ColumnRole::Channel) {
             choice.channel = channelAt(static_cast<std::size_t>(random.uniform(0.0, kChannelCount)));
         }

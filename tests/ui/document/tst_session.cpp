@@ -219,6 +219,68 @@ private slots:
         QVERIFY(session.result()->comparison.empty());
     }
 
+    void timesATableByTheCranksAngleAnew()
+    {
+        const QTemporaryDir folder;
+        QByteArray table = "Crank angle (deg),R4_x\n"; // b = 65
+        for (int angle = 0; angle <= 360; angle += 15) {
+            const double theta2 = angle / kDegreesPerRadian;
+            const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 65.0);
+            table += QByteArray::number(angle) + ',' +
+                     QByteArray::number(20.0 * std::cos(theta2) + 65.0 * std::cos(theta3), 'f', 6) + '\n';
+        }
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy problems(&session, &Session::problemFound);
+        QSignalSpy diagnosed(&session, &Session::diagnosisChanged);
+        session.loadReference(writeFile(folder, QStringLiteral("table.csv"), table));
+        AWAIT(session.reference() && session.diagnosis());
+        const auto chosen = session.reference();
+        const auto lastInstant = [&session] { return session.result()->reference->data.time.back(); };
+        QVERIFY(allAgree(session.result()->comparison));
+        QCOMPARE(lastInstant(), 1.0);
+
+        // A slider is moved: the file stays, its instants do not, and it agrees as before.
+        Parameters parameters;
+        parameters.omega2 = -4.0;
+        parameters.theta20 = 0.5;
+        session.setParameters(parameters);
+        QVERIFY(allAgree(session.result()->comparison));
+        QVERIFY(std::abs(lastInstant() - (0.0 - 0.5) / -4.0) < 1e-12); // the other way: 0° comes last
+        QVERIFY(std::abs(session.sampling().start - (2.0 * std::numbers::pi - 0.5) / -4.0) < 1e-12); // as the run did
+        QVERIFY(std::abs(session.sampling().duration - 2.0 * std::numbers::pi / 4.0) < 1e-12);
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the mechanism"));
+        QCOMPARE(session.reference(), chosen);
+        QCOMPARE(loaded.count(), 1);
+        QCOMPARE(session.result()->chosenReference(), chosen);
+        AWAIT(session.diagnosis() && session.diagnosis()->parameters == parameters);
+        QCOMPARE(session.diagnosis()->reference, chosen);
+        QVERIFY(!session.diagnosis()->found.identification.identifiable[indexOf(Parameter::Omega2)]);
+        session.undoStack().undo();
+        QCOMPARE(lastInstant(), 1.0);
+        QCOMPARE(session.sampling(), Sampling());
+        session.setSampling({0.0, 2.0, 100}); // a person's own run stays
+        session.setParameters(parameters);
+        QCOMPARE(session.sampling(), (Sampling{0.0, 2.0, 100}));
+        session.undoStack().undo();
+
+        // A standing crank never comes there.
+        parameters.omega2 = 0.0;
+        session.setParameters(parameters);
+        QCOMPARE(problems.count(), 1);
+        QVERIFY2(problems.first().first().toString().contains(QStringLiteral("choose another ω₂")),
+                 qPrintable(problems.first().first().toString()));
+        QCOMPARE(session.parameters(), Parameters());
+
+        session.setReference(nullptr);
+        session.setParameters(parameters);
+        QCOMPARE(session.parameters(), parameters);
+        QSignalSpy refused(&session, &Session::referenceRefused);
+        session.loadReference(chosen->path);
+        AWAIT(refused.count() == 1);
+        QVERIFY(!session.reference());
+    }
+
     void keepsWhatIsThereWhenAFileIsBad_data()
     {
         QTest::addColumn<QByteArray>("bytes");
@@ -397,7 +459,7 @@ private slots:
         session.cancel();
         QCOMPARE(session.result(), before);
         QCOMPARE(session.sampling(), Sampling());
-        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the sampling"));
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the run"));
 
         session.undoStack().undo(); // the same over two steps, then forward again
         session.cancel();
@@ -460,7 +522,7 @@ private slots:
         AWAIT(session.diagnosis());
         session.takeOver();
         const QString name = session.undoStack().undoText();
-        QVERIFY(name.startsWith(QLatin1String("taking over")));
+        QVERIFY(name.startsWith(QLatin1String("use of")));
         session.retranslateEdits();
         QCOMPARE(session.undoStack().undoText(), name);
     }

@@ -196,10 +196,10 @@ private slots:
         QTest::addColumn<SolverSettings>("solver");
         QTest::addColumn<QString>("says");
         SolverSettings solver;
-        QTest::newRow("as the report") << solver << "until ‖C‖ ≤ 1e-8 (absolute, mm and rad as they are), at most 10 ";
+        QTest::newRow("as the report") << solver << "until ‖C‖ ≤ 10⁻⁸ (absolute, mm and rad as they are), at most 10 ";
         solver.newton.toleranceKind = ToleranceKind::Relative;
         solver.newton.tolerance = 2.5e-12;
-        QTest::newRow("relative") << solver << "until ‖C‖ ≤ 2.5e-12 (relative, lengths divided by a + b + |c|)";
+        QTest::newRow("relative") << solver << "until ‖C‖ ≤ 2.5·10⁻¹² (relative, lengths divided by a + b + |c|)";
         solver.newton.tolerance = 0.0;
         QTest::newRow("to the end") << solver << "until the residual ‖C‖ no longer falls";
         solver.method = Method::ClosedForm;
@@ -227,7 +227,7 @@ private slots:
         QVERIFY(text.contains("read with the conventions named above"));
         content.diagnosis.isOfMechanismAtHand = true; // by itself that is all there is to say
         text = allText(reportOf(content));
-        QVERIFY(text.contains("Read so, it does not differ") && !text.contains("This error looks like"));
+        QVERIFY(text.contains("Read this way, it does not differ") && !text.contains("This error looks like"));
 
         content.diagnosis.conventions.clear();
         content.diagnosis.isOfMechanismAtHand = false;
@@ -237,8 +237,8 @@ private slots:
 
         content.diagnosis.identification.outcome = Identification::Outcome::Nearest;
         text = allText(reportOf(content));
-        QVERIFY2(text.contains("Nothing found explains this file") && !text.contains("its own mechanism") &&
-                     !text.contains("the file's own"),
+        QVERIFY2(text.contains("No mechanism was found that explains this file") &&
+                     !text.contains("its own mechanism") && !text.contains("the file's own"),
                  qPrintable(text));
     }
 

@@ -134,12 +134,12 @@ private slots:
                                     << "It cannot be assembled: b = 4 mm < |c| − a = 5 mm. There is a pose with b ≥ 5 "
                                        "mm, a ≥ 21 mm or |c| ≤ 24 mm. It would turn round with b ≥ 45 mm.";
         QTest::newRow("exact toggle") << 20.0 << 45.0 << 25.0
-                                      << "The crank just turns round: b = a + |c| = 45 mm. At θ₂ = 270° the coupler "
-                                         "stands square to the slider's line, and the speeds jump.";
+                                      << "The crank just turns round: b = a + |c| = 45 mm. At θ₂ = 270° the coupler is "
+                                         "perpendicular to the slider's line, and the speeds jump.";
         QTest::newRow("change point")
             << 20.0 << 20.0 << 0.0
-            << "The crank just turns round: b = a = 20 mm, c = 0, a change point. At θ₂ = 90° "
-               "and 270° the coupler stands square to the slider's line, and the speeds jump.";
+            << "The crank just turns round: b = a = 20 mm, c = 0, a change point. At θ₂ = 90° and 270° the coupler is "
+               "perpendicular to the slider's line, and the speeds jump.";
         QTest::newRow("by a hair")
             << 20.0 << 45.0 * (1.0 - 1e-8) << 25.0
             << "The crank rocks: b = 44.9999995 mm < a + |c| = 45 mm. It would turn round with b ≥ "

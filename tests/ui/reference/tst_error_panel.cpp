@@ -258,14 +258,14 @@ private slots:
         diagnosis->found.identification.outcome = Identification::Outcome::Ambiguous;
         panel.setDiagnosis(diagnosis);
         QVERIFY(child<QLabel>(panel, "findingLabel")->text().contains("explain this file equally"));
-        QCOMPARE(child<QPushButton>(panel, "remedyButton")->text(), QString("Take the first of them over"));
+        QCOMPARE(child<QPushButton>(panel, "remedyButton")->text(), QString("Use the first of them"));
 
         auto nearest = std::make_shared<ReferenceDiagnosis>(*diagnosis);
         nearest->found.identification.outcome = Identification::Outcome::Nearest;
         nearest->found.change.reset();
         nearest->found.identified[0].percentOfPeak = 0.001; // however near
         panel.setDiagnosis(nearest);
-        AWAIT(child<QLabel>(panel, "findingLabel")->text().contains("What comes nearest"));
+        AWAIT(child<QLabel>(panel, "findingLabel")->text().contains("The nearest"));
         AWAIT(panel.findChildren<QPushButton *>("remedyButton").isEmpty());
 
         // Beside a file that comes close, what could not be found of it is of no interest.
