@@ -2756,6 +2756,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>The study compares every method with a computation in 50 digits or more, and with κ·u: how much a channel f can change just because each given number p is rounded to the 16 digits of a double, by u of itself at most.</source>
         <translation>El estudio compara cada método con un cálculo de 50 cifras o más, y con κ·u: cuánto puede cambiar un canal f solo porque cada número dado p se redondea a las 16 cifras de la doble precisión, a lo sumo en u veces su valor.</translation>
     </message>
+    <message>
+        <source>Leave what fills the screen</source>
+        <translation>Salir de la pantalla completa</translation>
+    </message>
+    <message>
+        <source>Make it large, and small again</source>
+        <translation>Agrandarlo y reducirlo</translation>
+    </message>
+    <message>
+        <source>Double click a link, or Enter</source>
+        <translation>Doble clic en una barra, o Intro</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::IterationPlot</name>
@@ -3409,6 +3421,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Rese&amp;t all parameters</source>
         <translation>Restablecer todos los &amp;parámetros</translation>
+    </message>
+    <message>
+        <source>In &amp;front of a class</source>
+        <translation>&amp;Ante una clase</translation>
     </message>
 </context>
 <context>
@@ -4146,6 +4162,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Back to the initial value</source>
         <translation>Volver al valor inicial</translation>
+    </message>
+    <message>
+        <source>Parameter to change</source>
+        <translation>Parámetro que se cambia</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -6099,6 +6123,57 @@ SHA-256: %2</translation>
         <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
         <comment>of a point: |ω₃| times its distance</comment>
         <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::AnimationForm</name>
+    <message>
+        <source>Export animation</source>
+        <translation>Exportar animación</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Unit of the length</source>
+        <translation>Unidad de la duración</translation>
+    </message>
+    <message>
+        <source>s of the motion</source>
+        <translation>s del movimiento</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>%1 frames: %2 s at the speed of playing, %3×.</source>
+        <translation>%1 fotogramas: %2 s a la velocidad de reproducción, %3×.</translation>
+    </message>
+    <message>
+        <source>More than %1 frames: choose a shorter length, fewer frames a second or a higher speed of playing.</source>
+        <translation>Más de %1 fotogramas: elija una duración menor, menos fotogramas por segundo o una velocidad de reproducción mayor.</translation>
     </message>
 </context>
 </TS>

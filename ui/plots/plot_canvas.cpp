@@ -52,6 +52,7 @@ void PlotCanvas::setStyle(const PlotTypography &typography, const SeriesColours 
 {
     m_titleFont = typography.title;
     m_tickFont = typography.tick;
+    m_lineFactor = typography.lineFactor;
     m_colours = colours;
     setBackground(QBrush(colours.background));
     constexpr double kFrameStrength = 0.55;
@@ -104,7 +105,7 @@ void PlotCanvas::display(const PlotPicture &picture, const QMargins &margins)
             points.append(QCPGraphData(point.t, point.value));
         }
         line->data()->set(points, true);
-        line->setPen(penOf(curve.ink, m_colours));
+        line->setPen(penOf(curve.ink, m_colours, m_lineFactor));
     };
     for (std::size_t i = 0; i < picture.curves.size(); ++i) {
         QCPGraph *line = graph(static_cast<int>(i));

@@ -112,6 +112,7 @@ private:
     std::vector<QCPGraph *> m_kept; ///< lines under the others; made when one is kept
     QFont m_titleFont;
     QFont m_tickFont;
+    double m_lineFactor = 1.0;
     SeriesColours m_colours;
     QSharedPointer<Ticker> m_timeTicker;
     QSharedPointer<Ticker> m_valueTicker;
