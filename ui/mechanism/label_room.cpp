@@ -94,7 +94,7 @@ std::vector<QPointF> placesAround(QPointF point, QPointF direction, double reach
     constexpr std::array kTurns{0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0};
     const QPointF ahead = unitVector(direction);
     std::vector<QPointF> places;
-    for (const double away : {reach, reach + label.height()}) {
+    for (const double away : {reach, reach + label.height(), reach + 2.0 * label.height()}) {
         for (const double turn : kTurns) {
             const double cosine = std::cos(turn * kEighth);
             const double sine = std::sin(turn * kEighth);

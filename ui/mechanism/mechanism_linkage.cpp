@@ -160,9 +160,7 @@ void paintGhost(QPainter &painter, const MechanismCanvas &on, const ReferencePos
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(on.smallFont);
-    painter.drawText(QRectF(slider.x() - kAroundFile, slider.y() + kRailBelowLine + kHatchLength, 2.0 * kAroundFile,
-                            QFontMetricsF(on.smallFont).height()),
-                     Qt::AlignHCenter | Qt::AlignTop, MechanismLinkage::tr("file"));
+    painter.drawText(ghostWordPlace(on, slider), Qt::AlignCenter, MechanismLinkage::tr("file"));
 }
 
 /// Where the crank should be, and why it cannot be there.
