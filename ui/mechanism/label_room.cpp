@@ -52,7 +52,7 @@ double LabelRoom::crossedBy(const QRectF &label) const
 {
     constexpr double kOutside = 8.0;
     constexpr double kLink = 4.0;
-    constexpr double kBox = 4.0;
+    constexpr double kBox = 6.0; // a label over another is not to be read
     constexpr double kLine = 1.0;
     double crossed = m_drawing.contains(label) ? 0.0 : kOutside;
     for (const Link &link : m_links) {

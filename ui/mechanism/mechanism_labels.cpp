@@ -163,8 +163,8 @@ public:
         const double passing = QFontMetricsF(m_on.font).height() + 2.0;
         const double below = kDeadCentreMark + kRailBelowLine + kHatchLength + kTextGap + 0.5 * size.height();
         std::vector<QPointF> places;
-        for (const double y :
-             {-passing - 0.5 * size.height(), -passing - 1.6 * size.height(), below, below + 1.1 * size.height()}) {
+        for (const double y : {-passing - 0.5 * size.height(), -passing - 1.6 * size.height(), below,
+                               below + 1.1 * size.height(), below + 2.2 * size.height(), below + 3.3 * size.height()}) {
             for (const double side : {0.0, 0.5, -0.5}) {
                 places.emplace_back(std::clamp(mark.x() + side * outwards * size.width(), least, most), mark.y() + y);
             }
@@ -219,6 +219,10 @@ QRectF ghostWordPlace(const MechanismCanvas &on, QPointF slider)
 LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing)
 {
     LabelRoom room(on.size);
+    constexpr double kCornerWidth = 240.0; // of a line there, about
+    for (int line = 0; line < cornerLineCount(on, drawing); ++line) {
+        room.keepOff(cornerLine(on, line, kCornerWidth));
+    }
     const QPointF pivot = on.toPixels({0.0, 0.0});
     room.keepOff(QRectF(pivot.x() - kGroundHalfWidth, pivot.y(), 2.0 * kGroundHalfWidth, kGroundDepth));
     if (drawing.settings.dimensions) {
