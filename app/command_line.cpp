@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
+#include "ui/words/written_number.h"
+
 #include <cstdio>
 
 namespace slidercrank
 {
+
+ExitStatus graver(ExitStatus x, ExitStatus y)
+{
+    for (const ExitStatus status :
+         {ExitStatus::FileFailed, ExitStatus::NotAssemblable, ExitStatus::NotSolved, ExitStatus::Differs}) {
+        if (x == status || y == status) {
+            return status;
+        }
+    }
+    return ExitStatus::Done;
+}
 
 void say(const QString &sentence)
 {
@@ -14,7 +27,7 @@ void say(const QString &sentence)
 
 QString rounded(std::optional<double> value, int digits)
 {
-    return value ? QString::number(*value, 'g', digits) : QStringLiteral("–");
+    return numberText(value, digits);
 }
 
 } // namespace slidercrank

@@ -23,6 +23,9 @@ enum class ExitStatus {
                         ///< or no mechanism was found for a file
 };
 
+/// Of two, which the program ends with.
+ExitStatus graver(ExitStatus x, ExitStatus y);
+
 /// The translation context of everything the command line says.
 struct CommandLine {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::CommandLine)

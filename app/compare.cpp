@@ -13,8 +13,6 @@
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 
-#include <QDir>
-
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -33,8 +31,8 @@ struct Compared {
     QString file;
     std::shared_ptr<const Reference> reference;
     std::vector<ChannelComparison> channels;
+    std::optional<Diagnosis> diagnosis; ///< where it differs
 
-    bool differs() const { return worstVerdict() == Verdict::Differs; }
     Verdict worstVerdict() const
     {
         const auto worst = std::ranges::max_element(channels, {}, &ChannelComparison::verdict);
@@ -42,18 +40,22 @@ struct Compared {
     }
 };
 
-/// Why the file differs; null where it does not.
+/// Why the file differs; none where it does not.
+QStringList explanationOf(const Compared &compared, const Mechanism &mechanism)
+{
+    return compared.diagnosis ? explanationLines(*compared.diagnosis, compared.reference->data, mechanism)
+                              : QStringList();
+}
+
 QByteArray jsonExplanation(const Compared &compared, const Mechanism &mechanism)
 {
-    if (!compared.differs()) {
+    if (!compared.diagnosis) {
         return "null";
     }
-    const ReferenceData &data = compared.reference->data;
-    const Diagnosis diagnosis = diagnose(data, mechanism);
-    const Identification &found = diagnosis.identification;
-    return "{\"sentence\":" + jsonString(explanationLines(diagnosis, data, mechanism).join(u' ')) +
+    const Identification &found = compared.diagnosis->identification;
+    return "{\"sentence\":" + jsonString(explanationOf(compared, mechanism).join(u' ')) +
            ",\"mechanism\":" + (found.stands() ? jsonMechanism(Mechanism(found.parameters)) : QByteArray("null")) +
-           ",\"conventions\":" + jsonOf(diagnosis.conventions, data) + '}';
+           ",\"conventions\":" + jsonOf(compared.diagnosis->conventions, compared.reference->data) + '}';
 }
 
 QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
@@ -81,45 +83,41 @@ QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
 
 QString textOf(const Compared &compared, const Mechanism &mechanism)
 {
-    const auto number = [](double value) { return QString::number(value, 'g', 9); };
+    constexpr int kDigits = 9;
     QString text = headlineOf(compared.file, compared.reference->data);
-    text += CommandLine::tr("Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6")
-                .arg(number(mechanism.a()), number(mechanism.b()), number(mechanism.c()), number(mechanism.omega2()),
-                     number(mechanism.theta20()), assemblyText(mechanism.branch())) +
-            QStringLiteral("\n\n");
-    text += tableOf(compared.channels) + u'\n' + summaryOf(compared.channels) + u'\n';
-    if (compared.differs()) {
-        const ReferenceData &data = compared.reference->data;
-        text += explanationLines(diagnose(data, mechanism), data, mechanism).join(u'\n') + u'\n';
+    text += CommandLine::tr("Model: %1").arg(mechanismText(mechanism, kDigits)) + QStringLiteral("\n\n");
+    text += tableOf(compared.channels, compared.reference->data) + u'\n' + summaryOf(compared.channels) + u'\n';
+    for (const QString &line : explanationOf(compared, mechanism)) {
+        text += line + u'\n';
     }
     return text;
 }
 
-/// What goes before the first file, between two, and after the last.
-struct Frame {
-    QByteArray head;
-    QByteArray between;
-    QByteArray tail;
-};
-
-Frame frameOf(Format format)
+QByteArray csvOf(const Compared &compared, const Mechanism &mechanism)
 {
-    switch (format) {
-    case Format::Text: return {{}, "\n", {}};
-    case Format::Csv: return {csvHeader(), {}, {}};
-    case Format::Json: return {"{\"files\":[", ",", "]}\n"};
-    }
-    return {};
+    const InEnglish inEnglish;
+    return csvOf(compared.file, compared.channels, compared.worstVerdict(),
+                 explanationOf(compared, mechanism).join(u' '));
 }
 
 QByteArray bytesOf(const Compared &compared, const CompareOptions &options)
 {
     switch (options.format) {
     case Format::Text: return textOf(compared, options.mechanism).toUtf8();
-    case Format::Csv: return csvOf(compared.file, compared.channels);
+    case Format::Csv: return csvOf(compared, options.mechanism);
     case Format::Json: return jsonOf(compared, options.mechanism);
     }
     return {};
+}
+
+PartedOutput outputOf(const CompareOptions &options)
+{
+    switch (options.format) {
+    case Format::Text: return {options.output, {}, "\n"};
+    case Format::Csv: return {options.output, csvHeader(), {}};
+    case Format::Json: return {options.output, "{\"files\":[", ","};
+    }
+    return {options.output, {}, {}};
 }
 
 /// How many files agree, are close, differ; and how many could not be read.
@@ -148,30 +146,17 @@ private:
     int m_unreadable = 0;
 };
 
-/// Of several, a failed file comes first, then the order of their numbers from NotAssemblable on, then Differs.
-ExitStatus graver(ExitStatus x, ExitStatus y)
-{
-    for (const ExitStatus status :
-         {ExitStatus::FileFailed, ExitStatus::NotAssemblable, ExitStatus::NotSolved, ExitStatus::Differs}) {
-        if (x == status || y == status) {
-            return status;
-        }
-    }
-    return ExitStatus::Done;
-}
-
 } // namespace
 
 ExitStatus compareFiles(const CompareOptions &options)
 {
     const bool several = options.files.size() > 1;
-    const Frame frame = frameOf(options.format);
     ExitStatus status = ExitStatus::Done;
     Tally tally;
-    Output output(options.output);
-    bool isOpen = false;
+    PartedOutput output = outputOf(options);
     for (const QString &file : options.files) {
-        const std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(file);
+        const std::variant<std::shared_ptr<const Reference>, QString> outcome =
+            readTimed({file, {}, {}}, options.columns, options.mechanism);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             status = ExitStatus::FileFailed;
@@ -184,37 +169,30 @@ ExitStatus compareFiles(const CompareOptions &options)
         const ReferenceData &data = compared.reference->data;
         ExactComparison exact = compareExactly(options.mechanism, data);
         compared.channels = std::move(exact.channels);
-
-        // Opened late: where no file can be read, none is written.
-        if (!isOpen) {
-            if (!output.open()) {
-                return ExitStatus::FileFailed;
-            }
-            output.write(frame.head);
-            isOpen = true;
-        } else {
-            output.write(frame.between);
+        if (compared.worstVerdict() == Verdict::Differs) {
+            compared.diagnosis = diagnose(data, options.mechanism);
         }
-        output.write(bytesOf(compared, options));
+        if (!output.add(bytesOf(compared, options))) {
+            return graver(status, output.finish({}));
+        }
         warnOf(file, data);
 
         tally.add(compared.worstVerdict());
         Shortfall shortfall;
         shortfall.add(data.time, exact.status);
-        const QString before = several ? QDir::toNativeSeparators(file) + QStringLiteral(": ") : QString();
+        const QString before = several ? shownNameOf(file) + QStringLiteral(": ") : QString();
         status = graver(status, shortfall.report(options.mechanism, SolverSettings().newton.maxIterations, before));
-        if (options.failOnDifference && compared.differs()) {
+        if (options.failOnDifference && compared.diagnosis) {
             status = graver(status, ExitStatus::Differs);
         }
     }
-    if (!isOpen) {
-        return status;
+    QByteArray tail;
+    if (options.format == Format::Json) {
+        tail = "]}\n";
+    } else if (several && options.format == Format::Text) {
+        tail = '\n' + tally.sentence().toUtf8() + '\n';
     }
-    output.write(frame.tail);
-    if (several && options.format == Format::Text) {
-        output.write('\n' + tally.sentence().toUtf8() + '\n');
-    }
-    return graver(status, output.finish());
+    return graver(status, output.finish(tail));
 }
 
 } // namespace slidercrank

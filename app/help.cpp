@@ -60,6 +60,18 @@ constexpr OptionEntry kLimitsOptions[] = {
     {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
 };
 
+constexpr OptionEntry kFileOptions[] = {
+    {"column", "HEADING=MEANING",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "what a column of the files is, over what its name says, any number of times: \"slider.s=R4_x "
+                       "[m]\", \"T=time [ms]\", \"id=ignored\"; #3 is the third column"),
+     true},
+    {"abscissa", "time|angle",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "what the first column of the files is: the time, or the crank's angle, of which --omega2 and "
+                       "--theta20 make the time (by its name)")},
+};
+
 constexpr OptionEntry kCompareOptions[] = {
     {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
     {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
@@ -118,12 +130,13 @@ constexpr OptionEntry kWindowOptions[] = {
 
 constexpr OptionEntry kEverywhereOptions[] = {
     {"help", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "this text")},
-    {"version", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "name and version of the program")},
+    {"version", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "name and version of the program, and what it is built of")},
 };
 
 constexpr const char *kMechanism = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Mechanism");
 constexpr const char *kRun = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Instants");
 constexpr const char *kMethod = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Method");
+constexpr const char *kFiles = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Files");
 constexpr const char *kResult = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Result");
 constexpr const char *kOther = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Other");
 
@@ -132,13 +145,13 @@ QString introductionOf(Subcommand subcommand)
     switch (subcommand) {
     case Subcommand::Window:
         return CommandLine::tr(
-            "Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a "
+            "Usage: slidercrank [FILE] [options]            opens the window, with a scene or a "
             "reference\n"
             "       slidercrank solve [options]             the motion as CSV or JSON\n"
             "       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks\n"
             "       slidercrank compare FILE… [options]     how far simulations' files are from "
             "the model\n"
-            "       slidercrank identify FILE [options]     the mechanism that a file belongs to\n"
+            "       slidercrank identify FILE… [options]    the mechanism that each file belongs to\n"
             "       slidercrank study [options]             speed against error of every method\n"
             "       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF\n"
             "\n"
@@ -176,9 +189,9 @@ QString introductionOf(Subcommand subcommand)
             "its rounding by 1 % of half\n"
             "the motion's range. Where one differs, the text says what explains it. A file that cannot "
             "be read is told on\n"
-            "standard error, and the others are still compared.\n");
+            "standard error, and the others are still compared. FILE may be - for standard input.\n");
     case Subcommand::Identify:
-        return CommandLine::tr("Usage: slidercrank identify FILE [options]\n"
+        return CommandLine::tr("Usage: slidercrank identify FILE… [options]\n"
                                "\n"
                                "Finds the mechanism that a simulation's file belongs to, from all of its columns, "
                                "theta3, R4_x and their derivatives\n"
@@ -188,7 +201,9 @@ QString introductionOf(Subcommand subcommand)
                                "said, and the file is read so.\n"
                                "The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted "
                                "from the crank's pivot O2,\n"
-                               "angles counter-clockwise from x.\n"
+                               "angles counter-clockwise from x. A file that cannot be read is told on standard error, "
+                               "and the others are still\n"
+                               "looked at. FILE may be - for standard input.\n"
                                "\n"
                                "identified    what is left is rounding, or noise that looks like noise\n"
                                "ambiguous     several mechanisms explain the file equally: all are listed\n"
@@ -254,7 +269,9 @@ QString shapeOf(Subcommand subcommand)
                                "\"timeOfMaxPercent\",\n"
                                "       \"zeroReference\",\"percentOfPeak\",\"roundingStep\",\"verdict\"} in mm, ° and "
                                "s; null where there is none.\n"
-                               "CSV: the file's name, then the same columns.\n");
+                               "CSV: the file's name, then the same columns; behind them fileVerdict, that of the "
+                               "whole file, and sentence,\n"
+                               "     why it differs.\n");
     case Subcommand::Identify:
         return CommandLine::tr(
             "JSON: {\"file\", "
@@ -270,7 +287,8 @@ QString shapeOf(Subcommand subcommand)
             "\"alias\" or \"another-mechanism\";\n"
             "      channel: one, or several with commas; before, after: largest error, % of peak; null where there is "
             "none.\n"
-            "      Of the outcome nearest the mechanism is no more than what comes nearest.\n");
+            "      Of the outcome nearest the mechanism is no more than what comes nearest.\n"
+            "      Of several files: {\"files\":[…]}.\n");
     case Subcommand::Study:
         return CommandLine::tr("JSON: {\"machine\", \"cases\":[{\"name\", \"methods\":[…]}]}; a method is\n"
                                "      {\"method\",\"tolerance\",\"channels\",\"nsPerState\",\"spread\","
@@ -325,17 +343,20 @@ std::vector<OptionGroup> optionGroupsOf(Subcommand subcommand)
     case Subcommand::Limits:
         return {{kMechanism, kMechanismOptions}, {kResult, kLimitsOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Compare:
-        return {{kMechanism, kMechanismOptions}, {kResult, kCompareOptions}, {kOther, kEverywhereOptions}};
+        return {{kMechanism, kMechanismOptions},
+                {kFiles, kFileOptions},
+                {kResult, kCompareOptions},
+                {kOther, kEverywhereOptions}};
     case Subcommand::Identify:
-        return {{kMechanism, kMechanismOptions}, {kResult, kIdentifyOptions}, {kOther, kEverywhereOptions}};
+        return {{kMechanism, kMechanismOptions},
+                {kFiles, kFileOptions},
+                {kResult, kIdentifyOptions},
+                {kOther, kEverywhereOptions}};
     case Subcommand::Study:
         return {{kMechanism, kMechanismOptions}, {kResult, kStudyOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Render:
-        return {{kMechanism, kMechanismOptions},
-                {kRun, kRunOptions},
-                {kMethod, kMethodOptions},
-                {kResult, kRenderOptions},
-                {kOther, kEverywhereOptions}};
+        return {{kMechanism, kMechanismOptions}, {kRun, kRunOptions},       {kMethod, kMethodOptions},
+                {kFiles, kFileOptions},          {kResult, kRenderOptions}, {kOther, kEverywhereOptions}};
     }
     return {};
 }

@@ -20,6 +20,7 @@ struct OptionEntry {
     const char *name;  ///< without the dashes
     const char *value; ///< what stands for the value in the help; null for a switch
     const char *text;  ///< untranslated
+    bool mayRepeat = false;
 };
 
 struct OptionGroup {

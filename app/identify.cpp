@@ -6,12 +6,13 @@
 #include "app/json_text.h"
 #include "app/output.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/reading/crank_angles.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/convention_text.h"
 #include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
+#include "ui/words/written_number.h"
 
-#include <QDir>
 #include <QLocale>
 
 #include <memory>
@@ -50,7 +51,7 @@ QByteArray jsonOf(const QString &file, const ReferenceData &data, const Diagnosi
            ",\"conditionNumber\":" + (found.stands() ? jsonNumber(found.conditionNumber) : none) +
            ",\"channels\":" + jsonOf(diagnosis.identified) + ",\"columns\":" + jsonColumns(data.layout) +
            ",\"conventions\":" + jsonOf(diagnosis.conventions, data) +
-           ",\"summary\":" + jsonString(summaryOf(diagnosis)) + "}\n";
+           ",\"summary\":" + jsonString(summaryOf(diagnosis)) + '}';
 }
 
 /// "--a 20 --b …": to go on with.
@@ -66,20 +67,24 @@ QString optionsFor(const Parameters &parameters)
            (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
 }
 
-/// Of a mechanism that stands.
 QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
     QString text = headlineOf(file, data);
+    if (!found.stands()) {
+        return text + summaryOf(diagnosis) + u'\n';
+    }
     for (const ConventionFinding &finding : diagnosis.conventions) {
         text += explanationOf(finding.convention, data) + u' ' + effectOf(finding) + u'\n';
     }
     text += summaryOf(diagnosis) + u'\n';
     text += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
                 .arg(found.iterations)
-                .arg(QString::number(found.conditionNumber, 'g', 3)) +
+                .arg(numberText(found.conditionNumber, 3)) +
             u'\n';
-    text += u'\n' + tableOf(diagnosis.identified) + u'\n';
+    const std::optional<ReferenceData> timed =
+        data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // what it was compared as
+    text += u'\n' + tableOf(diagnosis.identified, timed ? *timed : data) + u'\n';
     if (found.noise.empty()) { // else it was said what is left
         text += summaryOf(diagnosis.identified) + u'\n';
     }
@@ -91,33 +96,81 @@ QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &
     return text + goOn.arg(optionsFor(diagnosis.rounded)) + u'\n';
 }
 
+/// How many files have a mechanism, several, none; and how many could not be read.
+class OutcomeTally
+{
+public:
+    void add(const Identification &found)
+    {
+        ++(found.outcome == Outcome::Identified  ? m_identified
+           : found.outcome == Outcome::Ambiguous ? m_ambiguous
+                                                 : m_open);
+    }
+    void addUnreadable() { ++m_unreadable; }
+
+    QString sentence() const
+    {
+        QString text = CommandLine::tr("%1 files: %2 identified, %3 ambiguous, %4 not identified")
+                           .arg(m_identified + m_ambiguous + m_open + m_unreadable)
+                           .arg(m_identified)
+                           .arg(m_ambiguous)
+                           .arg(m_open);
+        if (m_unreadable > 0) {
+            text += CommandLine::tr(", %1 could not be read").arg(m_unreadable);
+        }
+        return text + u'.';
+    }
+
+private:
+    int m_identified = 0;
+    int m_ambiguous = 0;
+    int m_open = 0;
+    int m_unreadable = 0;
+};
+
 } // namespace
 
-ExitStatus identifyFile(const IdentifyOptions &options)
+ExitStatus identifyFiles(const IdentifyOptions &options)
 {
-    const std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(options.file);
-    if (const QString *sentence = std::get_if<QString>(&outcome)) {
-        say(*sentence);
-        return ExitStatus::FileFailed;
-    }
-    const ReferenceData &data = std::get<std::shared_ptr<const Reference>>(outcome)->data;
-    const Diagnosis diagnosis = diagnose(data, options.mechanism);
-    const bool stands = diagnosis.identification.stands();
+    const bool several = options.files.size() > 1;
+    const bool isJson = options.format == Format::Json;
+    ExitStatus status = ExitStatus::Done;
+    OutcomeTally tally;
+    PartedOutput output(options.output, isJson && several ? "{\"files\":[" : "", isJson ? "," : "\n");
+    for (const QString &file : options.files) {
+        const std::variant<std::shared_ptr<const Reference>, QString> outcome =
+            readTimed({file, {}, {}}, options.columns, options.mechanism);
+        if (const QString *sentence = std::get_if<QString>(&outcome)) {
+            say(*sentence);
+            status = ExitStatus::FileFailed;
+            tally.addUnreadable();
+            continue;
+        }
+        const ReferenceData &data = std::get<std::shared_ptr<const Reference>>(outcome)->data;
+        const Diagnosis diagnosis = diagnose(data, options.mechanism);
+        const bool stands = diagnosis.identification.stands();
+        tally.add(diagnosis.identification);
 
-    // Without a mechanism there is nothing for a person to read but the sentence that says so.
-    if (stands || options.format == Format::Json) {
-        const QByteArray bytes = options.format == Format::Json ? jsonOf(options.file, data, diagnosis)
-                                                                : textOf(options.file, data, diagnosis).toUtf8();
-        if (writeAll(options.output, bytes) != ExitStatus::Done) {
-            return ExitStatus::FileFailed;
+        // Of one file without a mechanism there is nothing for a person to read but the sentence that says so.
+        if ((stands || several || isJson) &&
+            !output.add(isJson ? jsonOf(file, data, diagnosis) : textOf(file, data, diagnosis).toUtf8())) {
+            break;
+        }
+        warnOf(file, data);
+        if (!stands) {
+            status = graver(status, ExitStatus::NotSolved);
+            if (isJson || !several) {
+                say(QStringLiteral("%1: %2").arg(shownNameOf(file), summaryOf(diagnosis)));
+            }
         }
     }
-    warnOf(options.file, data);
-    if (!stands) {
-        say(QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(options.file), summaryOf(diagnosis)));
-        return ExitStatus::NotSolved;
+    QByteArray tail;
+    if (isJson) {
+        tail = several ? "]}\n" : "\n";
+    } else if (several) {
+        tail = '\n' + tally.sentence().toUtf8() + '\n';
     }
-    return ExitStatus::Done;
+    return graver(status, output.finish(tail));
 }
 
 } // namespace slidercrank

@@ -74,7 +74,7 @@ std::optional<ExitStatus> runWithoutPlatform(const Command &command)
         return compareFiles(*options);
     }
     if (const IdentifyOptions *options = std::get_if<IdentifyOptions>(&command)) {
-        return identifyFile(*options);
+        return identifyFiles(*options);
     }
     if (const StudyOptions *options = std::get_if<StudyOptions>(&command)) {
         return study(*options);

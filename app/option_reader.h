@@ -46,6 +46,13 @@ public:
     bool has(const char *name) const { return m_parser.isSet(QLatin1String(name)); }
     QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
 
+    /// All that were given, in their order, also where there is no such option.
+    QStringList texts(const char *name) const
+    {
+        return m_parser.optionNames().contains(QLatin1String(name)) ? m_parser.values(QLatin1String(name))
+                                                                    : QStringList();
+    }
+
     /// In that unit, whatever unit was written behind it; without: a number alone.
     double number(const char *name, double otherwise, const std::optional<Unit> &unit = {});
 

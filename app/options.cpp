@@ -4,9 +4,11 @@
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/window_system.h"
+#include "core/reading/heading.h"
 #include "core/reading/quantity.h"
 #include "core/run/crank_instant.h"
 #include "core/study/study.h"
+#include "ui/document/byte_stream.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
 #include "ui/words/finding_text.h"
@@ -144,6 +146,74 @@ ChannelSet readChannels(OptionReader &reader)
     return channels;
 }
 
+/// "R4_x [m]", "time", "ignored": what --column says that a column is.
+NamedChoice readMeaning(OptionReader &reader, const QString &meaning)
+{
+    const Heading heading = headingOf(meaning.toStdString());
+    NamedChoice choice;
+    choice.unit = heading.unit;
+    std::optional<Unit> wanted;
+    if (const std::optional<Channel> channel = channelNamed(heading.name)) {
+        choice.role = ColumnRole::Channel;
+        choice.channel = *channel;
+        wanted = Unit{isAngle(channel->coordinate) ? Dimension::Angle : Dimension::Length,
+                      static_cast<int>(channel->order), 1.0};
+    } else if (heading.name == "time") {
+        choice.role = ColumnRole::Time;
+        wanted = kSecond;
+    } else if (heading.name == "crank-angle") {
+        choice.role = ColumnRole::CrankAngle;
+        wanted = kDegree;
+    } else if (meaning != u"ignored") {
+        QStringList names{QStringLiteral("time"), QStringLiteral("crank-angle"), QStringLiteral("ignored")};
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            names += columnNameOf(channelAt(index));
+        }
+        const QString name = QString::fromStdString(heading.name);
+        const QStringList near = nearest(name, names);
+        reader.refuse(near.isEmpty() ? CommandLine::tr("--column: there is no channel \"%1\"; there are %2.")
+                                           .arg(name, names.join(QStringLiteral(", ")))
+                                     : CommandLine::tr("--column: there is no channel \"%1\"; did you mean %2?")
+                                           .arg(name, alternatives(near)));
+    }
+    const std::optional<Unit> unit = slidercrank::unitOf(choice.unit);
+    const bool suits = unit && wanted && unit->dimension == wanted->dimension && unit->order == wanted->order;
+    if (!choice.unit.empty() && !suits) {
+        reader.refuse(CommandLine::tr("--column: \"%1\" is no unit of %2.")
+                          .arg(QString::fromStdString(choice.unit), QString::fromStdString(heading.name)));
+    }
+    return choice;
+}
+
+/// --abscissa, and --column, any number of times.
+std::vector<NamedChoice> readColumns(OptionReader &reader)
+{
+    std::vector<NamedChoice> choices;
+    if (reader.has("abscissa")) {
+        const ColumnRole role = reader.choice("abscissa", ColumnRole::Time,
+                                              {{"time", ColumnRole::Time}, {"angle", ColumnRole::CrankAngle}});
+        choices.push_back({"#1", role, {}, {}});
+    }
+    for (const QString &text : reader.texts("column")) {
+        const qsizetype equals = text.lastIndexOf(u'='); // a heading may hold one, a meaning does not
+        if (equals < 1) {
+            reader.refuse(
+                CommandLine::tr("--column must be a heading, = and what it is, such as \"slider.s=R4_x [m]\", "
+                                "\"#1=time\" or \"id=ignored\", not \"%1\".")
+                    .arg(text));
+            break;
+        }
+        NamedChoice choice = readMeaning(reader, text.sliced(equals + 1).trimmed());
+        choice.heading = text.first(equals).trimmed().toStdString();
+        if (std::ranges::find(choices, choice.heading, &NamedChoice::heading) != choices.end()) {
+            reader.refuse(CommandLine::tr("--column says twice what \"%1\" is: keep one of them.")
+                              .arg(QString::fromStdString(choice.heading)));
+        }
+        choices.push_back(std::move(choice));
+    }
+    return choices;
+}
+
 void refusePositional(OptionReader &reader, const QStringList &positional, Subcommand subcommand)
 {
     if (!positional.isEmpty()) {
@@ -163,6 +233,15 @@ QString readOutputBeside(OptionReader &reader, const QStringList &files)
         }
     }
     return output;
+}
+
+/// FILE…
+QStringList readFiles(OptionReader &reader, const QStringList &positional, Subcommand subcommand)
+{
+    if (positional.isEmpty() || positional.contains(QString())) {
+        reader.refuse(CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…").arg(wordOf(subcommand)));
+    }
+    return positional;
 }
 
 Command readSolve(OptionReader &reader, const QStringList &positional)
@@ -209,10 +288,8 @@ Command readCompare(OptionReader &reader, const QStringList &positional)
     options.format =
         reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
     options.failOnDifference = reader.has("fail-on-difference");
-    options.files = positional;
-    if (positional.isEmpty() || positional.contains(QString())) {
-        reader.refuse(CommandLine::tr("\"slidercrank compare\" needs a file: slidercrank compare FILE…"));
-    }
+    options.files = readFiles(reader, positional, Subcommand::Compare);
+    options.columns = readColumns(reader);
     options.output = readOutputBeside(reader, positional);
     return options;
 }
@@ -222,15 +299,8 @@ Command readIdentify(OptionReader &reader, const QStringList &positional)
     IdentifyOptions options;
     options.mechanism = readMechanism(reader);
     options.format = reader.choice("format", options.format, {{"text", Format::Text}, {"json", Format::Json}});
-    if (positional.isEmpty() || positional.first().isEmpty()) {
-        reader.refuse(CommandLine::tr("\"slidercrank identify\" needs a file: slidercrank identify FILE."));
-    } else if (positional.size() > 1) {
-        reader.refuse(CommandLine::tr("\"slidercrank identify\" takes one file, not %1: remove \"%2\".")
-                          .arg(positional.size())
-                          .arg(positional[1]));
-    } else {
-        options.file = positional.first();
-    }
+    options.files = readFiles(reader, positional, Subcommand::Identify);
+    options.columns = readColumns(reader);
     options.output = readOutputBeside(reader, positional);
     return options;
 }
@@ -365,6 +435,11 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     if (const QString file = reader.file("reference"); !file.isEmpty()) {
         options.reference = ReferenceSource{file, {}, {}};
     }
+    options.kept = reader.scene().kept;
+    options.columns = readColumns(reader);
+    if (!options.columns.empty() && !options.reference) {
+        reader.refuse(CommandLine::tr("--column is of a reference: give its file with --reference."));
+    }
     options.plots = reader.scene().plots;
     options.zoom = reader.scene().zoom;
     options.mechanismSettings = reader.scene().mechanism;
@@ -436,14 +511,17 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
     WindowOptions options;
     options.choosesDisplay = choosesDisplay;
     options.reference = reader.file("reference");
+    if (isStandardInput(options.reference) || positional.contains(QStringLiteral("-"))) {
+        reader.refuse(CommandLine::tr("The window opens files: save what comes from standard input as one first."));
+        return options;
+    }
     if (positional.isEmpty()) {
         return options;
     }
     options.scene = positional.first();
     const QStringList words{QStringLiteral("solve"),    QStringLiteral("limits"), QStringLiteral("compare"),
                             QStringLiteral("identify"), QStringLiteral("study"),  QStringLiteral("render")};
-    const bool isFile =
-        options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || QFileInfo::exists(options.scene);
+    const bool isFile = isNamedAsScene(options.scene) || QFileInfo::exists(options.scene);
     if (words.contains(options.scene)) {
         reader.refuse(CommandLine::tr("The command must come first: slidercrank %1 …").arg(options.scene));
     } else if (!isFile && options.scene.contains(QRegularExpression(QStringLiteral("[./\\\\]")))) {
@@ -457,7 +535,7 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
         reader.refuse(CommandLine::tr("The window opens one scene, not %1: remove \"%2\".")
                           .arg(positional.size())
                           .arg(positional[1]));
-    } else if (!options.scene.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) && options.reference.isEmpty()) {
+    } else if (!isNamedAsScene(options.scene) && options.reference.isEmpty()) {
         options.reference = std::exchange(options.scene, {}); // as what is dropped on the window
     } else {
         reader.takeScene(options.scene); // to know before there is a window whether it is one
@@ -497,7 +575,7 @@ std::optional<QString> shapeFault(const QCommandLineParser &parser, bool wellFor
     for (const OptionGroup &group : groups) {
         for (const OptionEntry &entry : group.entries) {
             const QLatin1String name(entry.name);
-            if (parser.optionNames().count(name) > 1) {
+            if (!entry.mayRepeat && parser.optionNames().count(name) > 1) {
                 return CommandLine::tr("--%1 is given more than once: keep one of them.").arg(name);
             }
             if (!wellFormed && entry.value &&
@@ -541,11 +619,14 @@ Command parseCommandLine(const QStringList &arguments)
         return WrongCommandLine{*fault};
     }
     if (parser.isSet(QStringLiteral("version"))) {
-        return Answer{QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n")};
+        return Answer{QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n")};
     }
 
     OptionReader reader(parser);
     const QStringList positional = parser.positionalArguments();
+    if ((positional + reader.texts("scene") + reader.texts("reference")).count(QStringLiteral("-")) > 1) {
+        return WrongCommandLine{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
+    }
     if (subcommand != Subcommand::Window && reader.has("scene")) {
         reader.takeScene(reader.file("scene"));
     }

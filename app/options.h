@@ -46,7 +46,8 @@ struct LimitsOptions {
 
 struct CompareOptions {
     Mechanism mechanism;
-    QStringList files; ///< at least one
+    QStringList files; ///< at least one; "-" is standard input
+    std::vector<NamedChoice> columns;
     Format format = Format::Text;
     bool failOnDifference = false;
     QString output; ///< empty: standard output
@@ -54,7 +55,8 @@ struct CompareOptions {
 
 struct IdentifyOptions {
     Mechanism mechanism; ///< where to start; gives what the file cannot fix
-    QString file;
+    QStringList files;   ///< as of CompareOptions
+    std::vector<NamedChoice> columns;
     Format format = Format::Text; ///< Text or Json
     QString output;               ///< empty: standard output
 };
@@ -72,6 +74,8 @@ struct RenderOptions {
     SolverSettings solver;
     double poseInstant = 0.0; ///< s
     std::optional<ReferenceSource> reference;
+    std::vector<Parameters> kept;     ///< motions to lie under the model's
+    std::vector<NamedChoice> columns; ///< of the reference
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanismSettings;

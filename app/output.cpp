@@ -59,6 +59,29 @@ ExitStatus Output::finish()
                                                                                   : ExitStatus::FileFailed;
 }
 
+PartedOutput::PartedOutput(const QString &path, const QByteArray &head, const QByteArray &between)
+    : m_output(path)
+    , m_head(head)
+    , m_between(between)
+{
+}
+
+bool PartedOutput::add(const QByteArray &part)
+{
+    const QByteArray &before = m_isOpen ? m_between : m_head;
+    m_isOpen = m_isOpen ? *m_isOpen : m_output.open();
+    return *m_isOpen && m_output.write(before + part);
+}
+
+ExitStatus PartedOutput::finish(const QByteArray &tail)
+{
+    if (!m_isOpen.value_or(false)) {
+        return m_isOpen ? ExitStatus::FileFailed : ExitStatus::Done;
+    }
+    m_output.write(tail);
+    return m_output.finish();
+}
+
 ExitStatus writeAll(const QString &path, const QByteArray &bytes)
 {
     Output output(path);

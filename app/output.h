@@ -10,6 +10,8 @@
 #include <QFile>
 #include <QString>
 
+#include <optional>
+
 namespace slidercrank
 {
 
@@ -36,6 +38,27 @@ private:
     QFile m_stream;
     WholeFile m_file;
     bool m_failed = false;
+};
+
+/// What several files are answered with, a part a file. Opened with the first of them: where no file can be read, none
+/// is written.
+class PartedOutput
+{
+public:
+    /// `head` goes before the first part, `between` between two.
+    PartedOutput(const QString &path, const QByteArray &head, const QByteArray &between);
+
+    /// False when it cannot be written to.
+    bool add(const QByteArray &part);
+
+    /// `tail`: goes behind the last part.
+    ExitStatus finish(const QByteArray &tail);
+
+private:
+    Output m_output;
+    QByteArray m_head;
+    QByteArray m_between;
+    std::optional<bool> m_isOpen; ///< none: nobody tried
 };
 
 /// All of it at once.

@@ -4,6 +4,7 @@
 #include "core/limits/mobility.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/two_part_angle.h"
+#include "ui/words/written_number.h"
 
 #include <QLocale>
 #include <QStringList>
@@ -39,7 +40,7 @@ QString Shortfall::sentence(const Mechanism &mechanism, int maxIterations) const
         return CommandLine::tr("%1 of %2 instants, first at t = %3 s (θ2 = %4°)")
             .arg(instants.count)
             .arg(m_total)
-            .arg(QString::number(instants.first, 'g', 6), QString::number(degrees, 'g', 6));
+            .arg(numberText(instants.first), numberText(degrees));
     };
     QStringList sentences;
     if (const Instants &instants = of(Status::NotAssemblable); instants.count > 0) {
@@ -55,8 +56,8 @@ QString Shortfall::sentence(const Mechanism &mechanism, int maxIterations) const
                          .arg(maxIterations);
     }
     if (const Instants &instants = of(Status::Singular); instants.count > 0) {
-        sentences += CommandLine::tr("Velocity and acceleration do not exist at %1: the coupler stands square to the "
-                                     "slider's line there; a longer coupler (--b) avoids it.")
+        sentences += CommandLine::tr("Velocity and acceleration do not exist at %1: the coupler is perpendicular to "
+                                     "the slider's line there; a longer coupler (--b) avoids it.")
                          .arg(where(instants));
     }
     if (const Instants &instants = of(Status::NotFinite); instants.count > 0) {

@@ -58,15 +58,14 @@ QString lineOf(const QStringList &cells)
 
 QString tableOf(const CaseResult &which)
 {
-    const Parameters &p = which.parameters;
-    const auto number = [](double value) { return QString::number(value, 'g', 9); };
-    QString text = CommandLine::tr("%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants")
-                       .arg(caseText(which.traits), number(p.a), number(p.b), number(p.c), number(p.omega2),
-                            number(p.theta20), assemblyText(p.branch), QString::number(which.instants)) +
+    constexpr int kDigits = 9;
+    QString text = CommandLine::tr("%1: %2; %3 instants")
+                       .arg(caseText(which.traits), mechanismText(Mechanism(which.parameters), kDigits),
+                            QString::number(which.instants)) +
                    u'\n';
     text += lineOf({CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
                     CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),
-                    CommandLine::tr("error"), CommandLine::tr("bound κu"), CommandLine::tr("outcome")});
+                    CommandLine::tr("error"), CommandLine::tr("rounding"), CommandLine::tr("outcome")});
     for (const MethodResult &row : which.methods) {
         QString outcome = outcomeOf(row, std::accumulate(row.counts.begin(), row.counts.end(), std::size_t{0}));
         if (row.silentFailures.value_or(0) > 0) {
@@ -75,6 +74,9 @@ QString tableOf(const CaseResult &which)
         text += lineOf({QString::fromStdString(nameOf(row.method)), rounded(row.tolerance),
                         QString::number(row.channels), rounded(row.nsPerState, 4), rounded(row.spread),
                         rounded(row.iterationsPerState), rounded(row.maxError), rounded(row.errorBound), outcome});
+    }
+    if (const QString sentence = closedFormSentence(which); !sentence.isEmpty()) {
+        text += sentence + u'\n';
     }
     return text;
 }
@@ -89,10 +91,11 @@ QString textOf(const StudyResult &result)
             silentFailures += row.silentFailures.value_or(0);
         }
     }
-    text += CommandLine::tr("Errors are the worst of the six plotted channels, relative to the channel's peak, against "
-                            "50 to 100 digits, over the\n"
-                            "instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 "
-                            "s.\n")
+    text += CommandLine::tr(
+                "Errors are the worst of the six plotted channels, relative to the channel's peak, against "
+                "50 to 100 digits, over the\n"
+                "instants that a method calls solved. Rounding: what rounding the given numbers may cost by itself.\n"
+                "Silently wrong instants: %1. Machine: %2. Done in %3 s.\n")
                 .arg(QString::number(silentFailures), machineText(result.machine), rounded(result.seconds));
     return text;
 }

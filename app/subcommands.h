@@ -18,8 +18,8 @@ ExitStatus limits(const LimitsOptions &options);
 /// How far simulations' files are from the exact motion, as tables, CSV or JSON.
 ExitStatus compareFiles(const CompareOptions &options);
 
-/// The mechanism that a simulation's file belongs to, as text or JSON.
-ExitStatus identifyFile(const IdentifyOptions &options);
+/// The mechanism that each of some simulations' files belongs to, as text or JSON.
+ExitStatus identifyFiles(const IdentifyOptions &options);
 
 /// Speed against error as a table, CSV or JSON.
 ExitStatus study(const StudyOptions &options);

@@ -40,7 +40,8 @@ struct Cell {
     bool wellFormed = true; ///< false: a quotation mark is not closed, or something follows the closing one
 };
 
-/// Walks over the cells of each line. Lines end with LF, CR LF or CR; a cell never spans lines.
+/// Walks over the cells of each line. Lines end with LF, CR LF or CR; a cell never spans lines. Where a space separates
+/// the cells, any number of spaces and tabs does.
 class CellScanner
 {
 public:
@@ -50,7 +51,7 @@ public:
         , m_delimiter(delimiter)
         , m_line(firstLine)
     {
-        for (const char c : {delimiter, '\n', '\r'}) {
+        for (const char c : {delimiter, delimiter == ' ' ? '\t' : delimiter, '\n', '\r'}) {
             m_stops[static_cast<unsigned char>(c)] = true;
         }
     }
@@ -132,6 +133,16 @@ private:
         while (m_next != m_end && isBlank(*m_next) && *m_next != m_delimiter) {
             ++m_next;
         }
+        if (m_delimiter == ' ') {
+            skipRun();
+        }
+    }
+
+    void skipRun()
+    {
+        while (m_next != m_end && isBlank(*m_next)) {
+            ++m_next;
+        }
     }
 
     void skipToStop()
@@ -146,6 +157,11 @@ private:
         m_hasCell = m_next != m_end && *m_next == m_delimiter;
         if (m_hasCell) {
             ++m_next;
+        }
+        if (m_delimiter == ' ') {
+            const char *const behindCell = m_next - (m_hasCell ? 1 : 0);
+            skipRun();
+            m_hasCell = m_next != behindCell && !atLineEnd();
         }
     }
 
@@ -169,7 +185,9 @@ private:
             }
             const std::string_view text{begin, static_cast<std::size_t>(m_next - begin)};
             ++m_next;
-            skipBlanks();
+            if (m_delimiter != ' ') {
+                skipBlanks();
+            }
             const bool closed = m_next == m_end || isStop(*m_next);
             skipToStop();
             return {trimmed(text), closed};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/column_guess.h"
 
+#include "core/reading/crank_angles.h"
 #include "core/reading/reference_data.h"
 #include "core/reading/unit_text.h"
 
@@ -173,6 +174,8 @@ public:
     std::optional<ColumnFault> choose(std::span<const ColumnChoice> choices);
     std::optional<ColumnFault> takeNames();
     void guessTime();
+    void settlePairs();
+    void guessCrankAngle();
     void guessChannels();
 
     std::vector<ColumnUse> take() { return std::move(m_uses); }
@@ -206,9 +209,16 @@ private:
         return values;
     }
 
+    /// The time, or the crank's angle in its place.
+    std::optional<std::size_t> abscissa() const
+    {
+        const std::optional<std::size_t> time = columnAs(ColumnRole::Time);
+        return time ? time : columnAs(ColumnRole::CrankAngle);
+    }
+
     std::vector<double> timeSamples()
     {
-        const std::size_t time = *columnAs(ColumnRole::Time);
+        const std::size_t time = *abscissa();
         return scaledSamples(time, 1.0 / m_uses[time].factor);
     }
 
@@ -229,6 +239,13 @@ private:
     void ignore(std::size_t i, ColumnReason reason, std::optional<std::size_t> other = std::nullopt)
     {
         m_uses[i] = ColumnUse{ColumnRole::Ignored, {}, reason, other, 1.0};
+    }
+
+    /// Whether the columns hold the same numbers.
+    bool areEqual(std::size_t i, std::size_t j)
+    {
+        const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+        return i < samples().size() && j < samples().size() && std::ranges::equal(samples()[i], samples()[j], same);
     }
 
     std::optional<ColumnFault> nameTime(std::size_t i);
@@ -260,8 +277,17 @@ std::optional<ColumnFault> Assignment::choose(std::span<const ColumnChoice> choi
         case ColumnRole::Ignored: break;
         case ColumnRole::Time: {
             const std::optional<double> factor = unitsPerSecond(unit);
-            if (!factor || columnAs(ColumnRole::Time)) {
+            if (!factor || abscissa()) {
                 return ColumnFault{choice.column, {factor ? Fault::TimeChosenTwice : Fault::UnknownTimeUnit}};
+            }
+            use.factor = *factor;
+            break;
+        }
+        case ColumnRole::CrankAngle: {
+            const std::optional<double> factor = unitsPerDegree(unit);
+            if (!factor || abscissa()) {
+                const Fault kind = factor ? Fault::TimeChosenTwice : Fault::UnknownUnit;
+                return ColumnFault{choice.column, {kind, {Theta2, Order::Position}}};
             }
             use.factor = *factor;
             break;
@@ -283,7 +309,7 @@ std::optional<ColumnFault> Assignment::choose(std::span<const ColumnChoice> choi
 
 std::optional<ColumnFault> Assignment::nameTime(std::size_t i)
 {
-    if (const std::optional<std::size_t> other = columnAs(ColumnRole::Time)) {
+    if (const std::optional<std::size_t> other = abscissa()) {
         if (m_uses[*other].reason == ColumnReason::Chosen) {
             ignore(i, ColumnReason::LikeOther, other);
             return std::nullopt;
@@ -310,7 +336,8 @@ std::optional<ColumnFault> Assignment::nameChannel(std::size_t i, Channel channe
     }
     for (std::size_t j = 0; j < m_uses.size() && !fileName; ++j) { // words are not names: which of two, nobody knows
         const NameMeaning &other = m_meanings[j];
-        if (j != i && other.kind == NameMeaning::Kind::Channel && !other.fileName && other.channel == channel) {
+        if (j != i && other.kind == NameMeaning::Kind::Channel && !other.fileName && other.channel == channel &&
+            !(m_headings[i].unit == m_headings[j].unit && areEqual(i, j))) {
             ignore(i, ColumnReason::LikeOther, j);
             return std::nullopt;
         }
@@ -323,7 +350,8 @@ std::optional<ColumnFault> Assignment::nameChannel(std::size_t i, Channel channe
         ignore(i, ColumnReason::UnknownUnit);
         return std::nullopt;
     }
-    m_uses[i] = ColumnUse{ColumnRole::Channel, channel, ColumnReason::KnownName, std::nullopt, *factor};
+    const ColumnReason reason = m_headings[i].unitOfModelica ? ColumnReason::ModelicaName : ColumnReason::KnownName;
+    m_uses[i] = ColumnUse{ColumnRole::Channel, channel, reason, std::nullopt, *factor};
     return std::nullopt;
 }
 
@@ -342,6 +370,11 @@ std::optional<ColumnFault> Assignment::takeNames()
                 fault = nameChannel(i, meaning.channel);
             } else if (fileNames && m_headings[i].printed.empty()) {
                 ignore(i, ColumnReason::NoName);
+            } else if (fileNames && meaning.kind == NameMeaning::Kind::RowNumber) {
+                ignore(i, ColumnReason::RowNumber);
+            } else if (fileNames && meaning.kind == NameMeaning::Kind::Nothing &&
+                       m_headings[i].part == Heading::Part::Own && endsInQuantity(m_headings[i])) {
+                ignore(i, ColumnReason::UnknownBody);
             }
             if (fault) {
                 return fault;
@@ -355,15 +388,47 @@ std::optional<ColumnFault> Assignment::takeNames()
 
 void Assignment::guessTime()
 {
-    if (columnAs(ColumnRole::Time)) {
+    if (abscissa()) {
         return;
     }
     for (std::size_t i = 0; i < m_uses.size(); ++i) {
-        const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty();
+        const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty() &&
+                           m_uses[i].reason != ColumnReason::UnknownBody && !isCrankAngle(m_headings[i]);
         const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
         if (isOpen(i) && named && factor && i < samples().size() && onlyRises(samples()[i])) {
             m_uses[i] = ColumnUse{ColumnRole::Time, {}, ColumnReason::RisingValues, std::nullopt, *factor};
             return;
+        }
+    }
+}
+
+/// Where there is no time, the crank's angle tells it.
+void Assignment::guessCrankAngle()
+{
+    for (std::size_t i = 0; i < m_uses.size() && !abscissa(); ++i) {
+        const std::optional<double> factor = unitsPerDegree(m_headings[i].unit);
+        if (m_uses[i].reason != ColumnReason::Chosen && factor && isCrankAngle(m_headings[i])) {
+            m_uses[i] = ColumnUse{ColumnRole::CrankAngle, {}, ColumnReason::AngleForTime, std::nullopt, *factor};
+        }
+    }
+}
+
+/// Values that stand over other instants than the time's are of no use, instants that are the same of none either.
+void Assignment::settlePairs()
+{
+    const std::optional<std::size_t> time = columnAs(ColumnRole::Time);
+    for (std::size_t i = 0; i < m_uses.size(); ++i) {
+        const Heading &heading = m_headings[i];
+        if (!time || i == *time || m_uses[i].reason == ColumnReason::Chosen) {
+            continue;
+        }
+        if (heading.part == Heading::Part::Magnitude) {
+            ignore(i, ColumnReason::Magnitude, heading.other);
+        } else if (heading.part == Heading::Part::Abscissa) {
+            ignore(i, areEqual(i, *time) ? ColumnReason::SameInstants : ColumnReason::OtherInstants, time);
+        } else if (heading.part == Heading::Part::Ordinate && *heading.other != *time &&
+                   !areEqual(*heading.other, *time)) {
+            ignore(i, ColumnReason::OtherInstants, time);
         }
     }
 }
@@ -374,7 +439,9 @@ std::vector<Assignment::Candidate> Assignment::candidates()
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < m_uses.size(); ++i) {
         const NameMeaning &meaning = m_meanings[i];
-        if (!isOpen(i) || meaning.kind != NameMeaning::Kind::Quantity || !meaning.order) {
+        const bool isSettled =
+            m_uses[i].reason == ColumnReason::Magnitude || m_uses[i].reason == ColumnReason::OtherInstants;
+        if (!isOpen(i) || isSettled || meaning.kind != NameMeaning::Kind::Quantity || !meaning.order) {
             continue;
         }
         if (i < samples().size() &&
@@ -397,7 +464,9 @@ std::vector<Assignment::Candidate> Assignment::candidates()
                 continue;
             }
             candidate.dimension = unit->dimension;
-            candidate.reason = grapher ? ColumnReason::LetterAndUnit : ColumnReason::QuantityInName;
+            candidate.reason = m_headings[i].unitOfModelica     ? ColumnReason::ModelicaName
+                               : grapher && !meaning.isModelica ? ColumnReason::LetterAndUnit
+                                                                : ColumnReason::QuantityInName;
         } else if (!grapher && !candidate.dimension) {
             candidate.dimension = Dimension::Length; // "velocity" alone is no angular velocity
         }
@@ -516,14 +585,25 @@ void Assignment::give(const std::vector<Candidate> &all, Channel channel)
     if (channel.order != Order::Position) {
         const Order before = channel.order == Order::Velocity ? Order::Position : Order::Velocity;
         const std::optional<std::size_t> base = columnAs(ColumnRole::Channel, {channel.coordinate, before});
+        const bool isByTime = columnAs(ColumnRole::Time).has_value(); // by angle, nobody knows per how many seconds
         std::erase_if(left, [&](const Candidate *candidate) {
-            const bool wrong = base && !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
-                                                     scaledSamples(candidate->column, factorIn(candidate->column)));
+            const bool wrong = base && isByTime &&
+                               !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
+                                             scaledSamples(candidate->column, factorIn(candidate->column)));
             if (wrong) {
                 ignore(candidate->column, ColumnReason::NotDerivative, base);
             }
             return wrong;
         });
+    }
+    if (std::ranges::all_of(left, [&](const Candidate *candidate) {
+            const std::size_t first = left.front()->column;
+            return m_headings[candidate->column].unit == m_headings[first].unit && areEqual(candidate->column, first);
+        })) {
+        while (left.size() > 1) {
+            ignore(left.back()->column, ColumnReason::LikeOther, left.front()->column);
+            left.pop_back();
+        }
     }
     if (left.size() == 1) {
         const Candidate &found = *left.front();
@@ -538,7 +618,7 @@ void Assignment::give(const std::vector<Candidate> &all, Channel channel)
 
 void Assignment::guessChannels()
 {
-    if (!columnAs(ColumnRole::Time)) {
+    if (!abscissa()) {
         return;
     }
     std::vector<Candidate> all = candidates();
@@ -567,6 +647,8 @@ std::variant<std::vector<ColumnUse>, ColumnFault> assignColumns(std::span<const 
         return *std::move(fault);
     }
     assignment.guessTime();
+    assignment.guessCrankAngle();
+    assignment.settlePairs();
     assignment.guessChannels();
     return assignment.take();
 }

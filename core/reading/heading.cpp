@@ -86,9 +86,11 @@ std::vector<std::string> wordsOf(const std::string &plain)
 
 constexpr std::string_view kTimeWords = "time t tiempo timestamp zeit temps tempo instante";
 /// Beside a word for the time, these change nothing.
-constexpr std::string_view kTimeCompanions = "elapsed sim simulation simulacion transcurrido de la stamp";
+constexpr std::string_view kTimeCompanions = "elapsed sim simulation simulacion transcurrido de la stamp latest";
 constexpr std::string_view kRowNumbers = "n no nr num index row id fila frame paso step sample point";
-constexpr std::string_view kFillers = "de del la el of the en component componente trans translational";
+/// In the place of a time's unit.
+constexpr std::string_view kCounted = "steps step frames frame samples sample rows points pasos muestras";
+constexpr std::string_view kFillers = "de del la el of the en component componente trans translational latest";
 
 enum class Body { Crank, Coupler, Slider };
 
@@ -101,7 +103,7 @@ struct Vocabulary {
 };
 
 constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array<Vocabulary, 18> kVocabulary{{
+constexpr std::array<Vocabulary, 21> kVocabulary{{
     {"position posicion pos displacement disp desplazamiento", Order::Position, kOpen, kOpen},
     {"coordinate coordenada stroke carrera", Order::Position, Dimension::Length, kOpen},
     {"x", kOpen, Dimension::Length, kOpen, 'x'},
@@ -110,6 +112,9 @@ constexpr std::array<Vocabulary, 18> kVocabulary{{
     {"vx", Order::Velocity, Dimension::Length, kOpen, 'x'},
     {"vy", Order::Velocity, Dimension::Length, kOpen, 'y'},
     {"acceleration aceleracion accel acel acc a beschleunigung", Order::Acceleration, kOpen, kOpen},
+    {"tx", kOpen, Dimension::Length, kOpen, 'x'},
+    {"ty", kOpen, Dimension::Length, kOpen, 'y'},
+    {"rz", kOpen, Dimension::Angle, kOpen},
     {"ax", Order::Acceleration, Dimension::Length, kOpen, 'x'},
     {"ay", Order::Acceleration, Dimension::Length, kOpen, 'y'},
     {"angle angulo rotation rotacion giro orientation theta tita", Order::Position, Dimension::Angle, kOpen},
@@ -167,9 +172,18 @@ bool isTime(const std::vector<std::string> &words)
     return count == 1;
 }
 
-/// "P[3.1]", "V[3,1]", "A[1]": the Output Grapher's position, velocity and acceleration of a joint.
+bool isAxis(std::string_view text)
+{
+    return text == "X" || text == "Y" || text == "Z";
+}
+
+/// "P[3.1]", "V[3,1]", "A[1]": the Output Grapher's position, velocity and acceleration of a joint; "Trace:1 P[X]" of a
+/// point that is traced.
 std::optional<NameMeaning> outputGrapher(std::string_view name)
 {
+    const std::size_t begin = name.rfind(' ') + 1;
+    const std::string_view owner = trimmed(name.substr(0, begin));
+    name.remove_prefix(begin);
     if (name.size() < 4 || name[1] != '[' || name.back() != ']') {
         return std::nullopt;
     }
@@ -182,6 +196,17 @@ std::optional<NameMeaning> outputGrapher(std::string_view name)
     default: return std::nullopt;
     }
     meaning.outputIndex = name.substr(2, name.size() - 3);
+    if (!owner.empty()) {
+        if (!isAxis(meaning.outputIndex)) {
+            return std::nullopt;
+        }
+        if (meaning.outputIndex == "Z") {
+            return NameMeaning{}; // the motion is plane
+        }
+        meaning.dimension = Dimension::Length;
+        meaning.alongY = meaning.outputIndex == "Y";
+        meaning.outputIndex += owner;
+    }
     return meaning;
 }
 
@@ -211,9 +236,10 @@ NameMeaning fromWords(const std::vector<std::string> &words, const std::optional
             }
             continue;
         }
-        // A single letter is a quantity when it stands alone, not in "a1" or "v_0".
+        // A single letter is a quantity when it stands alone, not in "a1" or "v_0"; "tx" is one beside others.
         const bool letterOfMany = word.size() == 1 && word != "x" && word != "y" && words.size() > 1;
-        const auto known = letterOfMany
+        const bool axisAlone = words.size() == 1 && isAmong(word, "tx ty rz");
+        const auto known = letterOfMany || axisAlone
                                ? kVocabulary.end()
                                : std::find_if(kVocabulary.begin(), kVocabulary.end(),
                                               [&](const Vocabulary &each) { return isAmong(word, each.words); });
@@ -278,10 +304,98 @@ NameMeaning fromWords(const std::vector<std::string> &words, const std::optional
     return meaning;
 }
 
-/// "3.1" of "P[3.1]" is no unit.
+/// "v_x" and "v_{x}" are one word.
+std::vector<std::string> withComponentsJoined(std::vector<std::string> words)
+{
+    if (words.size() == 2 && isAmong(words[0], "v a") && isAmong(words[1], "x y")) {
+        words = {words[0] + words[1]};
+    }
+    return words;
+}
+
+/// The one body that is among the words.
+std::optional<Body> bodyAmong(const std::vector<std::string> &words)
+{
+    std::optional<Body> body;
+    for (const std::string &word : words) {
+        const auto known = std::ranges::find_if(
+            kVocabulary, [&](const Vocabulary &each) { return each.body && isAmong(word, each.words); });
+        if (known == kVocabulary.end()) {
+            continue;
+        }
+        if (body && body != known->body) {
+            return std::nullopt;
+        }
+        body = known->body;
+    }
+    return body;
+}
+
+/// "slider.s", "der(crank.phi)": how Modelica's library names what a joint, or a body, does.
+std::optional<NameMeaning> fromModelica(std::string_view name, const std::optional<Unit> &unit)
+{
+    int order = 0;
+    while (name.starts_with("der(") && name.ends_with(')')) {
+        name = name.substr(4, name.size() - 5);
+        ++order;
+    }
+    const std::size_t dot = name.rfind('.');
+    const bool isPath = dot != name.npos && dot > 0 && isLetter(name[0]) && std::ranges::all_of(name, [](char c) {
+                            return isLetter(c) || isDigit(c) || c == '_' || c == '.' || c == '[' || c == ']';
+                        });
+    if (!isPath || isTime(wordsOf(std::string(name.substr(0, dot))))) { // "time.s" is the time in seconds
+        return std::nullopt;
+    }
+    NameMeaning meaning;
+    const std::string_view variable = name.substr(dot + 1);
+    if (variable == "s" || variable == "v") {
+        meaning.dimension = Dimension::Length;
+    } else if (variable == "phi" || variable == "w") {
+        meaning.dimension = Dimension::Angle;
+    } else if (variable != "a") {
+        return std::nullopt;
+    }
+    order += variable == "a" ? 2 : variable == "v" || variable == "w" ? 1 : 0;
+    if (order > 2) {
+        return std::nullopt;
+    }
+    meaning.isModelica = true;
+    meaning.order = static_cast<Order>(order);
+    const std::string_view component = name.substr(0, dot);
+    meaning.outputIndex = component;
+    meaning.kind = NameMeaning::Kind::Quantity;
+    if (!meaning.dimension && unit) {
+        meaning.dimension = unit->dimension;
+    }
+    const std::optional<Body> body = bodyAmong(wordsOf(std::string(component.substr(component.rfind('.') + 1))));
+    if (body) {
+        const Dimension usual = body == Body::Slider ? Dimension::Length : Dimension::Angle;
+        if (meaning.dimension.value_or(usual) != usual) {
+            return NameMeaning{};
+        }
+        meaning.dimension = usual;
+        meaning.kind = NameMeaning::Kind::Channel;
+        meaning.channel = {*coordinateOf(*body, usual, ' '), *meaning.order};
+    }
+    return meaning;
+}
+
+/// RecurDyn's "Pos_TX-Slider@Model1": a quantity, and of what.
+NameMeaning fromPair(const Heading &heading)
+{
+    const std::string_view name = std::string_view(heading.name).substr(0, heading.name.find('@'));
+    const std::size_t dash = std::min(name.find('-'), name.size());
+    std::vector<std::string> words = wordsOf(plainSpelling(name.substr(0, dash)));
+    if (const std::optional<Body> body = bodyAmong(wordsOf(plainSpelling(name.substr(dash))))) {
+        words.emplace_back(body == Body::Crank ? "crank" : body == Body::Coupler ? "coupler" : "slider");
+    }
+    return fromWords(words, unitOf(heading.unit));
+}
+
+/// "3.1" of "P[3.1]" is no unit, nor is "X" of "P[X]".
 bool isIndex(std::string_view text)
 {
-    return text.find_first_not_of("0123456789.,: ") == text.npos;
+    return text.find_first_not_of("0123456789.,: ") == text.npos || isAxis(text);
 }
 
 } // namespace
@@ -296,6 +410,11 @@ Heading headingOf(std::string_view cell)
         }
     }
     std::string_view name = heading.printed;
+    const bool isWhole = name.starts_with("der(") && name.ends_with(')') && name.find(' ') == name.npos;
+    if (isWhole) {
+        heading.name = name; // a derivative in Modelica
+        return heading;
+    }
     if (!name.empty() && (name.back() == ']' || name.back() == ')')) {
         const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
         const bool index = open != name.npos && name.back() == ']' && open + 2 < name.size() &&
@@ -311,7 +430,7 @@ Heading headingOf(std::string_view cell)
                 continue;
             }
             const std::string_view tail = trimmed(name.substr(at + 1));
-            if (tail != "in" && unitOf(tail)) { // "in" is a word as well
+            if (tail != "in" && tail != "min" && unitOf(tail)) { // these are words as well
                 heading.unit = tail;
                 name = trimmed(name.substr(0, at));
                 break;
@@ -327,13 +446,23 @@ NameMeaning meaningOf(const Heading &heading)
     if (const std::optional<NameMeaning> grapher = outputGrapher(heading.name)) {
         return *grapher;
     }
+    if (heading.part == Heading::Part::Abscissa) {
+        return {};
+    }
+    if (heading.part == Heading::Part::Ordinate) {
+        return fromPair(heading);
+    }
+    if (const std::optional<NameMeaning> modelica = fromModelica(heading.name, unitOf(heading.unit))) {
+        return *modelica;
+    }
     NameMeaning meaning;
-    const std::vector<std::string> words = wordsOf(plainSpelling(heading.name));
+    const std::vector<std::string> words = withComponentsJoined(wordsOf(plainSpelling(heading.name)));
     if (words.empty()) {
         return meaning;
     }
     if (isTime(words)) {
-        meaning.kind = NameMeaning::Kind::Time;
+        const bool isCounted = isAmong(plainSpelling(heading.unit), kCounted);
+        meaning.kind = isCounted ? NameMeaning::Kind::RowNumber : NameMeaning::Kind::Time;
     } else if (const std::optional<Channel> channel = channelSpelled(words)) {
         meaning.kind = NameMeaning::Kind::Channel;
         meaning.channel = *channel;
@@ -344,6 +473,19 @@ NameMeaning meaningOf(const Heading &heading)
         meaning = fromWords(words, unitOf(heading.unit));
     }
     return meaning;
+}
+
+bool endsInQuantity(const Heading &heading)
+{
+    std::vector<std::string> words = wordsOf(plainSpelling(heading.name));
+    std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
+    if (words.size() < 2) {
+        return false;
+    }
+    const std::string &last = words.back();
+    return isAmong(last, "x y") || (last.size() > 1 && std::ranges::any_of(kVocabulary, [&](const Vocabulary &each) {
+                                        return !each.body && isAmong(last, each.words);
+                                    }));
 }
 
 } // namespace slidercrank

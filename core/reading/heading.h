@@ -6,6 +6,7 @@
 #include "core/mechanism/channel.h"
 #include "core/reading/unit_text.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,17 @@ struct Heading {
     std::string printed;
     std::string name;
     std::string unit; ///< empty: none given
+
+    /// What it is beside others, as the row of names tells (heading_row.h).
+    enum class Part {
+        Own,
+        Abscissa, ///< over which the values of another column stand
+        Ordinate, ///< the values of such a pair
+        Magnitude ///< of a vector whose components are other columns
+    };
+    Part part = Part::Own;
+    std::optional<std::size_t> other; ///< the other column of a pair, the first component of a magnitude
+    bool unitOfModelica = false;      ///< none given: the unit is the one that such names have in Modelica
 };
 
 /// `cell`: without the quotation marks around it; doubled marks within stand for one. The unit stands in brackets or
@@ -28,7 +40,7 @@ Heading headingOf(std::string_view cell);
 struct NameMeaning {
     enum class Kind {
         Nothing,
-        RowNumber, ///< "n", "index": never the time
+        RowNumber, ///< "n", "index", "Time (steps)": never the time
         Time,
         Channel,  ///< exactly one of the 36
         Quantity, ///< some of: order, angle or length, of which body
@@ -37,12 +49,16 @@ struct NameMeaning {
     Channel channel;         ///< Kind::Channel
     bool fileName = false;   ///< Kind::Channel by nameOf(), not by words
     bool alongY = false;     ///< Kind::Quantity, of a length
-    std::string outputIndex; ///< Inventor's "3.1" of "P[3.1]"; empty: another name
+    std::string outputIndex; ///< Inventor's "3.1" of "P[3.1]", Modelica's "slider" of "slider.s"; empty: another name
+    bool isModelica = false;
     std::optional<Order> order;
     std::optional<Dimension> dimension;
 };
 
 /// The unit tells angle from length where the name leaves it open.
 NameMeaning meaningOf(const Heading &heading);
+
+/// "J1_x", "part 7 velocity": whether a name that means nothing ends in a quantity.
+bool endsInQuantity(const Heading &heading);
 
 } // namespace slidercrank

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/number_text.h"
 
+#include "core/reading/cell_scanner.h"
 #include "core/reading/rounding.h"
+#include "core/reading/unit_text.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +15,8 @@ namespace slidercrank
 
 namespace
 {
+
+constexpr std::string_view kMinusSign = "\u2212";
 
 CellNumber unreadable(RowFault fault)
 {
@@ -52,12 +56,20 @@ bool equalIgnoringCase(std::string_view text, std::string_view lowerCase)
 
 bool looksNumeric(std::string_view text)
 {
+    text.remove_prefix(text.starts_with(kMinusSign) ? kMinusSign.size() : 0);
     return text.find_first_of("0123456789") != std::string_view::npos &&
            text.find_first_not_of("0123456789+-.,eE") == std::string_view::npos;
 }
 
 CellNumber readNumber(std::string_view text, DecimalSign decimalSign)
 {
+    if (text.starts_with(kMinusSign)) {
+        const std::string_view magnitude = text.substr(kMinusSign.size());
+        const bool isMagnitude = !magnitude.empty() && magnitude[0] != '-' && magnitude[0] != '+';
+        CellNumber number = isMagnitude ? readNumber(magnitude, decimalSign) : unreadable(RowFault::NotANumber);
+        number.value = -number.value;
+        return number;
+    }
     const bool comma = decimalSign == DecimalSign::Comma;
     const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
     CellNumber number;
@@ -85,6 +97,26 @@ CellNumber readNumber(std::string_view text, DecimalSign decimalSign)
         return unreadable(comma ? RowFault::PointForComma : RowFault::CommaForPoint);
     }
     return unreadable(RowFault::NotANumber);
+}
+
+std::optional<NumberWithUnit> numberWithUnit(std::string_view text)
+{
+    for (const char *const begins : {" \t", "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ\xC2\xCE"}) {
+        const std::size_t at = text.find_first_of(begins);
+        if (at == text.npos || at == 0) {
+            continue;
+        }
+        const NumberWithUnit parts{trimmed(text.substr(0, at)), trimmed(text.substr(at))};
+        if (looksNumeric(parts.number) && !parts.unit.empty() && unitOf(parts.unit)) {
+            return parts;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string_view withoutUnit(std::string_view text, std::string_view unit)
+{
+    return !unit.empty() && text.ends_with(unit) ? trimmed(text.substr(0, text.size() - unit.size())) : text;
 }
 
 } // namespace slidercrank

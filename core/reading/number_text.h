@@ -14,12 +14,24 @@ namespace slidercrank
 
 struct CellNumber {
     double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN: a gap, or a fault
-    std::string_view digits;                                 ///< as printed; empty for a gap
+    std::string_view digits;                                 ///< as printed, maybe without sign; empty for a gap
     std::optional<RowFault> fault;
 };
 
-/// `text`: the cell without what stands around it. An empty cell and "nan" are gaps.
+/// `text`: the cell without what stands around it. An empty cell and "nan" are gaps. A minus may be the typographer's.
 CellNumber readNumber(std::string_view text, DecimalSign decimalSign);
+
+/// A cell that holds a number with its unit, "0.005 sec": where they part.
+struct NumberWithUnit {
+    std::string_view number;
+    std::string_view unit;
+};
+
+/// Nothing where there is no unit, or none that is known.
+std::optional<NumberWithUnit> numberWithUnit(std::string_view text);
+
+/// The cell without that unit, if it has it.
+std::string_view withoutUnit(std::string_view text, std::string_view unit);
 
 /// Whether the cell could be a number by its letters, whatever its decimal sign.
 bool looksNumeric(std::string_view text);

@@ -31,16 +31,19 @@ struct ReadFault {
         Spreadsheet, ///< or another archive
         Pdf,
         Markup, ///< HTML or XML
+        Json,
         NotText,
         LineTooLong,     ///< for any table
         UnitsContradict, ///< the line of units, and `heading`
         NamesMissing,    ///< numbers stand where the names should
         UnknownUnit,     ///< or one of another quantity than `channel`
         UnknownTimeUnit,
-        ChannelTwice, ///< in the names
+        NoSuchColumn,   ///< as the `heading` that a person named
+        SeveralColumns, ///< of that `heading`
+        ChannelTwice,   ///< in the names
         TimeTwice,
         ChannelChosenTwice, ///< `channel`, by a person
-        TimeChosenTwice,
+        TimeChosenTwice, ///< or the crank's angle in its place
         NoTime,
         NoChannel,        ///< no name is known
         NoCertainChannel, ///< the column of `heading` could be one, were it not for `column`
@@ -48,6 +51,7 @@ struct ReadFault {
         NoRow,            ///< that can be read, the first because of `row`
         NoValues,         ///< beside the time
         TimeNotRising,
+        AngleTurnsBack, ///< the crank's, behind the angle `heading`
         Stopped,    ///< whoever wanted it wants it no longer
         Unreadable, ///< there is less of it than there was
         NoMemory

@@ -4,12 +4,16 @@
 // A simulation's exported motion: a file's bytes → named series in the author's units (mm, °, s), with what each column
 // was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
 //
+// A table by the crank's angle instead of the time is read as the motion of a crank that turns once a second, until
+// somebody says otherwise.
+//
 // Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
 // (nameOf(), or words), in any order and case, each with its unit or none for the author's; perhaps a line of units.
-// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us.
-// Cells are separated by commas, semicolons or tabs and may be quoted; a cell never spans lines. Numbers hold a decimal
-// point or a decimal comma, the same throughout a file; separators of thousands are not read. An empty cell or "nan" is
-// a gap.
+// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us,
+// min. Cells are separated by commas, semicolons, tabs, or, where none of these does it, by runs of spaces; they may be
+// quoted; a cell never spans lines. The names may stand behind a comment's mark (#, %, //), a unit in every cell of a
+// column. Numbers hold a decimal point or a decimal comma, the same throughout a file; separators of thousands are not
+// read. An empty cell or "nan" is a gap.
 //
 // A name that leaves open which channel it is, is guessed at only where unit and values bear that out, and the guess is
 // marked in the layout; otherwise the column is left out.
@@ -23,6 +27,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -50,12 +55,23 @@ struct SkippedRow {
     std::size_t rows = 1; ///< that it stands for, itself among them
 };
 
+/// What a file counts by that has no time.
+struct CrankAngles {
+    std::vector<double> degrees; ///< θ2, one a row, rising or falling throughout
+    Rounding rounding;           ///< how the file rounded them
+
+    // Of the crank that ReferenceData::time was made for: see crank_angles.h. As read, one that turns once a second.
+    double omega2 = 2.0 * std::numbers::pi;
+    double theta20 = 0.0;
+};
+
 struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
     Rounding timeRounding;    ///< how the file rounded the instants, already in seconds
     std::vector<ReferenceSeries> series;
-    std::vector<SkippedRow> skipped; ///< at most 1000, and then one more that counts the others
-    FileLayout layout;               ///< how the file is written, and what each column became and why
+    std::vector<SkippedRow> skipped;    ///< at most 1000, and then one more that counts the others
+    FileLayout layout;                  ///< how the file is written, and what each column became and why
+    std::optional<CrankAngles> crank{}; ///< where the file counts by them: the instants follow
 
     const ReferenceSeries *find(Channel channel) const;
 
@@ -91,6 +107,8 @@ struct ReadOptions {
 
     /// Called from the reading thread now and then, with the bytes done of all. May be empty.
     std::function<void(std::size_t done, std::size_t all)> progress;
+
+    std::vector<NamedChoice> named{}; ///< as `columns`, and over those
 };
 
 /// Reads any bytes, in pieces: a large file is never in memory. What it is, its beginning tells; where that is no table

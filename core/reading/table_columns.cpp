@@ -2,6 +2,7 @@
 #include "core/reading/table_columns.h"
 
 #include "core/reading/column_guess.h"
+#include "core/reading/named_choice.h"
 #include "core/reading/number_text.h"
 #include "core/reading/text_encoding.h"
 #include "core/reading/text_pieces.h"
@@ -24,10 +25,9 @@ ColumnSamples sampleRows(const Table &table, std::string_view rowText)
 {
     ColumnSamples samples(table.headings.size());
     for (CellScanner scanner(rowText, table.layout.delimiter, 1); !scanner.atEnd(); scanner.nextLine()) {
-        for (std::vector<double> &column : samples) {
-            const bool there = scanner.hasCell();
-            column.push_back(
-                readNumber(there ? scanner.cell().text : std::string_view(), table.layout.decimalSign).value);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const std::string_view text = scanner.hasCell() ? scanner.cell().text : std::string_view();
+            samples[i].push_back(readNumber(withoutUnit(text, table.cellUnits[i]), table.layout.decimalSign).value);
         }
     }
     // A row without a single number is none.
@@ -51,9 +51,8 @@ ColumnSamples sampleRows(const Table &table, std::string_view rowText)
 ReadFault faultWithoutChannel(const FileLayout &layout)
 {
     for (const FileColumn &column : layout.columns) {
-        const bool almost = column.reason == ColumnReason::LikeOther || column.reason == ColumnReason::UnknownUnit ||
-                            column.reason == ColumnReason::NotDerivative ||
-                            column.reason == ColumnReason::AngleOrLength;
+        const bool almost = leavesOpen(column.reason) || column.reason == ColumnReason::UnknownUnit ||
+                            column.reason == ColumnReason::NotDerivative;
         if (almost) {
             return {Fault::NoCertainChannel, {}, excerpt(column.heading), column.reason};
         }
@@ -71,8 +70,12 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
         error.layout = std::move(table.layout);
         return error;
     };
-    const auto outcome =
-        assignColumns(table.headings, options.columns, [&] { return sampleRows(table, sampledRows()); });
+    const std::variant<std::vector<ColumnChoice>, ReadFault> choices = choicesByNumber(options, table.headings);
+    if (const ReadFault *fault = std::get_if<ReadFault>(&choices)) {
+        return refused({headerLine, 0, {}, *fault});
+    }
+    const auto outcome = assignColumns(table.headings, std::get<std::vector<ColumnChoice>>(choices),
+                                       [&] { return sampleRows(table, sampledRows()); });
     if (const ColumnFault *fault = std::get_if<ColumnFault>(&outcome)) {
         return refused({headerLine, fault->column + 1, excerpt(table.headings[fault->column].printed), fault->fault});
     }
@@ -85,10 +88,13 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
         described.channel = use.channel;
         described.reason = use.reason;
         described.otherColumn = use.otherColumn;
-        layout.columns.push_back({use.role, layout.channels.size(), use.factor});
-        if (use.role == ColumnRole::Time) {
+        const bool isTime = use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle;
+        layout.columns.push_back(
+            {isTime ? ColumnRole::Time : use.role, layout.channels.size(), use.factor, table.cellUnits[i]});
+        if (isTime) {
             hasTime = true;
             layout.timeColumn = i;
+            layout.isByAngle = use.role == ColumnRole::CrankAngle;
         } else if (use.role == ColumnRole::Channel) {
             layout.channels.push_back(use.channel);
         }
@@ -118,6 +124,13 @@ std::optional<ReadError> findForeignFormat(std::string_view bytes)
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (first != bytes.npos && bytes[first] == '<') {
         return ReadError{0, 0, {}, {Fault::Markup}};
+    }
+    // "{"name": …", "[{…", "[[…"; "[s]" may be a unit.
+    const std::size_t second = bytes.find_first_not_of(" \t\r\n", first + 1);
+    if (first != bytes.npos && second != bytes.npos &&
+        (bytes[first] == '{' ? bytes[second] == '"'
+                             : bytes[first] == '[' && (bytes[second] == '{' || bytes[second] == '['))) {
+        return ReadError{0, 0, {}, {Fault::Json}};
     }
     return std::nullopt;
 }

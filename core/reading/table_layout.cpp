@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/table_layout.h"
 
+#include "core/reading/heading_row.h"
 #include "core/reading/number_text.h"
 #include "core/reading/unit_text.h"
 
@@ -70,13 +71,117 @@ bool isNumber(std::string_view cell)
     return !readNumber(cell, DecimalSign::Point).fault || !readNumber(cell, DecimalSign::Comma).fault;
 }
 
+/// What the rows of a table hold, and what is between the cells.
+enum class RowForm { Numbers, NumbersWithUnits, NumbersBetweenSpaces };
+
 /// Whether all cells of the line are numbers or gaps, and two at least numbers.
-bool isDataLine(std::string_view line, char delimiter)
+bool isDataLine(std::string_view line, char delimiter, RowForm form)
 {
     const std::vector<std::string_view> cells = cellsOf(line, delimiter);
-    const auto filled =
-        std::count_if(cells.begin(), cells.end(), [](std::string_view cell) { return looksNumeric(cell); });
-    return filled >= 2 && std::all_of(cells.begin(), cells.end(), isNumber);
+    const auto number = [form](std::string_view cell) {
+        const std::optional<NumberWithUnit> parts =
+            form == RowForm::NumbersWithUnits ? numberWithUnit(cell) : std::nullopt;
+        return parts ? parts->number : cell;
+    };
+    const auto filled = std::ranges::count_if(cells, looksNumeric, number);
+    return filled >= 2 && std::ranges::all_of(cells, isNumber, number);
+}
+
+/// How a table is written; where nothing else is a table's row, spaces may separate the cells.
+struct Form {
+    RowForm rows = RowForm::Numbers;
+    std::string_view delimiters; ///< that are possible
+    std::size_t width = 0;       ///< cells in a row, where spaces separate them
+};
+
+Form formOf(const std::vector<Line> &lines, std::string_view delimiters)
+{
+    for (const RowForm rows : {RowForm::Numbers, RowForm::NumbersWithUnits}) {
+        for (const Line &line : lines) {
+            if (std::ranges::any_of(delimiters, [&](char each) { return isDataLine(line.text, each, rows); })) {
+                return {rows, delimiters};
+            }
+        }
+    }
+    constexpr std::string_view kSpace = " ";
+    for (const Line &line : lines) {
+        if (delimiters == kDelimiters && isDataLine(line.text, kSpace[0], RowForm::NumbersBetweenSpaces)) {
+            return {RowForm::NumbersBetweenSpaces, kSpace, cellsOf(line.text, kSpace[0]).size()};
+        }
+    }
+    return {RowForm::Numbers, delimiters};
+}
+
+/// Without the mark of a comment that programs put before the names; not where it is the name of a column.
+std::string_view withoutMark(std::string_view line)
+{
+    const std::string_view text = trimmed(line);
+    for (const std::string_view mark : {"#", "%", "//"}) {
+        if (!text.starts_with(mark)) {
+            continue;
+        }
+        const std::size_t end = text.find_first_not_of(mark[0]);
+        if (end != text.npos && kDelimiters.find(text[end]) == kDelimiters.npos) {
+            return trimmed(text.substr(end));
+        }
+    }
+    return line;
+}
+
+/// The cells between runs of two spaces at least.
+std::vector<std::string_view> betweenWideSpaces(std::string_view line)
+{
+    std::vector<std::string_view> cells;
+    for (line = trimmed(line); !line.empty();) {
+        const std::size_t end = std::min(line.find("  "), line.size());
+        cells.push_back(trimmed(line.substr(0, end)));
+        line = trimmed(line.substr(end));
+    }
+    return cells;
+}
+
+/// The cells between spaces, units in brackets with their names: "Time (s)", "P[X] ( mm )".
+std::vector<std::string_view> betweenSpacesOutsideBrackets(std::string_view line)
+{
+    std::vector<std::string_view> cells;
+    const char *const end = line.data() + line.size();
+    for (const char *next = line.data(); next != end;) {
+        const char *const begin = next;
+        int depth = 0;
+        for (; next != end && (depth > 0 || !isBlank(*next)); ++next) {
+            depth += *next == '(' || *next == '[' ? 1 : *next == ')' || *next == ']' ? -1 : 0;
+        }
+        if (next == begin) {
+            ++next;
+        } else if (!cells.empty() && (*begin == '(' || *begin == '[')) {
+            cells.back() = {cells.back().data(), static_cast<std::size_t>(next - cells.back().data())};
+        } else {
+            cells.emplace_back(begin, static_cast<std::size_t>(next - begin));
+        }
+    }
+    return cells;
+}
+
+/// The cells of a line of names, or of units. Above rows between spaces they may stand apart otherwise, and hold spaces
+/// themselves: so many are wanted.
+std::vector<std::string_view> namesIn(std::string_view line, char delimiter, std::size_t width)
+{
+    if (width == 0) {
+        return cellsOf(withoutMark(line), delimiter);
+    }
+    for (const std::string_view text : {withoutMark(line), line}) {
+        for (const char each : {'\t', ';', ',', delimiter}) {
+            if (std::vector<std::string_view> cells = cellsOf(text, each); cells.size() == width) {
+                return cells;
+            }
+        }
+        for (const auto &split : {betweenWideSpaces, betweenSpacesOutsideBrackets}) {
+            if (std::vector<std::string_view> cells = split(text); cells.size() == width) {
+                return cells;
+            }
+        }
+    }
+    return cellsOf(withoutMark(line), delimiter);
 }
 
 // ---- header --------------------------------------------------------------------------------------------------------
@@ -86,15 +191,18 @@ struct HeaderScore {
     std::size_t times = 0;
     std::size_t quantities = 0;
     std::size_t cells = 0;
+    bool fits = true; ///< the rows, where their width is known
 
-    bool complete() const { return times > 0 && quantities > 0; }
+    bool complete() const { return times > 0 && quantities > 0 && fits; }
     std::size_t known() const { return times + quantities; }
 };
 
-HeaderScore scoreOf(std::string_view line, char delimiter)
+HeaderScore scoreOf(std::string_view line, char delimiter, std::size_t width)
 {
     HeaderScore score;
-    for (const std::string_view cell : cellsOf(line, delimiter)) {
+    const std::vector<std::string_view> names = namesIn(line, delimiter, width);
+    score.fits = width == 0 || names.size() == width;
+    for (const std::string_view cell : names) {
         ++score.cells;
         if (looksNumeric(cell)) {
             continue;
@@ -118,19 +226,19 @@ struct HeaderFound {
 
 /// The first line that names a time and a quantity; else the one that names most of either before the numbers; else the
 /// line right above the numbers; else, where there are none, the first.
-HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimiters)
+HeaderFound findHeader(const std::vector<Line> &lines, const Form &form)
 {
     std::optional<HeaderFound> firstData;
     HeaderFound best;
     HeaderScore bestScore;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         HeaderScore ofLine;
-        char delimiterOfLine = delimiters.back();
-        for (const char delimiter : delimiters) {
-            if (!firstData && isDataLine(lines[i].text, delimiter)) {
+        char delimiterOfLine = form.delimiters.back();
+        for (const char delimiter : form.delimiters) {
+            if (!firstData && isDataLine(lines[i].text, delimiter, form.rows)) {
                 firstData = HeaderFound{i, delimiter, false};
             }
-            const HeaderScore score = scoreOf(lines[i].text, delimiter);
+            const HeaderScore score = scoreOf(lines[i].text, delimiter, form.width);
             if (std::pair(score.known(), score.cells) > std::pair(ofLine.known(), ofLine.cells)) {
                 ofLine = score;
                 delimiterOfLine = delimiter;
@@ -149,10 +257,14 @@ HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimite
     }
     const std::size_t width = cellsOf(lines[firstData->line].text, firstData->delimiter).size();
     for (std::size_t i = firstData->line; i-- > 0;) {
-        const std::vector<std::string_view> cells = cellsOf(lines[i].text, firstData->delimiter);
+        const std::vector<std::string_view> cells = namesIn(lines[i].text, firstData->delimiter, form.width);
         const bool units = std::all_of(cells.begin(), cells.end(),
                                        [](std::string_view cell) { return cell.empty() || unitOf(cell).has_value(); });
-        if (cells.size() == width && !units) {
+        const bool mayBeNames = cells.size() == width && !units;
+        if (form.width > 0 && !units && (!mayBeNames || std::ranges::any_of(cells, looksNumeric))) {
+            break; // "# columns: 2": words are between spaces everywhere
+        }
+        if (mayBeNames) {
             return {i, firstData->delimiter, true};
         }
     }
@@ -249,33 +361,64 @@ std::optional<std::vector<std::string_view>> annotationsOf(const std::vector<std
     return annotations;
 }
 
+/// What a line, or a cell, says of the unit of a column.
+std::optional<ReadError> takeUnit(Heading &heading, std::string_view unit, std::size_t line, std::size_t column)
+{
+    if (unit.empty()) {
+        return std::nullopt;
+    }
+    if (!heading.unit.empty() && unitOf(heading.unit) != unitOf(unit)) {
+        ReadFault fault{ReadFault::Kind::UnitsContradict};
+        fault.heading = excerpt(heading.printed);
+        return ReadError{line, column + 1, excerpt(unit), std::move(fault)};
+    }
+    heading.unit = unit;
+    return std::nullopt;
+}
+
 /// Takes the lines of units and of other annotations that follow the header into the table.
-std::optional<ReadError> takeAnnotations(Table &table, std::string_view text)
+std::optional<ReadError> takeAnnotations(Table &table, std::string_view text, const Form &form)
 {
     const std::size_t linesAbove = table.firstDataLine - 1;
     for (const Line &line : firstLines(table.data)) {
-        const std::vector<std::string_view> cells = cellsOf(line.text, table.layout.delimiter);
+        const std::vector<std::string_view> cells = namesIn(line.text, table.layout.delimiter, form.width);
         const std::optional<std::vector<std::string_view>> units = annotationsOf(cells);
         if (!units) {
             break;
         }
         const std::size_t number = linesAbove + line.number;
         for (std::size_t i = 0; i < std::min(units->size(), table.headings.size()); ++i) {
-            const std::string_view unit = (*units)[i];
-            Heading &heading = table.headings[i];
-            if (unit.empty()) {
-                continue;
+            if (std::optional<ReadError> error = takeUnit(table.headings[i], (*units)[i], number, i)) {
+                return error;
             }
-            if (!heading.unit.empty() && unitOf(heading.unit) != unitOf(unit)) {
-                ReadFault fault{ReadFault::Kind::UnitsContradict};
-                fault.heading = excerpt(heading.printed);
-                return ReadError{number, i + 1, excerpt(unit), std::move(fault)};
+            if (!(*units)[i].empty()) {
+                table.layout.unitsLine = number;
             }
-            heading.unit = unit;
-            table.layout.unitsLine = number;
         }
         table.data = text.substr(static_cast<std::size_t>(line.next - text.data()));
         table.firstDataLine = number + 1;
+    }
+    return std::nullopt;
+}
+
+/// Takes the units that stand in the cells themselves, by the first row, into the table.
+std::optional<ReadError> takeCellUnits(Table &table)
+{
+    for (const Line &line : firstLines(table.data)) {
+        if (!isDataLine(line.text, table.layout.delimiter, RowForm::NumbersWithUnits)) {
+            continue;
+        }
+        const std::vector<std::string_view> cells = cellsOf(line.text, table.layout.delimiter);
+        for (std::size_t i = 0; i < std::min(cells.size(), table.headings.size()); ++i) {
+            if (const std::optional<NumberWithUnit> parts = numberWithUnit(cells[i])) {
+                table.cellUnits[i] = parts->unit;
+            }
+            const std::size_t number = table.firstDataLine - 1 + line.number;
+            if (std::optional<ReadError> error = takeUnit(table.headings[i], table.cellUnits[i], number, i)) {
+                return error;
+            }
+        }
+        break;
     }
     return std::nullopt;
 }
@@ -285,14 +428,17 @@ std::optional<ReadError> takeAnnotations(Table &table, std::string_view text)
 /// The decimal sign of a file. The first number that can be read in one way only decides: 0,005 and 74,5436 hold a
 /// decimal comma; 74,543 alone could be thousands. Where commas separate the cells as well, a decimal comma stands in
 /// quoted cells only, and in no file beside decimal points.
-DecimalSign findDecimalSign(CellScanner rows, bool commasSeparate)
+DecimalSign findDecimalSign(const Table &table)
 {
+    CellScanner rows = rowsOf(table);
+    const bool commasSeparate = table.layout.delimiter == ',';
     bool surelyComma = false;
     bool commas = false;
     bool points = false;
     for (; !rows.atEnd(); rows.nextLine()) {
-        while (rows.hasCell()) {
-            const std::string_view text = rows.cell().text;
+        for (std::size_t i = 0; rows.hasCell(); ++i) {
+            const std::string_view cell = rows.cell().text;
+            const std::string_view text = i < table.cellUnits.size() ? withoutUnit(cell, table.cellUnits[i]) : cell;
             const std::size_t sign = text.find_first_of(".,");
             if (sign == std::string_view::npos || !looksNumeric(text) ||
                 text.find_first_of(".,", sign + 1) != std::string_view::npos) {
@@ -374,26 +520,36 @@ std::variant<Table, ReadError> findTable(std::string_view text)
         return ReadError{0, 0, {}, {ReadFault::Kind::Empty}};
     }
 
-    const HeaderFound found = findHeader(lines, delimiters);
+    const Form form = formOf(lines, delimiters);
+    const HeaderFound found = findHeader(lines, form);
     const Line &line = lines[found.line];
     for (std::size_t i = 0; i < found.line; ++i) {
         table.layout.preambleLines.push_back(lines[i].number);
     }
     table.layout.delimiter = found.delimiter;
     table.headerText = excerpt(line.text);
-    for (const std::string_view cell : cellsOf(line.text, found.delimiter)) {
+    const std::vector<std::string_view> names =
+        found.hasNames ? namesIn(line.text, found.delimiter, form.width) : cellsOf(line.text, found.delimiter);
+    for (const std::string_view cell : names) {
         table.headings.push_back(found.hasNames ? headingOf(cell) : Heading());
     }
+    table.cellUnits.resize(table.headings.size());
     const char *const dataBegin = found.hasNames ? line.next : line.text.data();
     table.data = text.substr(static_cast<std::size_t>(dataBegin - text.data()));
     table.firstDataLine = found.hasNames ? line.number + 1 : line.number;
     if (found.hasNames) {
         table.layout.headerLine = line.number;
-        if (std::optional<ReadError> error = takeAnnotations(table, text)) {
+        if (std::optional<ReadError> error = takeAnnotations(table, text, form)) {
             return *std::move(error);
         }
     }
-    table.layout.decimalSign = findDecimalSign(rowsOf(table), found.delimiter == ',');
+    if (form.rows == RowForm::NumbersWithUnits) {
+        if (std::optional<ReadError> error = takeCellUnits(table)) {
+            return *std::move(error);
+        }
+    }
+    readTogether(table.headings);
+    table.layout.decimalSign = findDecimalSign(table);
     for (const Heading &heading : table.headings) {
         FileColumn column;
         column.heading = heading.printed;

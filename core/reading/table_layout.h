@@ -19,10 +19,11 @@ namespace slidercrank
 {
 
 struct Table {
-    FileLayout layout;             ///< the columns have their headings and units, no role yet
-    std::vector<Heading> headings; ///< one a column; the unit also from the line of units
-    std::string headerText;        ///< for messages
-    std::string_view data;         ///< everything below header and units
+    FileLayout layout;                       ///< the columns have their headings and units, no role yet
+    std::vector<Heading> headings;           ///< one a column; the unit also from the line of units, or from the cells
+    std::vector<std::string_view> cellUnits; ///< by column: that stands behind the number in every cell
+    std::string headerText;                  ///< for messages
+    std::string_view data;                   ///< everything below header and units
     std::size_t firstDataLine = 0;
 };
 

@@ -18,17 +18,18 @@ struct NamedUnit {
     Unit unit;
 };
 
-constexpr std::array<NamedUnit, 10> kUnits{{
-    {"mm millimeter millimetre milimetros", {Dimension::Length, 0, 1.0}},
-    {"cm", {Dimension::Length, 0, 10.0}},
-    {"m meter metre metros", {Dimension::Length, 0, 1e3}},
-    {"in inch", {Dimension::Length, 0, 25.4}},
+constexpr std::array<NamedUnit, 11> kUnits{{
+    {"mm millimeter millimetre millimeters millimetres milimetros", {Dimension::Length, 0, 1.0}},
+    {"cm centimeter centimetre centimeters centimetres centimetros", {Dimension::Length, 0, 10.0}},
+    {"m meter metre meters metres metros", {Dimension::Length, 0, 1e3}},
+    {"in inch inches", {Dimension::Length, 0, 25.4}},
     {"deg degree degrees grado grados", {Dimension::Angle, 0, 1.0}},
     {"rad radian radians radianes", {Dimension::Angle, 0, kDegreesPerRadian}},
     {"rpm", {Dimension::Angle, 1, 6.0}},
     {"s sec secs second seconds seg segundo segundos", {Dimension::Time, 0, 1.0}},
     {"ms msec milliseconds", {Dimension::Time, 0, 1e3}},
     {"us", {Dimension::Time, 0, 1e6}},
+    {"min minute minutes minuto minutos", {Dimension::Time, 0, 1.0 / 60.0}},
 }};
 
 std::optional<Unit> unitNamed(std::string_view name)
@@ -38,12 +39,19 @@ std::optional<Unit> unitNamed(std::string_view name)
     return found == kUnits.end() ? std::nullopt : std::optional(found->unit);
 }
 
-/// Lower case, without spaces, "^", "*" and parentheses; degree, square and micro signs (also the ordinal sign that
-/// stands for degrees on Spanish keyboards, and all of them as a single byte) as "deg", "2" and "u".
+/// Lower case, without spaces, "^", "*" and parentheses; degree, square and micro signs (also the Greek letter, the
+/// ordinal sign that stands for degrees on Spanish keyboards, and all of them as a single byte) as "deg", "2" and "u".
 std::string plainUnit(std::string_view text)
 {
+    constexpr std::string_view kMu = "\u03BC";
     std::string plain;
-    for (const char c : text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (text.substr(i).starts_with(kMu)) {
+            plain += 'u';
+            i += kMu.size() - 1;
+            continue;
+        }
         switch (static_cast<unsigned char>(c)) {
         case 0xC2: // first byte of all these signs in UTF-8
         case ' ':

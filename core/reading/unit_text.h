@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Units as programs write them: "mm", "°/s", "deg/sec", "rad/s²", "m/s^2", "mm/sec**2", "rpm", "ms", "grados".
+// Units as programs write them: "mm", "°/s", "deg/sec", "rad/s²", "m/s^2", "mm/sec**2", "rpm", "ms", "min", "grados".
 
 #include <optional>
 #include <string_view>

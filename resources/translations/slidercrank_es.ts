@@ -52,6 +52,22 @@
         <translation>sin usar</translation>
     </message>
     <message>
+        <source>Seldom exported</source>
+        <translation>Se exportan rara vez</translation>
+    </message>
+    <message>
+        <source>Crank</source>
+        <translation>Manivela</translation>
+    </message>
+    <message>
+        <source>Coupler</source>
+        <translation>Biela</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Corredera</translation>
+    </message>
+    <message>
         <source>time</source>
         <translation>tiempo</translation>
     </message>
@@ -124,10 +140,6 @@
         <translation>elegido a mano</translation>
     </message>
     <message>
-        <source>t = %1 … %2 s</source>
-        <translation>t = %1 … %2 s</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -138,6 +150,10 @@
     <message>
         <source>%1: %2 from %3 to %4 %5, %6</source>
         <translation>%1: %2 de %3 a %4 %5, %6</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>ángulo de la manivela</translation>
     </message>
 </context>
 <context>
@@ -211,12 +227,44 @@
         <translation>deducido: la primera columna cuyos valores solo crecen</translation>
     </message>
     <message>
-        <source>ignored: its name means no channel</source>
-        <translation>sin usar: su nombre no designa ningún canal</translation>
+        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
+        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
+    </message>
+    <message>
+        <source>ignored: its name does not tell what moves so</source>
+        <translation>sin usar: su nombre no dice qué se mueve así</translation>
+    </message>
+    <message>
+        <source>ignored: it counts the rows</source>
+        <translation>sin usar: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: it belongs to other instants than those of “%1”</source>
+        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: the same instants as “%1”</source>
+        <translation>sin usar: los mismos instantes que “%1”</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
+        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
     </message>
     <message>
         <source>ignored: it has no name</source>
         <translation>sin usar: no tiene nombre</translation>
+    </message>
+    <message>
+        <source>%1; central differences, no derivative</source>
+        <translation>%1; son diferencias centrales, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; backward differences, no derivative</source>
+        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; forward differences, no derivative</source>
+        <translation>%1; son diferencias hacia delante, no una derivada</translation>
     </message>
     <message>
         <source>ignored: it holds no number</source>
@@ -267,8 +315,36 @@
         <translation>deducido: solo crece</translation>
     </message>
     <message>
+        <source>guessed: named as in Modelica</source>
+        <translation>deducido: nombre de Modelica</translation>
+    </message>
+    <message>
         <source>name not known</source>
         <translation>nombre desconocido</translation>
+    </message>
+    <message>
+        <source>what moves so?</source>
+        <translation>¿qué se mueve así?</translation>
+    </message>
+    <message>
+        <source>differences from row to row</source>
+        <translation>diferencias de fila a fila</translation>
+    </message>
+    <message>
+        <source>other instants</source>
+        <translation>otros instantes</translation>
+    </message>
+    <message>
+        <source>same instants as %1</source>
+        <translation>mismos instantes que %1</translation>
+    </message>
+    <message>
+        <source>magnitude of %1 …</source>
+        <translation>módulo de %1 …</translation>
+    </message>
+    <message>
+        <source>counts the rows</source>
+        <translation>numera las filas</translation>
     </message>
     <message>
         <source>no name</source>
@@ -281,10 +357,6 @@
     <message>
         <source>unit not known</source>
         <translation>unidad desconocida</translation>
-    </message>
-    <message>
-        <source>as %1 could be</source>
-        <translation>igual que %1</translation>
     </message>
     <message>
         <source>not the derivative of %1</source>
@@ -335,16 +407,44 @@
         <translation>unidades en la línea %1</translation>
     </message>
     <message>
-        <source>line %1 above them passed over</source>
-        <translation>línea %1 por encima, pasada por alto</translation>
-    </message>
-    <message>
-        <source>%1 lines above them passed over</source>
-        <translation>%1 líneas por encima, pasadas por alto</translation>
-    </message>
-    <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>guessed: no column is the time, and this is the angle of the crank</source>
+        <translation>supuesto: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>guessed: no time here</source>
+        <translation>supuesto: aquí no hay tiempo</translation>
+    </message>
+    <message>
+        <source>%1 = %2 … %3°</source>
+        <translation>%1 = %2 … %3°</translation>
+    </message>
+    <message>
+        <source>t = %1 … %2 s</source>
+        <translation>t = %1 … %2 s</translation>
+    </message>
+    <message>
+        <source>ignored: its name is not known</source>
+        <translation>sin usar: su nombre es desconocido</translation>
+    </message>
+    <message>
+        <source>%1 could be it, too</source>
+        <translation>también podría ser %1</translation>
+    </message>
+    <message>
+        <source>line %1 above them skipped</source>
+        <translation>línea %1, encima, omitida</translation>
+    </message>
+    <message>
+        <source>%1 lines above them skipped</source>
+        <translation>%1 líneas, encima, omitidas</translation>
     </message>
 </context>
 <context>
@@ -368,10 +468,6 @@
     <message>
         <source>not-finite</source>
         <translation>no finitos</translation>
-    </message>
-    <message>
-        <source>Model: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, %6</source>
-        <translation>Modelo: a = %1 mm, b = %2 mm, c = %3 mm, ω2 = %4 rad/s, θ20 = %5 rad, configuración %6</translation>
     </message>
     <message>
         <source>%1 files: %2 agree, %3 come close, %4 differ</source>
@@ -428,10 +524,6 @@
     <message>
         <source>%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
         <translation>%1: filas que no se pudieron leer y se omitieron: %2; la primera, en la línea %3, columna %4 («%5»): %6.</translation>
-    </message>
-    <message>
-        <source>%1: these columns are no channels and were ignored: %2.</source>
-        <translation>%1: estas columnas no son canales y no se usaron: %2.</translation>
     </message>
     <message>
         <source>crank length O2-A, &gt; 0 (20)</source>
@@ -552,10 +644,6 @@
     <message>
         <source>this text</source>
         <translation>este texto</translation>
-    </message>
-    <message>
-        <source>name and version of the program</source>
-        <translation>nombre y versión del programa</translation>
     </message>
     <message>
         <source>Mechanism</source>
@@ -732,18 +820,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>--at-angle pide un instante y --%1 un recorrido: quite uno de los dos.</translation>
     </message>
     <message>
-        <source>&quot;slidercrank compare&quot; needs a file: slidercrank compare FILE…</source>
-        <translation>«slidercrank compare» necesita un archivo: slidercrank compare ARCHIVO…</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; needs a file: slidercrank identify FILE.</source>
-        <translation>«slidercrank identify» necesita un archivo: slidercrank identify ARCHIVO.</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank identify&quot; takes one file, not %1: remove &quot;%2&quot;.</source>
-        <translation>«slidercrank identify» admite un archivo, no %1: quite «%2».</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
         <translation>«slidercrank render» necesita --output con un nombre que termine en .png, .svg o .pdf.</translation>
     </message>
@@ -836,16 +912,8 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>Newton-Raphson no convergió en %1: permita más de %2 iteraciones (--max-iterations), o un residuo mayor (--tolerance).</translation>
     </message>
     <message>
-        <source>Velocity and acceleration do not exist at %1: the coupler stands square to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
-        <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
-    </message>
-    <message>
         <source>The motion is too large to be a number at %1: choose a smaller --omega2, or instants nearer to 0.</source>
         <translation>El movimiento es demasiado grande para ser un número en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
-    </message>
-    <message>
-        <source>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, %7; %8 instants</source>
-        <translation>%1: a = %2 mm, b = %3 mm, c = %4 mm, ω2 = %5 rad/s, θ20 = %6 rad, configuración %7; %8 instantes</translation>
     </message>
     <message>
         <source>method</source>
@@ -876,28 +944,12 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>error</translation>
     </message>
     <message>
-        <source>bound κu</source>
-        <translation>cota κu</translation>
-    </message>
-    <message>
         <source>outcome</source>
         <translation>resultado</translation>
     </message>
     <message>
         <source>, %1 of them silently wrong</source>
         <translation>, %1 de ellos erróneos sin aviso</translation>
-    </message>
-    <message>
-        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
-instants that a method calls solved. Silently wrong instants: %1. Machine: %2. Done in %3 s.
-</source>
-        <translation>Los errores son los del peor de los seis canales graficados, relativos al pico del canal, frente a 50 a 100 cifras, en
-los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1. Máquina: %2. Hecho en %3 s.
-</translation>
-    </message>
-    <message>
-        <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
@@ -949,10 +1001,6 @@ los instantes que un método da por resueltos. Instantes erróneos sin aviso: %1
         <translation>&quot;%1&quot; como %2 (%3)</translation>
     </message>
     <message>
-        <source>%1: the names do not tell what these columns are, so they are guessed: %2. Where that is wrong, name them as in theta3, theta3_diff, R4_x.</source>
-        <translation>%1: los nombres no dicen qué son estas columnas, así que se han deducido: %2. Donde no sea así, póngales nombres como theta3, theta3_diff, R4_x.</translation>
-    </message>
-    <message>
         <source>Usage: slidercrank render --output FILE.png|.svg|.pdf [options]
 
 Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene)
@@ -967,68 +1015,8 @@ abscisa y medida de los errores de las gráficas.
 </translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene (.json) or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE [options]     the mechanism that a file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena (.json) o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO [opciones]  el mecanismo al que pertenece un archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>To go on with the first: %1</source>
         <translation>Para seguir con el primero: %1</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
-CSV: the file&apos;s name, then the same columns.
-</source>
-        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
-CSV: el nombre del archivo y las mismas columnas.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
-      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      Of the outcome nearest the mechanism is no more than what comes nearest.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
-      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que lo más cercano.
-</translation>
     </message>
     <message>
         <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
@@ -1042,58 +1030,6 @@ o la salida estándar no se puede leer o escribir, o un archivo no es lo que deb
 ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
 aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
 4, 5, 1, en ese orden.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
-standard error, and the others are still compared.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
-como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
-se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
-informa en la salida de errores, y los demás se comparan igualmente.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
-above all, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
-angles counter-clockwise from x.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
-y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
-encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
-en sentido antihorario desde x.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
-none          ni siquiera eso
 </translation>
     </message>
     <message>
@@ -1147,6 +1083,231 @@ menos; código de salida 4 si no hay ninguna posición.
     <message>
         <source>, t = %1 s</source>
         <translation>, t = %1 s</translation>
+    </message>
+    <message>
+        <source>name and version of the program, and what it is built of</source>
+        <translation>nombre y versión del programa, y con qué está compilado</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
+instants that a method calls solved. Rounding: what rounding the given numbers may cost by itself.
+Silently wrong instants: %1. Machine: %2. Done in %3 s.
+</source>
+        <translation>El error es el mayor de los seis canales representados, relativo al pico del canal, frente a un cálculo de 50 a
+100 cifras, en los instantes que el método da por resueltos. Redondeo: lo que puede costar por sí solo redondear
+los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
+</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modelo: %1</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
+CSV: the file&apos;s name, then the same columns; behind them fileVerdict, that of the whole file, and sentence,
+     why it differs.
+</source>
+        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
+       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
+       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
+       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
+      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
+       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
+CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el veredicto de todo el archivo, y sentence, por
+     qué difiere.
+</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      Of the outcome nearest the mechanism is no more than what comes nearest.
+      Of several files: {&quot;files&quot;:[…]}.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que lo más cercano.
+      De varios archivos: {&quot;files&quot;:[…]}.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
+a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
+A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
+none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+standard error, and the others are still compared. FILE may be - for standard input.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
+medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
+como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE… [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
+above all, and how certain each of its parameters is. Where the file means something else by a column than its
+heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
+angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
+looked at. FILE may be - for standard input.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       nothing found explains the file: what comes nearest, as just that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
+y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
+encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
+en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
+examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3 instants</source>
+        <translation>%1: %2; %3 instantes</translation>
+    </message>
+    <message>
+        <source>&quot;slidercrank %1&quot; needs a file: slidercrank %1 FILE…</source>
+        <translation>«slidercrank %1» necesita un archivo: slidercrank %1 ARCHIVO…</translation>
+    </message>
+    <message>
+        <source>%1 files: %2 identified, %3 ambiguous, %4 not identified</source>
+        <translation>%1 archivos: %2 identificados, %3 ambiguos, %4 sin identificar</translation>
+    </message>
+    <message>
+        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
+        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
+    </message>
+    <message>
+        <source>The window opens files: save what comes from standard input as one first.</source>
+        <translation>La ventana abre archivos: guarde antes en uno lo que llega por la entrada estándar.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; there are %2.</source>
+        <translation>--column: no existe el canal «%1»; existen %2.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;; did you mean %2?</source>
+        <translation>--column: no existe el canal «%1»; ¿quiso decir %2?</translation>
+    </message>
+    <message>
+        <source>--column: &quot;%1&quot; is no unit of %2.</source>
+        <translation>--column: «%1» no es una unidad de %2.</translation>
+    </message>
+    <message>
+        <source>--column must be a heading, = and what it is, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
+        <translation>--column debe ser un encabezado, = y lo que es, como «slider.s=R4_x [m]», «#1=time» o «id=ignored», y no «%1».</translation>
+    </message>
+    <message>
+        <source>--column says twice what &quot;%1&quot; is: keep one of them.</source>
+        <translation>--column dice dos veces qué es «%1»: deje solo una.</translation>
+    </message>
+    <message>
+        <source>--column is of a reference: give its file with --reference.</source>
+        <translation>--column se refiere a una referencia: dé su archivo con --reference.</translation>
+    </message>
+    <message>
+        <source>what a column of the files is, over what its name says, any number of times: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
+        <translation>qué es una columna de los archivos, por encima de lo que diga su nombre, tantas veces como haga falta: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s angle</source>
+        <comment>a column is taken for</comment>
+        <translation>el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>what the first column of the files is: the time, or the crank&apos;s angle, of which --omega2 and --theta20 make the time (by its name)</source>
+        <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
+    </message>
+    <message>
+        <source>%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°</source>
+        <translation>%1: θ2 = %3° a %4°, %2 ángulos; el tiempo, con ω2 = %5 rad/s y θ20 = %6°</translation>
+    </message>
+    <message>
+        <source>%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.</source>
+        <translation>%1: qué son estas columnas se ha supuesto: %2. Donde no sea así, dígalo con --column.</translation>
+    </message>
+    <message>
+        <source>at θ2 [°]</source>
+        <translation>en θ2 [°]</translation>
+    </message>
+    <message>
+        <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
+        <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
+    </message>
+    <message>
+        <source>%1: these columns are not known and were not used: %2.</source>
+        <translation>%1: estas columnas son desconocidas y no se usaron: %2.</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
+        <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
     </message>
 </context>
 <context>
@@ -1228,14 +1389,6 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1: counted from where it began; %2 is %1%3.</source>
-        <translation>%1: medido desde donde empezó; %2 es %1%3.</translation>
-    </message>
-    <message>
-        <source>%1: counted from another direction; %2 is %1%3.</source>
-        <translation>%1: medido desde otra dirección; %2 es %1%3.</translation>
-    </message>
-    <message>
         <source>%1 to the right of O₂</source>
         <translation>%1 a la derecha de O₂</translation>
     </message>
@@ -1250,14 +1403,6 @@ menos; código de salida 4 si no hay ninguna posición.
     <message>
         <source>%1 below O₂</source>
         <translation>%1 por debajo de O₂</translation>
-    </message>
-    <message>
-        <source>%1: counted from where it began, %2.</source>
-        <translation>%1: medido desde donde empezó, %2.</translation>
-    </message>
-    <message>
-        <source>%1: counted from another origin, %2.</source>
-        <translation>%1: medido desde otro origen, %2.</translation>
     </message>
     <message>
         <source>Multiplies %1 by %2</source>
@@ -1296,16 +1441,16 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>Intercambia %1</translation>
     </message>
     <message>
-        <source>Takes the other assembly for the model</source>
-        <translation>Toma para el modelo la otra configuración</translation>
-    </message>
-    <message>
         <source>Adds %1 s to the instants</source>
         <translation>Suma %1 s a los instantes</translation>
     </message>
     <message>
         <source>Leaves %1 out</source>
         <translation>Deja fuera %1</translation>
+    </message>
+    <message>
+        <source>Turns %1 by 90°, so that y becomes x</source>
+        <translation>Gira %1 90°, de modo que y pasa a ser x</translation>
     </message>
     <message>
         <source>angle unit</source>
@@ -1352,8 +1497,8 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>no es derivada</translation>
     </message>
     <message>
-        <source>%1: counted clockwise, against the sense of the model.</source>
-        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
+        <source>axis</source>
+        <translation>eje</translation>
     </message>
     <message>
         <source>%1: along an axis that points the other way.</source>
@@ -1376,14 +1521,6 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
     </message>
     <message>
-        <source>%1: each stands under the other&apos;s name.</source>
-        <translation>%1: cada una está bajo el nombre de la otra.</translation>
-    </message>
-    <message>
-        <source>The file moves as the other assembly: the slider on the other side of A.</source>
-        <translation>El archivo se mueve en la otra configuración: la corredera al otro lado de A.</translation>
-    </message>
-    <message>
         <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
         <translation>El reloj del archivo va %1 s adelantado: lo que tiene en t ocurre ese tiempo antes.</translation>
     </message>
@@ -1396,12 +1533,60 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>%1: no es la derivada temporal de su columna de posición.</translation>
     </message>
     <message>
+        <source>%1: central differences of the rows on both sides, and not the time derivative.</source>
+        <translation>%1: son diferencias centrales, entre la fila anterior y la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: backward differences, from each row to the one before, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia atrás, de cada fila a la anterior, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: forward differences, from each row to the next, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia delante, de cada fila a la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>The slider moves along y and not along x: y is its axis, as in an upright engine.</source>
+        <translation>La corredera se mueve según y, no según x: su eje es y, como en un motor vertical.</translation>
+    </message>
+    <message>
         <source>%1: its largest error is %2 % of peak.</source>
         <translation>%1: su error máximo es el %2 % del pico.</translation>
     </message>
     <message>
         <source>%1: largest error %2 % of peak instead of %3 %.</source>
         <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
+    </message>
+    <message>
+        <source>%1: measured from where it began; %2 is %1%3.</source>
+        <translation>%1: medido desde donde empezó; %2 es %1%3.</translation>
+    </message>
+    <message>
+        <source>%1: measured from another direction; %2 is %1%3.</source>
+        <translation>%1: medido desde otra dirección; %2 es %1%3.</translation>
+    </message>
+    <message>
+        <source>%1: measured from where it began, %2.</source>
+        <translation>%1: medido desde donde empezó, %2.</translation>
+    </message>
+    <message>
+        <source>%1: measured from another origin, %2.</source>
+        <translation>%1: medido desde otro origen, %2.</translation>
+    </message>
+    <message>
+        <source>Sets the model to the other assembly</source>
+        <translation>Pone el modelo en la otra configuración</translation>
+    </message>
+    <message>
+        <source>%1: measured clockwise, against the sense of the model.</source>
+        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
+    </message>
+    <message>
+        <source>%1: each has the other&apos;s name.</source>
+        <translation>%1: cada una lleva el nombre de la otra.</translation>
+    </message>
+    <message>
+        <source>The file is of the other assembly: its slider is on the other side of A.</source>
+        <translation>El archivo es de la otra configuración: su corredera está al otro lado de A.</translation>
     </message>
 </context>
 <context>
@@ -1463,20 +1648,8 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>Más instantes por vuelta, derivadas o θ₂ los distinguirían.</translation>
     </message>
     <message>
-        <source>There are too few instants to find the mechanism by: export more of them.</source>
-        <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
-    </message>
-    <message>
         <source>Nothing moves in these data: export the motion of a turning crank.</source>
         <translation>En estos datos no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
-    </message>
-    <message>
-        <source>So few values can be met by chance, and do not tell the mechanism: export more instants, or more columns.</source>
-        <translation>Tan pocos valores pueden coincidir por azar y no determinan el mecanismo: exporte más instantes, o más columnas.</translation>
-    </message>
-    <message>
-        <source>These data leave %1 open: export a longer motion, more digits, or more columns.</source>
-        <translation>Estos datos no determinan %1: exporte un movimiento más largo, más cifras, o más columnas.</translation>
     </message>
     <message>
         <source>Many mechanisms move nearly as these data do: export a longer motion, more digits, or more columns.</source>
@@ -1487,60 +1660,80 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>La velocidad de la manivela no es constante: θ₂ gira a %1 rad/s al principio y a %2 rad/s al final.</translation>
     </message>
     <message>
-        <source>Nothing found explains this file. What comes nearest: %1.</source>
-        <translation>Nada de lo hallado explica este archivo. Lo más cercano: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing found explains this file. What comes nearest: %1, off by up to %2 % of peak, in %3.</source>
-        <translation>Nada de lo hallado explica este archivo. Lo más cercano: %1, que se aparta hasta un %2 % del máximo, en %3.</translation>
-    </message>
-    <message>
         <source>%1 a</source>
         <translation>%1 a</translation>
     </message>
     <message>
-        <source>θ³ alone fixes only b/a and c/a; a = %1 is taken as given.</source>
-        <translation>θ³ por sí solo únicamente determina b/a y c/a; se toma a = %1 como dado.</translation>
-    </message>
-    <message>
-        <source>The data do not fix %1: kept as given.</source>
-        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
-    </message>
-    <message>
-        <source>What is left looks like noise: %1 (rms).</source>
-        <translation>Lo que queda parece ruido: %1 (rms).</translation>
+        <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
+        <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
     </message>
     <message>
         <source>The search was stopped.</source>
         <translation>La búsqueda se detuvo.</translation>
     </message>
     <message>
-        <source>Nothing found explains this file.</source>
-        <translation>Nada de lo hallado explica este archivo.</translation>
-    </message>
-    <message>
-        <source>Nothing found explains this file: check which column is which, and their units.</source>
-        <translation>Nada de lo hallado explica este archivo: revise qué columna es cuál, y sus unidades.</translation>
-    </message>
-    <message>
-        <source>Read so, it does not differ from this mechanism.</source>
-        <translation>Leído así, no difiere de este mecanismo.</translation>
-    </message>
-    <message>
         <source>The file&apos;s own mechanism: %1</source>
         <translation>El mecanismo propio del archivo: %1</translation>
-    </message>
-    <message>
-        <source>Round numbers come as near to the data: %1.</source>
-        <translation>Unos números redondos se acercan igual de bien a los datos: %1.</translation>
     </message>
     <message>
         <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
         <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
     </message>
     <message>
-        <source>There are too few values of θ³, Rₓ⁴, R³ and their derivatives to find the mechanism by: export more instants, or more columns.</source>
-        <translation>Hay muy pocos valores de θ³, Rₓ⁴, R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
+        <source>The file counts by the crank&apos;s angle: ω₂ is what its derivatives say.</source>
+        <translation>El archivo se rige por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
+    </message>
+    <message>
+        <source>There are too few instants to find the mechanism: export more of them.</source>
+        <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
+    </message>
+    <message>
+        <source>So few values fit many mechanisms by chance: export more instants, or more columns.</source>
+        <translation>Tan pocos valores se ajustan por azar a muchos mecanismos: exporte más instantes, o más columnas.</translation>
+    </message>
+    <message>
+        <source>These data do not determine %1: export a longer motion, more digits, or more columns.</source>
+        <translation>Estos datos no determinan %1: exporte un movimiento más largo, más cifras, o más columnas.</translation>
+    </message>
+    <message>
+        <source>No mechanism was found that explains this file. The nearest: %1.</source>
+        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1.</translation>
+    </message>
+    <message>
+        <source>No mechanism was found that explains this file. The nearest: %1, off by up to %2 % of peak, in %3.</source>
+        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1, que se aparta hasta un %2 % del pico, en %3.</translation>
+    </message>
+    <message>
+        <source>The coupler angle θ³ alone determines only b/a and c/a; a = %1 is taken as given.</source>
+        <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a; se toma a = %1 como dado.</translation>
+    </message>
+    <message>
+        <source>The data do not determine %1: kept as given.</source>
+        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
+    </message>
+    <message>
+        <source>What remains looks like noise: %1 (rms).</source>
+        <translation>Lo que queda parece ruido: %1 (rms).</translation>
+    </message>
+    <message>
+        <source>No mechanism was found that explains this file.</source>
+        <translation>No se halló ningún mecanismo que explique este archivo.</translation>
+    </message>
+    <message>
+        <source>No mechanism was found that explains this file: check which column is which, and their units.</source>
+        <translation>No se halló ningún mecanismo que explique este archivo: revise qué columna es cuál, y sus unidades.</translation>
+    </message>
+    <message>
+        <source>Read this way, it does not differ from this mechanism.</source>
+        <translation>Leído así, no difiere de este mecanismo.</translation>
+    </message>
+    <message>
+        <source>Round numbers fit the data as well: %1.</source>
+        <translation>Unos números redondos se ajustan igual de bien a los datos: %1.</translation>
+    </message>
+    <message>
+        <source>There are too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler&apos;s centre R³ and their derivatives to find the mechanism: export more instants, or more columns.</source>
+        <translation>Hay muy pocos valores del ángulo de la biela θ³, la posición de la corredera Rₓ⁴, el centro de la biela R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
     </message>
 </context>
 <context>
@@ -1570,12 +1763,20 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>apertura de %1</translation>
     </message>
     <message>
-        <source>change of the sampling</source>
-        <translation>cambio del muestreo</translation>
-    </message>
-    <message>
         <source>change of the method</source>
         <translation>cambio del método</translation>
+    </message>
+    <message>
+        <source>forgetting the kept motions</source>
+        <translation>olvido de los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>keeping the motion</source>
+        <translation>conservación del movimiento</translation>
+    </message>
+    <message>
+        <source>change of the run</source>
+        <translation>cambio del recorrido</translation>
     </message>
 </context>
 <context>
@@ -1716,10 +1917,6 @@ menos; código de salida 4 si no hay ninguna posición.
         <translation>paso</translation>
     </message>
     <message>
-        <source>Distance between neighbouring numbers that the file can write, where it is largest, in the channel&apos;s unit. Rounding alone makes an error of half of it.</source>
-        <translation>Distancia entre números vecinos que el archivo puede escribir, donde es mayor, en la unidad del canal. El redondeo por sí solo causa un error de la mitad.</translation>
-    </message>
-    <message>
         <source>Errors, a row a channel</source>
         <translation>Errores, una fila por canal</translation>
     </message>
@@ -1776,10 +1973,6 @@ Infinito en %1 instantes en que la referencia es cero; no se cuentan</translatio
         <translation>El archivo escribe este canal en pasos de %1 como máximo</translation>
     </message>
     <message>
-        <source>The file does not show how it was rounded</source>
-        <translation>El archivo no deja ver cómo se redondeó</translation>
-    </message>
-    <message>
         <source>%1
 %2</source>
         <translation>%1
@@ -1792,6 +1985,58 @@ differs: anything else, and what lies beyond the rounding by 1 % of half the mot
         <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
 próximo: ninguno más allá de cien veces
 difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
+    </message>
+    <message>
+        <source>Without bounds where one of the two ends its stroke</source>
+        <translation>Sin límite donde uno de los dos acaba su carrera</translation>
+    </message>
+    <message>
+        <source>Click to go to the instant of the largest difference</source>
+        <translation>Clic para ir al instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>Differences from the kept motion, a row a channel</source>
+        <translation>Diferencias con el movimiento conservado, una fila por canal</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>max |this − kept|, in the channel&apos;s unit</source>
+        <translation>máx |este − conservado|, en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>Instant of the largest difference</source>
+        <translation>Instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>√( mean of (this − kept)² ), in the channel&apos;s unit</source>
+        <translation>√( media de (este − conservado)² ), en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>max |this − kept| / max |kept| · 100</source>
+        <translation>máx |este − conservado| / máx |conservado| · 100</translation>
+    </message>
+    <message>
+        <source>This mechanism is the one that was kept: change it to see what differs.</source>
+        <translation>Este mecanismo es el conservado: cámbielo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
+    <message>
+        <source>. Where one of the two cannot be assembled there is nothing to compare.</source>
+        <translation>. Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
+    </message>
+    <message>
+        <source>One unit of the last digit that the file writes, where it is largest, in the channel&apos;s unit. Rounding alone makes an error of up to half of it.</source>
+        <translation>Una unidad de la última cifra que escribe el archivo, donde es mayor, en la unidad del canal. El redondeo por sí solo causa un error de hasta la mitad.</translation>
+    </message>
+    <message>
+        <source>How the file was rounded is unknown</source>
+        <translation>No se sabe cómo se redondeó el archivo</translation>
     </message>
 </context>
 <context>
@@ -1861,10 +2106,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Hay fotogramas anteriores con este nombre: %1, de %2 a %3. ¿Reemplazarlos?</translation>
     </message>
     <message>
-        <source>All of them go; new ones, %1, take their place.</source>
-        <translation>Todos se van; los nuevos, %1, ocupan su lugar.</translation>
-    </message>
-    <message>
         <source>Replace</source>
         <translation>Reemplazar</translation>
     </message>
@@ -1895,6 +2136,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Videos (*.%1)</source>
         <translation>Vídeos (*.%1)</translation>
+    </message>
+    <message>
+        <source>All of them are deleted; the new ones, %1, take their place.</source>
+        <translation>Se borran todos; los nuevos, %1, ocupan su lugar.</translation>
     </message>
 </context>
 <context>
@@ -1939,10 +2184,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 Error máximo: %2 → %3 % del pico.</translation>
     </message>
     <message>
-        <source>Take this mechanism over</source>
-        <translation>Adoptar este mecanismo</translation>
-    </message>
-    <message>
         <source>The file fits %1</source>
         <translation>El archivo corresponde a %1</translation>
     </message>
@@ -1951,16 +2192,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Aplicar</translation>
     </message>
     <message>
-        <source>Not read as printed: %1.</source>
-        <translation>No leído tal como está escrito: %1.</translation>
-    </message>
-    <message>
         <source>, </source>
         <translation>, </translation>
-    </message>
-    <message>
-        <source>Read as printed</source>
-        <translation>Leer como está escrito</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1971,8 +2204,20 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Ahora → después (medido ± error estándar)</translation>
     </message>
     <message>
-        <source>Take the first of them over</source>
-        <translation>Adoptar el primero de ellos</translation>
+        <source>Use this mechanism</source>
+        <translation>Usar este mecanismo</translation>
+    </message>
+    <message>
+        <source>Read differently from how it is written: %1.</source>
+        <translation>Leído de manera distinta a como está escrito: %1.</translation>
+    </message>
+    <message>
+        <source>Read as written</source>
+        <translation>Leer como está escrito</translation>
+    </message>
+    <message>
+        <source>Use the first of them</source>
+        <translation>Usar el primero de ellos</translation>
     </message>
 </context>
 <context>
@@ -2094,20 +2339,88 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2 % de la mitad del recorrido.</translation>
     </message>
     <message>
-        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s, though the instants are evenly spaced.</source>
-        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante, aunque los instantes estén a intervalos iguales.</translation>
-    </message>
-    <message>
-        <source>The bound: half a step of the value&apos;s last digit, and what the motion does in half a step of the instant&apos;s; evenly spaced instants count as exact.</source>
-        <translation>La cota: medio paso de la última cifra del valor y lo que el movimiento avanza en medio paso de la del instante; los instantes a intervalos iguales cuentan como exactos.</translation>
-    </message>
-    <message>
         <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
         <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4 %.</translation>
     </message>
     <message>
-        <source>Comes close to this mechanism in every channel, if the file&apos;s instants, evenly spaced as they are, were rounded.</source>
-        <translation>Se aproxima a este mecanismo en todos los canales, si los instantes del archivo, aun a intervalos iguales, se redondearon.</translation>
+        <source>ground</source>
+        <translation>bancada</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>%1 angle</source>
+        <translation>ángulo de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular velocity</source>
+        <translation>velocidad angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 angular acceleration</source>
+        <translation>aceleración angular de la %1</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>posición de la %1</translation>
+    </message>
+    <message>
+        <source>%1 velocity</source>
+        <translation>velocidad de la %1</translation>
+    </message>
+    <message>
+        <source>%1 acceleration</source>
+        <translation>aceleración de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in x</source>
+        <translation>centro de la %1 en x</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in x</source>
+        <translation>velocidad en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in x</source>
+        <translation>aceleración en x del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre in y</source>
+        <translation>centro de la %1 en y</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s velocity in y</source>
+        <translation>velocidad en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>%1 centre&apos;s acceleration in y</source>
+        <translation>aceleración en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
+    </message>
+    <message>
+        <source>The bound: half a unit of the value&apos;s last digit, plus how far the motion goes in half a unit of the instant&apos;s, though the instants are evenly spaced.</source>
+        <translation>La cota: media unidad de la última cifra del valor más lo que el movimiento avanza en media unidad de la del instante, aunque los instantes estén a intervalos iguales.</translation>
+    </message>
+    <message>
+        <source>The bound: half a unit of the value&apos;s last digit, plus how far the motion goes in half a unit of the instant&apos;s; evenly spaced instants count as exact.</source>
+        <translation>La cota: media unidad de la última cifra del valor más lo que el movimiento avanza en media unidad de la del instante; los instantes a intervalos iguales cuentan como exactos.</translation>
+    </message>
+    <message>
+        <source>Comes close to this mechanism in every channel, provided that the file&apos;s instants, though evenly spaced, were rounded.</source>
+        <translation>Se aproxima a este mecanismo en todos los canales, siempre que los instantes del archivo, aun a intervalos iguales, estén redondeados.</translation>
     </message>
 </context>
 <context>
@@ -2117,8 +2430,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Paneles</translation>
     </message>
     <message>
-        <source>F9 folds the panels away and out</source>
-        <translation>F9 pliega y despliega los paneles</translation>
+        <source>F9 hides and shows the panels</source>
+        <translation>F9 oculta y muestra los paneles</translation>
     </message>
 </context>
 <context>
@@ -2276,14 +2589,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>El mecanismo</translation>
     </message>
     <message>
-        <source>The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length b, leads from its pin A to the pin B of the slider, which moves along y = c. Bodies are superscripts: 1 ground, 2 crank, 3 coupler, 4 slider.</source>
-        <translation>La manivela, de longitud a, gira alrededor de O₂ a la velocidad constante ω₂. La biela, de longitud b, va de su pasador A al pasador B de la corredera, que se mueve sobre y = c. Los cuerpos son superíndices: 1 bancada, 2 manivela, 3 biela, 4 corredera.</translation>
-    </message>
-    <message>
-        <source>θ³ is the coupler&apos;s angle seen from A towards B; the θ₃ that textbooks draw at B is θ³ + 180°. The crank turns round where</source>
-        <translation>θ³ es el ángulo de la biela visto de A hacia B; el θ₃ que los libros dibujan en B es θ³ + 180°. La manivela da la vuelta entera donde</translation>
-    </message>
-    <message>
         <source>Closed form, exact</source>
         <translation>Forma cerrada, exacta</translation>
     </message>
@@ -2296,16 +2601,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Newton-Raphson</translation>
     </message>
     <message>
-        <source>The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations C(q, t) = 0, after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. The position is iterated until ‖C‖ is within the tolerance; velocity and acceleration follow from it. Where cos θ³ = 0 the coupler stands square to the slider&apos;s line and they do not exist.</source>
-        <translation>Las 12 coordenadas q, centro de masa y ángulo de cada cuerpo, cumplen 12 ecuaciones C(q, t) = 0, según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. La posición se itera hasta que ‖C‖ está dentro de la tolerancia; de ella se siguen velocidad y aceleración. Donde cos θ³ = 0 la biela está perpendicular a la línea de la corredera y estas no existen.</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>Error</translation>
-    </message>
-    <message>
-        <source>Of each value x of a file against the model&apos;s, as a percentage of the file&apos;s; where that is 0 there is no percentage. The View menu has errors in ° and mm, and in percent of the peak.</source>
-        <translation>De cada valor x de un archivo frente al del modelo, como porcentaje del archivo; donde este es 0 no hay porcentaje. El menú Ver ofrece los errores en ° y mm, y en porcentaje del máximo.</translation>
     </message>
     <message>
         <source>|model − x| / |x| · 100 %</source>
@@ -2354,30 +2651,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Point at it, or Page Down and Page Up</source>
         <translation>Señálela, o Av Pág y Re Pág</translation>
-    </message>
-    <message>
-        <source>Rₓ⁴ and R_y⁴ are counted from O₂, x along the slider&apos;s line, and angles counter-clockwise from x. At the start it is the mechanism of Table 1 of the report that the program began with, a piece of course work: a = 20, b = 65, c = 25 mm, one turn a second.</source>
-        <translation>Rₓ⁴ y R_y⁴ se miden desde O₂, x a lo largo de la línea de la corredera, y los ángulos en sentido antihorario desde x. Al empezar es el mecanismo de la tabla 1 del informe con el que nació el programa, un trabajo de curso: a = 20, b = 65, c = 25 mm, una vuelta por segundo.</translation>
-    </message>
-    <message>
-        <source>Whose motion a file is</source>
-        <translation>De quién es el movimiento de un archivo</translation>
-    </message>
-    <message>
-        <source>A mechanism is found for a file where what it leaves of every column is rounding, or noise that looks like noise; ± is one standard deviation. Several may explain it equally: then all are listed. Too few values, too few instants a turn or too small a part of a turn do not tell; then it is said what is missing. Where nothing explains the file, what comes nearest is no more than that, and no proof that there is nothing.</source>
-        <translation>Un mecanismo queda hallado para un archivo cuando lo que deja de cada columna es redondeo, o ruido que parece ruido; ± es una desviación estándar. Varios pueden explicarlo por igual: entonces se dan todos. Muy pocos valores, muy pocos instantes por vuelta o una parte demasiado pequeña de una vuelta no deciden; entonces se dice qué falta. Donde nada explica el archivo, lo más cercano no es más que eso, y no prueba que no haya nada.</translation>
-    </message>
-    <message>
-        <source>Rₓ⁴ alone does not tell a mechanism from its mirror image, θ³ alone fixes only b/a and c/a. A column may be counted from elsewhere than O₂, as a slider joint&apos;s own coordinate is, or mean another unit, sign or angle than its name says: that is shown with the error before and after, and never applied by itself.</source>
-        <translation>Rₓ⁴ por sí solo no distingue un mecanismo de su imagen especular, θ³ por sí solo determina únicamente b/a y c/a. Una columna puede estar medida desde otro punto que O₂, como la coordenada propia de una corredera, o entender otra unidad, otro signo u otro ángulo que su nombre: eso se muestra con el error antes y después, y nunca se aplica por sí mismo.</translation>
-    </message>
-    <message>
-        <source>How exact numbers can be</source>
-        <translation>Cuán exactos pueden ser los números</translation>
-    </message>
-    <message>
-        <source>The study holds every method against 50 digits and more, and against the bound κ·u: how far a channel f moves because the numbers given are rounded to doubles, whatever the method.</source>
-        <translation>El estudio compara cada método con 50 cifras y más, y con el límite κ·u: cuánto se mueve un canal f porque los números dados se redondean a doble precisión, sea cual sea el método.</translation>
     </message>
     <message>
         <source>Copy the rows that are chosen, or the table, as CSV</source>
@@ -2439,20 +2712,52 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Read the values of all plots</source>
         <translation>Leer los valores de todas las gráficas</translation>
     </message>
+    <message>
+        <source>The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length b, leads from its pin A to the pin B of the slider, which moves along y = c. Superscripts number the bodies: 1 ground, 2 crank, 3 coupler, 4 slider. The crank angle is the one exception: it is θ₂ everywhere, also where Shabana writes θ².</source>
+        <translation>La manivela, de longitud a, gira alrededor de O₂ a la velocidad constante ω₂. La biela, de longitud b, va de su pasador A al pasador B de la corredera, que se mueve sobre y = c. Los superíndices numeran los eslabones: 1 bancada, 2 manivela, 3 biela, 4 corredera. La única excepción es el ángulo de la manivela: es θ₂ en todas partes, también donde Shabana escribe θ².</translation>
+    </message>
+    <message>
+        <source>The coupler angle θ³ is seen from A towards B; the θ₃ that textbooks draw at B is θ³ + 180°. The crank makes full turns when</source>
+        <translation>El ángulo de la biela θ³ se mide de A hacia B; el θ₃ que los libros dibujan en B es θ³ + 180°. La manivela da la vuelta completa cuando</translation>
+    </message>
+    <message>
+        <source>The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations C(q, t) = 0, after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. The position is iterated until ‖C‖ is within the tolerance; velocity and acceleration follow from it. Where cos θ³ = 0 the coupler is perpendicular to the slider&apos;s line and they do not exist.</source>
+        <translation>Las 12 coordenadas q, centro de masa y ángulo de cada cuerpo, cumplen 12 ecuaciones C(q, t) = 0, según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. La posición se itera hasta que ‖C‖ está dentro de la tolerancia; de ella se siguen velocidad y aceleración. Donde cos θ³ = 0 la biela está perpendicular a la línea de la corredera y estas no existen.</translation>
+    </message>
+    <message>
+        <source>The error of the model against each value x of a file, as a percentage of x; where x is 0 there is no percentage. The View menu has errors in ° and mm, and in percent of the peak.</source>
+        <translation>El error del modelo frente a cada valor x de un archivo, en porcentaje de x; donde x es 0 no hay porcentaje. El menú Ver ofrece los errores en ° y mm, y en porcentaje del pico.</translation>
+    </message>
+    <message>
+        <source>The slider position Rₓ⁴ and its height R_y⁴ are measured from O₂, x along the slider&apos;s line, and angles counter-clockwise from x. The program starts with the mechanism of Table 1 of a report, the piece of course work that it grew from: a = 20, b = 65, c = 25 mm, one turn a second.</source>
+        <translation>La posición de la corredera Rₓ⁴ y su altura R_y⁴ se miden desde O₂, con x a lo largo de la línea de la corredera, y los ángulos en sentido antihorario desde x. El programa empieza con el mecanismo de la tabla 1 de un informe, el trabajo de curso del que nació: a = 20, b = 65, c = 25 mm, una vuelta por segundo.</translation>
+    </message>
+    <message>
+        <source>Which mechanism a file belongs to</source>
+        <translation>A qué mecanismo pertenece un archivo</translation>
+    </message>
+    <message>
+        <source>A mechanism counts as found when all that it leaves unexplained in every column is rounding, or looks like random noise; ± is one standard deviation. Where several explain the file equally well, all are listed. With too few values, too few instants a turn or too small a part of a turn, the program says what is missing. Where no mechanism was found, the nearest is shown as no more than that; this does not prove that there is none.</source>
+        <translation>Un mecanismo se da por hallado cuando lo que deja sin explicar de cada columna es solo redondeo, o parece ruido aleatorio; ± es una desviación estándar. Si varios explican el archivo igual de bien, se enumeran todos. Con muy pocos valores, muy pocos instantes por vuelta o una parte demasiado pequeña de una vuelta, el programa dice qué falta. Si no se halló ningún mecanismo, se muestra el más cercano solo como tal; eso no prueba que no haya ninguno.</translation>
+    </message>
+    <message>
+        <source>The slider position Rₓ⁴ alone does not tell a mechanism from its mirror image; the coupler angle θ³ alone determines only b/a and c/a. A column may be measured from elsewhere than O₂, as a slider joint&apos;s own coordinate is, or mean another unit, sign or angle than its name says: the program shows the error before and after, and changes nothing without being asked.</source>
+        <translation>La posición de la corredera Rₓ⁴ por sí sola no distingue un mecanismo de su imagen especular; el ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a. Una columna puede estar medida desde un punto distinto de O₂, como la coordenada propia de una junta prismática, o tener otra unidad, otro signo u otro ángulo de lo que dice su nombre: el programa muestra el error antes y después, y no cambia nada sin que se le pida.</translation>
+    </message>
+    <message>
+        <source>How exact the numbers can be</source>
+        <translation>Qué exactitud pueden tener los números</translation>
+    </message>
+    <message>
+        <source>The study compares every method with a computation in 50 digits or more, and with κ·u: how much a channel f can change just because each given number p is rounded to the 16 digits of a double, by u of itself at most.</source>
+        <translation>El estudio compara cada método con un cálculo de 50 cifras o más, y con κ·u: cuánto puede cambiar un canal f solo porque cada número dado p se redondea a las 16 cifras de la doble precisión, a lo sumo en u veces su valor.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::IterationPlot</name>
     <message>
         <source>Residual ‖C‖ over the iterations</source>
         <translation>Residuo ‖C‖ a lo largo de las iteraciones</translation>
-    </message>
-    <message>
-        <source>Near the answer each step doubles the right digits: on this axis the line bends down</source>
-        <translation>Cerca de la solución cada paso duplica las cifras correctas: en este eje la línea se curva hacia abajo</translation>
-    </message>
-    <message>
-        <source>From afar</source>
-        <translation>Desde lejos</translation>
     </message>
     <message>
         <source>From %1 s earlier</source>
@@ -2467,16 +2772,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>desde %1 s antes</translation>
     </message>
     <message>
-        <source>from afar</source>
-        <translation>desde lejos</translation>
-    </message>
-    <message>
         <source>‖C‖, relative</source>
         <translation>‖C‖, relativo</translation>
     </message>
     <message>
         <source>‖C‖</source>
         <translation>‖C‖</translation>
+    </message>
+    <message>
+        <source>Near the solution each iteration doubles the number of correct digits: the line bends down</source>
+        <translation>Cerca de la solución cada iteración duplica el número de cifras correctas: la línea se curva hacia abajo</translation>
+    </message>
+    <message>
+        <source>From a rough start</source>
+        <translation>Desde un comienzo aproximado</translation>
+    </message>
+    <message>
+        <source>from a rough start</source>
+        <translation>desde un comienzo aproximado</translation>
     </message>
 </context>
 <context>
@@ -2496,10 +2809,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>value</source>
         <translation>valor</translation>
-    </message>
-    <message>
-        <source>Positions are Rₓ⁴, those of the slider</source>
-        <translation>Las posiciones son Rₓ⁴, las de la corredera</translation>
     </message>
     <message>
         <source>θ₂ [°]</source>
@@ -2544,6 +2853,42 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Peaks of speed and acceleration</source>
         <translation>Picos de velocidad y aceleración</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copiar como CSV</translation>
+    </message>
+    <message>
+        <source>Both tables with every digit (Ctrl+C in one of them: the rows that are chosen)</source>
+        <translation>Las dos tablas con todas las cifras (Ctrl+C en una de ellas: las filas elegidas)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Both tables as a CSV file</source>
+        <translation>Las dos tablas como archivo CSV</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>limits.csv</source>
+        <translation>limites.csv</translation>
+    </message>
+    <message>
+        <source>Positions are those of the slider, Rₓ⁴, measured from O₂</source>
+        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂</translation>
     </message>
 </context>
 <context>
@@ -2653,6 +2998,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>file</source>
         <translation>archivo</translation>
     </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismScenery</name>
@@ -2729,10 +3078,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>acceleration %1 mm/s² (%2; %3)</source>
         <translation>aceleración %1 mm/s² (%2; %3)</translation>
-    </message>
-    <message>
-        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
-        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
     </message>
     <message>
         <source>θ₂ = %1°</source>
@@ -2830,6 +3175,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at least %2 mm.</source>
         <translation>No se puede ensamblar en θ₂ = %1°: la biela es demasiado corta. La manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
     </message>
+    <message>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Menus</name>
@@ -2926,10 +3275,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Copiar el &amp;mecanismo</translation>
     </message>
     <message>
-        <source>Rese&amp;t parameters to Table 1</source>
-        <translation>Restablecer los &amp;parámetros de la tabla 1</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Ver</translation>
     </message>
@@ -2948,10 +3293,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Show the &amp;panels below</source>
         <translation>Mostrar los &amp;paneles de abajo</translation>
-    </message>
-    <message>
-        <source>Show the file&apos;s &amp;motion</source>
-        <translation>Mostrar el &amp;movimiento del archivo</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -3032,6 +3373,38 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Loop</source>
         <translation>&amp;Repetir</translation>
+    </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation>V&amp;elocidad</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>Más rápi&amp;do</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>&amp;Run and speed…</source>
+        <translation>Re&amp;corrido y velocidad…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>For&amp;get kept motions</source>
+        <translation>&amp;Olvidar los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s or the kept &amp;motion</source>
+        <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t all parameters</source>
+        <translation>Restablecer todos los &amp;parámetros</translation>
     </message>
 </context>
 <context>
@@ -3138,20 +3511,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>punto muerto exterior</translation>
     </message>
     <message>
-        <source>Where the slider (Rₓ⁴) turns back with crank and coupler stretched</source>
-        <translation>Donde la corredera (Rₓ⁴) se invierte con manivela y biela extendidas</translation>
-    </message>
-    <message>
         <source>inner dead centre</source>
         <translation>punto muerto interior</translation>
-    </message>
-    <message>
-        <source>Where the slider (Rₓ⁴) turns back with crank and coupler folded</source>
-        <translation>Donde la corredera (Rₓ⁴) se invierte con manivela y biela superpuestas</translation>
-    </message>
-    <message>
-        <source>The crank can go no further: the coupler stands square to the slider&apos;s line. The value is the slider&apos;s position Rₓ⁴.</source>
-        <translation>La manivela no puede ir más allá: la biela está perpendicular a la línea de la corredera. El valor es la posición Rₓ⁴ de la corredera.</translation>
     </message>
     <message>
         <source>only pose</source>
@@ -3210,10 +3571,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>aceleración de la biela</translation>
     </message>
     <message>
-        <source>The largest over a whole turn: where its own derivative vanishes</source>
-        <translation>La máxima en una vuelta completa: donde se anula su propia derivada</translation>
-    </message>
-    <message>
         <source>throughout</source>
         <translation>siempre</translation>
     </message>
@@ -3224,14 +3581,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The crank turns round: b = %1 ≥ a + |c| = %2.</source>
         <translation>La manivela da la vuelta completa: b = %1 ≥ a + |c| = %2.</translation>
-    </message>
-    <message>
-        <source>The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° the coupler stands square to the slider&apos;s line, and the speeds jump.</source>
-        <translation>La manivela da justo la vuelta completa: b = a = %1, c = 0, un punto de cambio. En θ₂ = 90° y 270° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
-    </message>
-    <message>
-        <source>The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler stands square to the slider&apos;s line, and the speeds jump.</source>
-        <translation>La manivela da justo la vuelta completa: b = a + |c| = %1. En θ₂ = %2° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
     </message>
     <message>
         <source>The crank rocks within one of two arcs: b = %1 &lt; a + |c| = %2, and less than a − |c| = %3 mm too. %4</source>
@@ -3278,10 +3627,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>sin cota</translation>
     </message>
     <message>
-        <source>The coupler stands square to the slider&apos;s line and the speeds jump</source>
-        <translation>La biela está perpendicular a la línea de la corredera y las velocidades saltan</translation>
-    </message>
-    <message>
         <source>Towards the crank&apos;s limit slider and coupler get ever faster</source>
         <translation>Hacia el límite de la manivela, corredera y biela van cada vez más rápido</translation>
     </message>
@@ -3290,16 +3635,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 en total, máx. %2 por instante</translation>
     </message>
     <message>
-        <source>%1 in all, at most %2 from one instant to the next, %3 where it started from afar</source>
-        <translation>%1 en total, máx. %2 de un instante al siguiente, %3 donde empezó de lejos</translation>
-    </message>
-    <message>
         <source>%1 samples a turn are too few for a curve: %2 steps would do.</source>
         <translation>%1 muestras por vuelta son pocas para una curva: bastarían %2 pasos.</translation>
-    </message>
-    <message>
-        <source>%1 in all, at most %2 where it started from afar</source>
-        <translation>%1 en total, máx. %2 donde empezó de lejos</translation>
     </message>
     <message>
         <source>mean speed forward</source>
@@ -3316,6 +3653,42 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The stroke over the return stroke&apos;s time</source>
         <translation>La carrera entre el tiempo de la carrera de vuelta</translation>
+    </message>
+    <message>
+        <source>The slider position Rₓ⁴ where it turns back, crank and coupler stretched in one line</source>
+        <translation>La posición de la corredera Rₓ⁴ donde se invierte, con manivela y biela extendidas en línea</translation>
+    </message>
+    <message>
+        <source>The slider position Rₓ⁴ where it turns back, crank and coupler folded in one line</source>
+        <translation>La posición de la corredera Rₓ⁴ donde se invierte, con manivela y biela superpuestas en línea</translation>
+    </message>
+    <message>
+        <source>The crank can go no further: the coupler is perpendicular to the slider&apos;s line. The value is the slider&apos;s position Rₓ⁴.</source>
+        <translation>La manivela no puede ir más allá: la biela está perpendicular a la línea de la corredera. El valor es la posición Rₓ⁴ de la corredera.</translation>
+    </message>
+    <message>
+        <source>The largest over a whole turn of the crank: there its own derivative is zero</source>
+        <translation>El mayor valor en una vuelta completa de la manivela: allí su propia derivada es cero</translation>
+    </message>
+    <message>
+        <source>The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° the coupler is perpendicular to the slider&apos;s line, and the speeds jump.</source>
+        <translation>La manivela da justo la vuelta completa: b = a = %1, c = 0, un punto de cambio. En θ₂ = 90° y 270° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
+    </message>
+    <message>
+        <source>The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler is perpendicular to the slider&apos;s line, and the speeds jump.</source>
+        <translation>La manivela da justo la vuelta completa: b = a + |c| = %1. En θ₂ = %2° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
+    </message>
+    <message>
+        <source>The coupler is perpendicular to the slider&apos;s line and the speeds jump</source>
+        <translation>La biela está perpendicular a la línea de la corredera y las velocidades saltan</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 from one instant to the next, %3 where it had a rough start</source>
+        <translation>%1 en total, máx. %2 de un instante al siguiente, %3 donde partió de un comienzo aproximado</translation>
+    </message>
+    <message>
+        <source>%1 in all, at most %2 where it had a rough start</source>
+        <translation>%1 en total, máx. %2 donde partió de un comienzo aproximado</translation>
     </message>
 </context>
 <context>
@@ -3369,10 +3742,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Jacobiano C_q, una fila por restricción, una columna por coordenada</translation>
     </message>
     <message>
-        <source>κ: the largest singular value over the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler stands square to the slider&apos;s line.</source>
-        <translation>κ: el valor singular máximo dividido entre el mínimo, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela está perpendicular a la línea de la corredera.</translation>
-    </message>
-    <message>
         <source>Iterations, a row each</source>
         <translation>Iteraciones, una por fila</translation>
     </message>
@@ -3385,10 +3754,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>κ(C_q) = %1&lt;br&gt;det C_q = −b cos θ³&lt;br&gt;= %2&lt;br&gt;&lt;br&gt;&lt;span style=&apos;color:%3&apos;&gt;■&lt;/span&gt; positivo&lt;br&gt;&lt;span style=&apos;color:%4&apos;&gt;■&lt;/span&gt; negativo&lt;br&gt;en mm bajo θ</translation>
     </message>
     <message>
-        <source>The coupler stands square to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
-        <translation>La biela está perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
-    </message>
-    <message>
         <source>Not converged within %1 iterations: what is shown is the last one. Allow more iterations or a larger tolerance.</source>
         <translation>No convergió en %1 iteraciones: se muestra la última. Permita más iteraciones o una tolerancia mayor.</translation>
     </message>
@@ -3397,8 +3762,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Aquí no se puede ensamblar: la biela es demasiado corta.</translation>
     </message>
     <message>
-        <source>No finite number comes out here: the numbers are too large.</source>
-        <translation>Aquí no resulta ningún número finito: los números son demasiado grandes.</translation>
+        <source>κ: the largest singular value over the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
+        <translation>κ: el valor singular máximo dividido entre el mínimo, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela está perpendicular a la línea de la corredera.</translation>
+    </message>
+    <message>
+        <source>The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
+        <translation>La biela está perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
+    </message>
+    <message>
+        <source>The result is too large to be a number here.</source>
+        <translation>Aquí el resultado es demasiado grande para ser un número.</translation>
     </message>
 </context>
 <context>
@@ -3466,10 +3839,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>joint</source>
         <translation>junta</translation>
-    </message>
-    <message>
-        <source>What the equation holds together</source>
-        <translation>Lo que la ecuación mantiene unido</translation>
     </message>
     <message>
         <source>equation</source>
@@ -3600,10 +3969,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>● ‖C‖</translation>
     </message>
     <message>
-        <source>From afar: θ² exact, θ³ = 0 (crossed: 180°)</source>
-        <translation>Desde lejos: θ² exacto, θ³ = 0 (cruzada: 180°)</translation>
-    </message>
-    <message>
         <source>● θ³ [°]</source>
         <translation>● θ³ [°]</translation>
     </message>
@@ -3622,6 +3987,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>‖C‖</source>
         <translation>‖C‖</translation>
+    </message>
+    <message>
+        <source>The joint that the equation is of</source>
+        <translation>La junta a la que pertenece la ecuación</translation>
+    </message>
+    <message>
+        <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
+        <translation>Desde un comienzo aproximado: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
     </message>
 </context>
 <context>
@@ -3739,10 +4112,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Restablecer %1</translation>
     </message>
     <message>
-        <source>Back to the report&apos;s Table 1</source>
-        <translation>Volver a la tabla 1 del informe</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -3769,6 +4138,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Shaded: with the crank there the mechanism cannot be assembled</source>
         <translation>Sombreado: con la manivela ahí el mecanismo no se puede ensamblar</translation>
+    </message>
+    <message>
+        <source>Back to the initial value</source>
+        <translation>Volver al valor inicial</translation>
     </message>
 </context>
 <context>
@@ -3856,6 +4229,27 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>textbook&apos;s θ₃ = %1</source>
         <translation>θ₃ de los libros = %1</translation>
     </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1</source>
+        <translation>diferencia de %1</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>ninguna diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1: %2</source>
+        <translation>diferencia de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept motion, its value</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -3898,10 +4292,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error of the accelerations over time</source>
         <translation>Error de las aceleraciones en el tiempo</translation>
-    </message>
-    <message>
-        <source>Show all plots agai&amp;n</source>
-        <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
     </message>
     <message>
         <source>&amp;Maximize this plot</source>
@@ -3950,6 +4340,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
         <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>Show all plots agai&amp;n</source>
+        <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
     </message>
 </context>
 <context>
@@ -4003,10 +4401,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>ninguna columna aparte del tiempo tiene un nombre conocido: nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
     </message>
     <message>
-        <source>no column beside the time can be told for certain (%1: %2): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
-        <translation>ninguna columna aparte del tiempo se puede determinar con certeza (%1: %2): nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
-    </message>
-    <message>
         <source>another column could be the same quantity</source>
         <translation>otra columna podría ser la misma magnitud</translation>
     </message>
@@ -4021,6 +4415,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>neither its unit nor its values tell an angle from a length</source>
         <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
+    </message>
+    <message>
+        <source>its name does not tell what moves so</source>
+        <translation>su nombre no dice qué se mueve así</translation>
     </message>
     <message>
         <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>
@@ -4061,6 +4459,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The file is HTML or XML, not a table of text: export the table as CSV.</source>
         <translation>El archivo es HTML o XML, no una tabla de texto: exporte la tabla como CSV.</translation>
+    </message>
+    <message>
+        <source>The file is JSON, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
     <message>
         <source>the file holds bytes that are not text: export the table as CSV.</source>
@@ -4106,6 +4508,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
         <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
+    <message>
+        <source>there is no column &quot;%1&quot;.</source>
+        <translation>no hay ninguna columna «%1».</translation>
+    </message>
+    <message>
+        <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
+        <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s angle turns back behind %1: sort the rows by it, one row for each angle.</source>
+        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
+    </message>
+    <message>
+        <source>the columns beside the time are unknown (%1: %2): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <translation>las columnas aparte del tiempo son desconocidas (%1: %2): nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
@@ -4129,6 +4547,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1 cannot be read: %2.</source>
         <translation>No se puede leer %1: %2.</translation>
     </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Entrada estándar</translation>
+    </message>
+    <message>
+        <source>There are: %1.</source>
+        <translation>Están: %1.</translation>
+    </message>
+    <message>
+        <source>%1 counts by the crank&apos;s angle, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
+        <translation>%1 se rige por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferencePanel</name>
@@ -4147,10 +4577,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Say what the columns of the file are</source>
         <translation>Indicar qué son las columnas del archivo</translation>
-    </message>
-    <message>
-        <source>Whose motion the file is, and how else it may be read</source>
-        <translation>De qué mecanismo es el movimiento del archivo, y de qué otro modo puede leerse</translation>
     </message>
     <message>
         <source>heading</source>
@@ -4209,16 +4635,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Columnas</translation>
     </message>
     <message>
-        <source>Whose motion</source>
-        <translation>De qué mecanismo</translation>
-    </message>
-    <message>
         <source>%1 rows read</source>
         <translation>%1 filas leídas</translation>
-    </message>
-    <message>
-        <source>, t = %1 … %2 s</source>
-        <translation>, t = %1 … %2 s</translation>
     </message>
     <message>
         <source>%1. %2.</source>
@@ -4237,14 +4655,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Filas omitidas (%1)</translation>
     </message>
     <message>
-        <source>Read otherwise than printed</source>
-        <translation>Leído de otro modo que el escrito</translation>
-    </message>
-    <message>
-        <source>Read as printed again</source>
-        <translation>Volver a leer como está escrito</translation>
-    </message>
-    <message>
         <source>How else it may be read</source>
         <translation>De qué otro modo puede leerse</translation>
     </message>
@@ -4257,24 +4667,56 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Aplicar: %1</translation>
     </message>
     <message>
-        <source>Whose motion it is</source>
-        <translation>De qué mecanismo es el movimiento</translation>
-    </message>
-    <message>
-        <source>Being found out…</source>
-        <translation>Averiguándolo…</translation>
-    </message>
-    <message>
         <source>Take over</source>
         <translation>Adoptar</translation>
     </message>
     <message>
-        <source>Makes this mechanism the one on show; can be undone</source>
-        <translation>Hace de este mecanismo el que se muestra; se puede deshacer</translation>
+        <source>What the first column is</source>
+        <translation>Qué es la primera columna</translation>
     </message>
     <message>
-        <source>Take the first over</source>
-        <translation>Adoptar el primero</translation>
+        <source>First column: time</source>
+        <translation>Primera columna: tiempo</translation>
+    </message>
+    <message>
+        <source>First column: crank angle</source>
+        <translation>Primera columna: ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ make the time</source>
+        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
+    </message>
+    <message>
+        <source>Which mechanism the file belongs to, and how else it may be read</source>
+        <translation>A qué mecanismo pertenece el archivo, y de qué otro modo puede leerse</translation>
+    </message>
+    <message>
+        <source>Its mechanism</source>
+        <translation>Su mecanismo</translation>
+    </message>
+    <message>
+        <source>Read differently from how it is written</source>
+        <translation>Leído de manera distinta a como está escrito</translation>
+    </message>
+    <message>
+        <source>Read as written again</source>
+        <translation>Volver a leer como está escrito</translation>
+    </message>
+    <message>
+        <source>Which mechanism it belongs to</source>
+        <translation>A qué mecanismo pertenece</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message>
+        <source>Sets the sliders to this mechanism; can be undone</source>
+        <translation>Pone los deslizadores en este mecanismo; se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Use the first</source>
+        <translation>Usar el primero</translation>
     </message>
 </context>
 <context>
@@ -4302,10 +4744,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>model</source>
         <translation>modelo</translation>
-    </message>
-    <message>
-        <source>Thin: the linkage as the file has it.</source>
-        <translation>Trazo fino: el mecanismo según el archivo.</translation>
     </message>
     <message>
         <source>the file&apos;s own</source>
@@ -4455,6 +4893,60 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Iterations: %1; the largest residual is %2.</source>
         <translation>Iteraciones: %1; el residuo máximo es %2.</translation>
     </message>
+    <message>
+        <source>%1, by %2 %3</source>
+        <translation>%1, por %2 %3</translation>
+    </message>
+    <message>
+        <source>File: %1
+SHA-256: %2</source>
+        <translation>Archivo: %1
+SHA-256: %2</translation>
+    </message>
+    <message>
+        <source>the sample that comes with the program</source>
+        <translation>el ejemplo que viene con el programa</translation>
+    </message>
+    <message>
+        <source>unknown: the file cannot be read again, or was changed since</source>
+        <translation>desconocida: el archivo no se puede volver a leer o ha cambiado desde entonces</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>“%1” as %2 (%3)</source>
+        <translation>«%1» como %2 (%3)</translation>
+    </message>
+    <message>
+        <source>No column was guessed.</source>
+        <translation>No se ha deducido ninguna columna.</translation>
+    </message>
+    <message>
+        <source>Columns guessed: %1.</source>
+        <translation>Columnas deducidas: %1.</translation>
+    </message>
+    <message>
+        <source>Thin: the mechanism that was kept.</source>
+        <translation>Fino: el mecanismo conservado.</translation>
+    </message>
+    <message>
+        <source>Thin curves: motions that were kept, %1.</source>
+        <translation>Curvas finas: movimientos conservados, %1.</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
+    <message>
+        <source>Thin: the mechanism as the file has it.</source>
+        <translation>Trazo fino: el mecanismo según el archivo.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4474,10 +4966,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Cambios sin guardar</translation>
     </message>
     <message>
-        <source>Save what you changed as a scene?</source>
-        <translation>¿Guardar lo que ha cambiado como escena?</translation>
-    </message>
-    <message>
         <source>Save the changes to %1?</source>
         <translation>¿Guardar los cambios en %1?</translation>
     </message>
@@ -4490,16 +4978,28 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Abrir escena</translation>
     </message>
     <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Escenas (*.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
     </message>
     <message>
         <source>Scenes (*.json)</source>
         <translation>Escenas (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
+        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank)</source>
+        <translation>Escenas (*.slidercrank)</translation>
+    </message>
+    <message>
+        <source>Save what you changed as a scene, to go on from there another time?</source>
+        <translation>¿Guardar lo que ha cambiado como escena, para continuar desde ahí otro día?</translation>
     </message>
 </context>
 <context>
@@ -4557,10 +5057,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>dos números entre corchetes, primero el menor</translation>
     </message>
     <message>
-        <source>&quot;time&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
-        <translation>&quot;time&quot;, &quot;ignored&quot; o un canal como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
-    </message>
-    <message>
         <source>a list of channels such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
         <translation>una lista de canales como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
     </message>
@@ -4608,6 +5104,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>four numbers in brackets, left, lower, right and upper, the smaller ones first</source>
         <translation>cuatro números entre corchetes, izquierda, abajo, derecha y arriba, los menores primero</translation>
     </message>
+    <message>
+        <source>a list of at most %1 mechanisms</source>
+        <translation>una lista de %1 mecanismos como máximo</translation>
+    </message>
+    <message>
+        <source>&quot;time&quot;, &quot;crank-angle&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
+        <translation>«time», «crank-angle», «ignored» o un canal como «theta3» o «R4_x_diff»</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
@@ -4624,8 +5128,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 debe ser mayor que 0.</translation>
     </message>
     <message>
-        <source>taking over the file&apos;s mechanism</source>
-        <translation>adopción del mecanismo del archivo</translation>
+        <source>showing the scene in less</source>
+        <translation>escena mostrada con menos</translation>
+    </message>
+    <message>
+        <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
+        <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
+    </message>
+    <message>
+        <source>This motion is kept already: change the mechanism to see what differs.</source>
+        <translation>Este movimiento ya está conservado: cambie el mecanismo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>%1 motions are kept already: forget them before you keep another one.</source>
+        <translation>Ya hay %1 movimientos conservados: olvídelos antes de conservar otro.</translation>
+    </message>
+    <message>
+        <source>use of the file&apos;s mechanism</source>
+        <translation>uso del mecanismo del archivo</translation>
     </message>
 </context>
 <context>
@@ -4645,22 +5165,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>How the curves are computed</source>
         <translation>Cómo se calculan las curvas</translation>
-    </message>
-    <message>
-        <source>Intervals; one instant more is computed</source>
-        <translation>Intervalos; se calcula un instante más</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source>From the first instant to the last</source>
-        <translation>Del primer instante al último</translation>
-    </message>
-    <message>
-        <source>The first instant</source>
-        <translation>El primer instante</translation>
     </message>
     <message>
         <source>Iterates until ‖C‖ is at most this; 0: until it no longer falls</source>
@@ -4699,18 +5203,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Máx. iteraciones</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Pasos</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
-    </message>
-    <message>
         <source>Iterations</source>
         <translation>Iteraciones</translation>
     </message>
@@ -4747,20 +5239,20 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 de %2 instantes no se pueden ensamblar: allí la biela es demasiado corta.</translation>
     </message>
     <message>
-        <source>At %1 of %2 instants the coupler stands square to the slider&apos;s line: the position exists, velocity and acceleration do not.</source>
-        <translation>En %1 de %2 instantes la biela está perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants gave no finite number: the numbers are too large.</source>
-        <translation>%1 de %2 instantes no dieron ningún número finito: los números son demasiado grandes.</translation>
-    </message>
-    <message>
         <source>⚠ %1</source>
         <translation>⚠ %1</translation>
     </message>
     <message>
         <source>Of the instants that were found, as the tolerance measures it. It bounds the residual, not the error.</source>
         <translation>De los instantes hallados, como lo mide la tolerancia. Acota el residuo, no el error.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 instants the coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not.</source>
+        <translation>En %1 de %2 instantes la biela está perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 instants the result is too large to be a number.</source>
+        <translation>En %1 de %2 instantes el resultado es demasiado grande para ser un número.</translation>
     </message>
 </context>
 <context>
@@ -4833,10 +5325,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>tiempo por estado [ns]</translation>
     </message>
     <message>
-        <source>largest error / peak</source>
-        <translation>error máximo / pico</translation>
-    </message>
-    <message>
         <source>Newton dense (report)</source>
         <translation>Newton denso (informe)</translation>
     </message>
@@ -4889,12 +5377,52 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>ningún instante resuelto</translation>
     </message>
     <message>
-        <source>rounded input alone makes κ·u = %1</source>
-        <translation>los datos redondeados por sí solos causan κ·u = %1</translation>
+        <source>so many harmonics</source>
+        <translation>tantos armónicos</translation>
     </message>
     <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
+        <source>fastest for its error</source>
+        <translation>los mejores</translation>
+    </message>
+    <message>
+        <source>cost of rounded input</source>
+        <translation>redondear los datos</translation>
+    </message>
+    <message>
+        <source>error / peak</source>
+        <translation>error / pico</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson as in the report: 12 equations solved together (dense LU), started from the instant before</source>
+        <translation>Newton-Raphson como en el informe: 12 ecuaciones resueltas juntas (LU densa), a partir del instante anterior</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson on the same 12 equations, solved joint by joint</source>
+        <translation>Newton-Raphson con las mismas 12 ecuaciones, resueltas junta a junta</translation>
+    </message>
+    <message>
+        <source>The same, started from the position, velocity and acceleration of the instant before (Taylor series)</source>
+        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
+    </message>
+    <message>
+        <source>The exact formulas, instant by instant</source>
+        <translation>Las fórmulas exactas, instante a instante</translation>
+    </message>
+    <message>
+        <source>The exact formulas for several instants at once (vector instructions)</source>
+        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration as central differences of exact positions</source>
+        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
+    </message>
+    <message>
+        <source>The motion as a Fourier series with so many harmonics</source>
+        <translation>El movimiento como serie de Fourier con tantos armónicos</translation>
+    </message>
+    <message>
+        <source>rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
+        <translation>solo redondear a, b, c, ω₂, θ₂₀ y t al formato double puede costar %1</translation>
     </message>
 </context>
 <context>
@@ -4952,20 +5480,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Medir casos difíciles</translation>
     </message>
     <message>
-        <source>Toggles, rockers, other scales, far times: takes some ten seconds</source>
-        <translation>Posiciones singulares, balancines, otras escalas, tiempos lejanos: tarda unos diez segundos</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
     <message>
         <source>Progress of the study</source>
         <translation>Progreso del estudio</translation>
-    </message>
-    <message>
-        <source>Case on show</source>
-        <translation>Caso que se muestra</translation>
     </message>
     <message>
         <source>Export</source>
@@ -5000,32 +5520,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>tolerancia</translation>
     </message>
     <message>
-        <source>Of Newton-Raphson: absolute as in the report for its own way, relative for the others</source>
-        <translation>De Newton-Raphson: absoluta como en el informe para su propio procedimiento, relativa para los demás</translation>
-    </message>
-    <message>
-        <source>ns</source>
-        <translation>ns</translation>
-    </message>
-    <message>
-        <source>Time per state: median over interleaved rounds</source>
-        <translation>Tiempo por estado: mediana de rondas intercaladas</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>error</translation>
     </message>
     <message>
         <source>The worst of the six plotted channels, relative to the channel&apos;s peak, over solved instants</source>
-        <translation>El peor de los seis canales graficados, relativo al pico del canal, en los instantes resueltos</translation>
-    </message>
-    <message>
-        <source>κ·u</source>
-        <translation>κ·u</translation>
-    </message>
-    <message>
-        <source>The error that rounding the given numbers makes by itself</source>
-        <translation>El error que causa por sí solo redondear los datos</translation>
+        <translation>El peor de los seis canales representados, relativo al pico del canal, en los instantes resueltos</translation>
     </message>
     <message>
         <source>iterations</source>
@@ -5068,14 +5568,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation> (cancelado)</translation>
     </message>
     <message>
-        <source>. The mechanism has changed since: run again</source>
-        <translation>. El mecanismo ha cambiado desde entonces: mida de nuevo</translation>
-    </message>
-    <message>
-        <source>. Times of %1</source>
-        <translation>. Tiempos de %1</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet: run the study first.</source>
         <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
     </message>
@@ -5096,12 +5588,36 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>velocidad.csv</translation>
     </message>
     <message>
-        <source>⚠ %1</source>
-        <translation>⚠ %1</translation>
-    </message>
-    <message>
         <source>Tables (*.csv)</source>
         <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>time [ns]</source>
+        <translation>tiempo [ns]</translation>
+    </message>
+    <message>
+        <source>Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds</source>
+        <translation>Por estado, es decir, posición, velocidad y aceleración en un instante: mediana de varias rondas alternadas</translation>
+    </message>
+    <message>
+        <source>Times of %1</source>
+        <translation>Tiempos de %1</translation>
+    </message>
+    <message>
+        <source> The mechanism has changed since: run again.</source>
+        <translation> El mecanismo ha cambiado desde entonces: vuelva a medir.</translation>
+    </message>
+    <message>
+        <source>Cranks that only just turn or only rock, very long and very short links, very late instants: takes some ten seconds</source>
+        <translation>Manivelas que apenas dan la vuelta o solo oscilan, eslabones muy largos y muy cortos, instantes muy tardíos: tarda unos diez segundos</translation>
+    </message>
+    <message>
+        <source>Case shown</source>
+        <translation>Caso mostrado</translation>
+    </message>
+    <message>
+        <source>Of Newton-Raphson: absolute for the report&apos;s way, relative for the others</source>
+        <translation>De Newton-Raphson: absoluta para el método del informe, relativa para los demás</translation>
     </message>
 </context>
 <context>
@@ -5119,8 +5635,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>, </translation>
     </message>
     <message>
-        <source>How fast is each method, and how exact? Run the study: every method is timed on the same instants and its error measured against 50 digits and more.</source>
-        <translation>¿Cuán rápido es cada método, y cuán exacto? Haga la medición: cada método se cronometra en los mismos instantes y su error se mide frente a 50 cifras o más.</translation>
+        <source>How fast is each method, and how exact? Run the study: every method is timed on the same instants, and its error measured against a computation in 50 digits or more.</source>
+        <translation>¿Qué rapidez y qué exactitud tiene cada método? Haga la medición: todos se cronometran en los mismos instantes, y su error se mide frente a un cálculo de 50 cifras o más.</translation>
     </message>
 </context>
 <context>
@@ -5159,7 +5675,7 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
     <message>
         <source>rocker</source>
-        <translation>balancín</translation>
+        <translation>oscilante</translation>
     </message>
     <message>
         <source>one arc</source>
@@ -5171,7 +5687,7 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
     <message>
         <source>rocker by a hair</source>
-        <translation>balancín por un pelo</translation>
+        <translation>oscila por muy poco</translation>
     </message>
     <message>
         <source>gap %1</source>
@@ -5208,6 +5724,62 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>other</source>
         <translation>otra</translation>
+    </message>
+    <message>
+        <source>%1 times as fast as the report&apos;s way</source>
+        <translation>%1 veces más rápida que el método del informe</translation>
+    </message>
+    <message>
+        <source>as fast as the report&apos;s way</source>
+        <translation>tan rápida como el método del informe</translation>
+    </message>
+    <message>
+        <source>takes %1 times as long as the report&apos;s way</source>
+        <translation>tarda %1 veces lo que el método del informe</translation>
+    </message>
+    <message>
+        <source>, but it solves no instant here</source>
+        <translation>, pero aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source>, which solves no instant here</source>
+        <translation>, que aquí no resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source> and %1 times as exact here</source>
+        <translation> y aquí %1 veces más exacta</translation>
+    </message>
+    <message>
+        <source> and right to the last digit here</source>
+        <translation> y aquí exacta hasta la última cifra</translation>
+    </message>
+    <message>
+        <source> and as exact here</source>
+        <translation> e igual de exacta aquí</translation>
+    </message>
+    <message>
+        <source>, but its error is %1 times as large here</source>
+        <translation>, pero aquí su error es %1 veces el de este</translation>
+    </message>
+    <message>
+        <source>, which is right to the last digit here</source>
+        <translation>, que aquí es exacto hasta la última cifra</translation>
+    </message>
+    <message>
+        <source>Neither the closed form nor the report&apos;s way solves an instant here.</source>
+        <translation>Ni la forma cerrada ni el método del informe resuelven aquí ningún instante.</translation>
+    </message>
+    <message>
+        <source>Closed form: %1%2.</source>
+        <translation>Forma cerrada: %1%2.</translation>
+    </message>
+    <message>
+        <source>It solves %1 of %2 instants, the report&apos;s way %3.</source>
+        <translation>Resuelve %1 de %2 instantes; el método del informe, %3.</translation>
+    </message>
+    <message>
+        <source>At %1 instants the report&apos;s way is wrong without saying so.</source>
+        <translation>En %1 instantes el método del informe falla sin avisar.</translation>
     </message>
 </context>
 <context>
@@ -5305,16 +5877,25 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
-        <source>Playing speed</source>
-        <translation>Velocidad de reproducción</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pausar</translation>
     </message>
     <message>
         <source>Start again at the end (Ctrl+L)</source>
         <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start, duration, steps, one turn, and the speed of playing (Ctrl+R)</source>
+        <translation>Inicio, duración, pasos, una vuelta y velocidad de reproducción (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>%1 s · %2 ▾</source>
+        <comment>duration of the run, speed of playing</comment>
+        <translation>%1 s · %2 ▾</translation>
     </message>
 </context>
 <context>
@@ -5423,6 +6004,69 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>PDF documents (*.pdf)</source>
         <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::RunForm</name>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The first instant</source>
+        <translation>El primer instante</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>From the first instant to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>One turn</source>
+        <translation>Una vuelta</translation>
+    </message>
+    <message>
+        <source>As long as the crank takes to turn round once</source>
+        <translation>Lo que la manivela tarda en dar una vuelta</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Intervals; one instant more is computed</source>
+        <translation>Tramos; se calcula un instante más</translation>
+    </message>
+    <message>
+        <source>Playing speed</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Seconds of the motion in a second of the clock</source>
+        <translation>Segundos del movimiento en un segundo de reloj</translation>
+    </message>
+    <message>
+        <source>A turn plays in</source>
+        <translation>Una vuelta dura</translation>
+    </message>
+    <message>
+        <source>Seconds of the clock for one turn of the crank</source>
+        <translation>Segundos de reloj para una vuelta de la manivela</translation>
     </message>
 </context>
 <context>

@@ -43,11 +43,15 @@ QProcessEnvironment withoutDisplay()
     return environment;
 }
 
-Outcome run(const QStringList &arguments, const QProcessEnvironment &environment = withoutDisplay())
+/// `input`: what stands on standard input.
+Outcome run(const QStringList &arguments, const QProcessEnvironment &environment = withoutDisplay(),
+            const QByteArray &input = {})
 {
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+    process.write(input);
+    process.closeWriteChannel();
     Outcome outcome;
     if (process.waitForFinished(slidercrank::kPatience) && process.exitStatus() == QProcess::NormalExit) {
         outcome.status = process.exitCode();
@@ -252,6 +256,14 @@ private slots:
     void saysWhatAFileCannotFix();
     void namesTheMirrorImageOfASlider();
     void saysWhenItFindsNoMechanism();
+    void identifiesSeveralFiles();
+    void readsStandardInput();
+    void takesColumnsForWhatIsSaid();
+    void readsATableByTheCranksAngle_data();
+    void readsATableByTheCranksAngle();
+    void knowsNoSpeedOfATableWithoutDerivatives();
+    void takesTheSpeedFromTheDerivatives();
+    void saysWhereTheAnglesAreCountedFrom();
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
     void saysWhichColumnsWereGuessed();
@@ -439,7 +451,7 @@ void TestCommandLine::printsThePositionWhereTheDerivativesDoNotExist()
                                                "theta3,theta3_diff,R4_x_diff2"));
     QCOMPARE(outcome.status, 5);
     QVERIFY(isOneLine(outcome.err));
-    QVERIFY2(outcome.err.contains("square to the slider's line"), outcome.err.constData());
+    QVERIFY2(outcome.err.contains("perpendicular to the slider's line"), outcome.err.constData());
     QCOMPARE(tableOf(outcome.out).cells.front(), QByteArrayList({"0", "90", "nan", "nan"}));
 }
 
@@ -449,7 +461,7 @@ void TestCommandLine::putsAssemblyBeforeSingularity()
     QCOMPARE(outcome.status, 4);
     QVERIFY(isOneLine(outcome.err));
     QVERIFY(outcome.err.contains("cannot be assembled"));
-    QVERIFY(outcome.err.contains("square to the slider's line"));
+    QVERIFY(outcome.err.contains("perpendicular to the slider's line"));
 }
 
 void TestCommandLine::tellsWhenNewtonDoesNotConverge()
@@ -650,7 +662,26 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("solve --at-angle 30 --omega2 1e-300", "too slowly");
     row("compare", "needs a file");
     row("identify", "needs a file");
-    row("identify a.csv b.csv", "takes one file, not 2: remove \"b.csv\"");
+    row("identify a.csv \"\"", "needs a file");
+    row("compare - - --b 60", "can be read only once");
+    row("identify - --scene -", "can be read only once");
+    row("render --output x.png --scene - --reference -", "can be read only once");
+    row("-", "save what comes from standard input");
+    row("--reference -", "save what comes from standard input");
+    row("compare a.csv --column x", "--column must be a heading, = and what it is");
+    row("compare a.csv --column =time", "--column must be a heading, = and what it is");
+    row("compare a.csv --abscissa theta2", "--abscissa must be time or angle");
+    row("solve --abscissa angle", "no option --abscissa");
+    row("compare a.csv --column \"x=crank-angle [mm]\"", "\"mm\" is no unit of crank-angle");
+    row("compare a.csv --column x=R4x", "did you mean R4_x?");
+    row("compare a.csv --column x=whatever", "there is no channel \"whatever\"");
+    row("compare a.csv --column \"x=R4_x [furlong]\"", "\"furlong\" is no unit of R4_x");
+    row("compare a.csv --column \"x=R4_x [s]\"", "\"s\" is no unit of R4_x");
+    row("compare a.csv --column \"x=R4_x_diff [mm]\"", "\"mm\" is no unit of R4_x_diff");
+    row("compare a.csv --column \"t=time [mm]\"", "\"mm\" is no unit of time");
+    row("compare a.csv --column x=R4_x --column x=time", "--column says twice what \"x\" is");
+    row("render --output x.png --column x=R4_x", "give its file with --reference");
+    row("solve --column x=R4_x", "no option --column");
     row("identify a.csv --format csv", "--format must be text or json");
     row("identify a.csv --b 0", "--b must be greater than 0");
     row("compare a.csv --method newton", "no option --method");
@@ -909,11 +940,31 @@ void TestCommandLine::comparesTheSampleInCsv()
     const Table table = tableOf(outcome.out);
     QCOMPARE(table.header.join(','),
              QByteArray("file,name,unit,count,maxAbs,timeOfMaxAbs,rms,maxPercent,timeOfMaxPercent,zeroReference,"
-                        "percentOfPeak,roundingStep,verdict"));
+                        "percentOfPeak,roundingStep,verdict,fileVerdict,sentence"));
     QCOMPARE(table.cells.size(), std::size_t(6));
     QCOMPARE(table.cells[0][1], QByteArray("R4_x"));
     QVERIFY(std::abs(table.at(0, "maxAbs") - 7.22) < 0.005);
-    QCOMPARE(table.cells[0].last(), QByteArray("differs"));
+    const qsizetype verdict = table.header.indexOf("verdict");
+    for (const QByteArrayList &row : table.cells) {
+        QCOMPARE(row[verdict], QByteArray("differs"));
+        QCOMPARE(row[verdict + 1], QByteArray("differs"));
+    }
+
+    // The sentence is that of JSON, whole and quoted; where nothing differs there is none.
+    const Outcome json = run({"compare", sample(), "--format", "json"});
+    const QString sentence = QJsonDocument::fromJson(json.out)
+                                 .object()["files"]
+                                 .toArray()
+                                 .first()
+                                 .toObject()["explanation"]
+                                 .toObject()["sentence"]
+                                 .toString();
+    QVERIFY(sentence.contains(QStringLiteral("b = 60")));
+    QString quoted = sentence;
+    QVERIFY(
+        outcome.out.endsWith(",differs,differs,\"" + quoted.replace(u'"', QStringLiteral("\"\"")).toUtf8() + "\"\n"));
+    const Outcome same = run({"compare", sample(), "--b", "60", "--format", "csv"});
+    QVERIFY(same.out.endsWith(",agrees,agrees,\n"));
 }
 
 void TestCommandLine::comparesSeveralFiles()
@@ -927,7 +978,7 @@ void TestCommandLine::comparesSeveralFiles()
     QCOMPARE(csv.cells.size(), std::size_t(8));
     for (std::size_t row = 0; row < csv.cells.size(); ++row) {
         QCOMPARE(csv.cells[row].first(), '"' + (row < 6 ? sample() : other).toUtf8() + '"');
-        QCOMPARE(csv.cells[row].last(), QByteArray(row < 6 ? "agrees" : "differs"));
+        QCOMPARE(csv.cells[row][csv.header.indexOf("verdict")], QByteArray(row < 6 ? "agrees" : "differs"));
     }
 
     QJsonParseError parsing;
@@ -1008,9 +1059,11 @@ void TestCommandLine::tellsRoundingFromDifference()
                                 QProcess::splitCommand(mechanism));
     int agrees = 0;
     int differs = 0;
-    for (const QByteArrayList &row : tableOf(outcome.out).cells) {
-        agrees += row.last() == "agrees" ? 1 : 0;
-        differs += row.last() == "differs" ? 1 : 0;
+    const Table table = tableOf(outcome.out);
+    const qsizetype verdict = table.header.indexOf("verdict");
+    for (const QByteArrayList &row : table.cells) {
+        agrees += row[verdict] == "agrees" ? 1 : 0;
+        differs += row[verdict] == "differs" ? 1 : 0;
     }
     QVERIFY2(agrees == agreeing && differs == differing, outcome.out.constData());
     QCOMPARE(outcome.status, differing > 0 ? 1 : 0);
@@ -1129,7 +1182,7 @@ void TestCommandLine::itsSentencesAgreeWithEachOther()
     QCOMPARE(run(solve + QStringList{"--output", path}).status, 0);
     const Outcome compared = run({"compare", path});
     QVERIFY2(compared.out.contains("\nDiffers from this mechanism in "), compared.out.constData());
-    QVERIFY2(!compared.out.contains("Read so") && !compared.out.contains("slider-crank"), compared.out.constData());
+    QVERIFY2(!compared.out.contains("Read this way") && !compared.out.contains("slider-crank"), compared.out.constData());
 
     // What explains the difference is said where a mechanism explains the file.
     const Outcome identified = run({"identify", path});
@@ -1149,7 +1202,8 @@ void TestCommandLine::saysWhatAFileMeansOtherwise()
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.out.contains("\ntheta3: in radians, but read as degrees. Multiplies theta3 by 57.2958: "),
              outcome.out.constData());
-    QVERIFY2(outcome.out.endsWith("\nRead so, it does not differ from this mechanism.\n"), outcome.out.constData());
+    QVERIFY2(outcome.out.endsWith("\nRead this way, it does not differ from this mechanism.\n"),
+             outcome.out.constData());
     QVERIFY2(!outcome.out.contains("This error"), outcome.out.constData());
 }
 
@@ -1288,7 +1342,8 @@ void TestCommandLine::saysWhatAFileCannotFix()
     QCOMPARE(found["identifiable"].toObject()["a"], QJsonValue(false));
     QCOMPARE(found["standardError"].toObject()["a"], QJsonValue(QJsonValue::Null));
     const QString summary = found["summary"].toString();
-    QVERIFY2(summary.contains(QStringLiteral("θ³ alone fixes only b/a and c/a; a = 20 mm")), qPrintable(summary));
+    QVERIFY2(summary.contains(QStringLiteral("The coupler angle θ³ alone determines only b/a and c/a; a = 20 mm")),
+             qPrintable(summary));
 }
 
 void TestCommandLine::namesTheMirrorImageOfASlider()
@@ -1330,6 +1385,292 @@ void TestCommandLine::saysWhenItFindsNoMechanism()
     QCOMPARE(none["identifiable"].toObject()["b"], QJsonValue(false));
     QCOMPARE(none["channels"].toArray(), QJsonArray());
     QCOMPARE(run({"identify", folder.filePath(QStringLiteral("missing.csv"))}).status, 3);
+}
+
+void TestCommandLine::identifiesSeveralFiles()
+{
+    QTemporaryDir folder;
+    const QString missing = folder.filePath(QStringLiteral("missing.csv"));
+    const QString few = folder.filePath(QStringLiteral("few.csv"));
+    writeFile(few, "time,R4_x\n0,80\n0.1,79\n");
+    const auto filesOf = [](const Outcome &outcome) {
+        return QJsonDocument::fromJson(outcome.out).object()["files"].toArray();
+    };
+
+    // The status is that of the worst: 0 only where all are identified or ambiguous.
+    const Outcome two = run({"identify", sample(), sample(), "--format", "json"});
+    QCOMPARE(two.status, 0);
+    QCOMPARE(filesOf(two).size(), qsizetype(2));
+    const Outcome one = run({"identify", sample(), "--format", "json"});
+    QCOMPARE(filesOf(two)[1].toObject(), QJsonDocument::fromJson(one.out).object());
+
+    const Outcome json = run({"identify", few, sample(), "--format", "json"});
+    QCOMPARE(json.status, 5);
+    QCOMPARE(filesOf(json)[0].toObject()["outcome"].toString(), QStringLiteral("insufficient"));
+    QCOMPARE(filesOf(json)[1].toObject()["outcome"].toString(), QStringLiteral("identified"));
+    QVERIFY2(isOneLine(json.err) && json.err.startsWith(few.toUtf8()), json.err.constData());
+
+    const Outcome text = run({"identify", sample(), few, missing});
+    QCOMPARE(text.status, 3);
+    QVERIFY2(text.out.startsWith(sample().toUtf8() + ": t = 0 s"), text.out.constData());
+    QVERIFY2(text.out.contains("\n\n" + few.toUtf8() + ": t = 0 s to 0.1 s, 2 instants\nThere are too few values"),
+             text.out.constData());
+    QVERIFY2(text.out.endsWith("\n\n3 files: 1 identified, 0 ambiguous, 1 not identified, 1 could not be read.\n"),
+             text.out.constData());
+    QVERIFY2(isOneLine(text.err) && text.err.startsWith(missing.toUtf8()), text.err.constData());
+}
+
+void TestCommandLine::readsStandardInput()
+{
+    const QByteArray motion = contentOf(sample());
+    const auto entryOf = [](const Outcome &outcome) {
+        return QJsonDocument::fromJson(outcome.out).object()["files"].toArray().first().toObject();
+    };
+    const QStringList compare{"compare", "--b", "60", "--format", "json"};
+    const Outcome file = run(compare + QStringList{sample()});
+    const Outcome pipe = run(compare + QStringList{"-"}, withoutDisplay(), motion);
+    QCOMPARE(pipe.status, 0);
+    QCOMPARE(entryOf(pipe)["file"].toString(), QStringLiteral("-"));
+    QCOMPARE(entryOf(pipe)["channels"], entryOf(file)["channels"]);
+
+    const Outcome text = run({"identify", "-"}, withoutDisplay(), motion);
+    QCOMPARE(text.status, 0);
+    QVERIFY2(text.out.startsWith("Standard input: t = 0 s to 1 s, 201 instants\n"), text.out.constData());
+
+    QTemporaryDir folder;
+    const QString picture = folder.filePath(QStringLiteral("figure.png"));
+    QCOMPARE(run({"render", "--reference", "-", "--output", picture}, withoutDisplay(), motion).status, 0);
+
+    // More than a pipe holds, and more than is looked at to tell whether it is a table.
+    QByteArray large = "id,T,x\n";
+    for (int row = 0; large.size() < 3'000'000; ++row) {
+        large += QByteArray::number(row) + ',' + QByteArray::number(row) + ",25\n";
+    }
+    const QStringList named{"--column", "T=time [us]", "--column", "x=R4_y", "--column", "id=ignored"};
+    const Outcome all = run(compare + QStringList{"-"} + named, withoutDisplay(), large);
+    QCOMPARE(all.status, 0);
+    QCOMPARE(entryOf(all)["channels"].toArray().first().toObject()["count"].toInt(), large.count('\n') - 1);
+
+    const Outcome none = run({"compare", "-"});
+    QCOMPARE(none.status, 3);
+    QVERIFY2(none.err.startsWith("Standard input: ") && none.err.contains("is empty"), none.err.constData());
+
+    // A scene, too; a pipe by its name is a file like any other.
+    const Outcome scene = run({"limits", "--scene", "-"}, withoutDisplay(), "{\"version\": 1}");
+    QCOMPARE(scene.status, 3);
+    QVERIFY2(scene.err.startsWith("Standard input: "), scene.err.constData());
+    const QString fifo = folder.filePath(QStringLiteral("fifo"));
+    if (QProcess::execute(QStringLiteral("mkfifo"), {fifo}) == 0) {
+        QProcess writer;
+        writer.start(QStringLiteral("cp"), {sample(), fifo});
+        QCOMPARE(entryOf(run(compare + QStringList{fifo}))["channels"], entryOf(file)["channels"]);
+        QVERIFY(writer.waitForFinished(slidercrank::kPatience));
+    }
+}
+
+void TestCommandLine::takesColumnsForWhatIsSaid()
+{
+    // Table 1 with b = 60 under names that say nothing, in m and rad, beside a column that would be taken for another.
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("model.csv"));
+    QByteArray motion = "clock;slider.s;arm.phi (rad);x = y;x = y\n";
+    for (int row = 0; row <= 40; ++row) {
+        const Textbook at = textbook(20, 60, 25, 2 * std::numbers::pi, 2 * std::numbers::pi * row / 40.0, false);
+        const double cells[] = {25.0 * row, at.R4x / 1000.0, at.theta3, at.theta3Dot, 7.0};
+        for (const double cell : cells) {
+            motion += QByteArray::number(cell, 'g', 9) + ';';
+        }
+        motion.back() = '\n';
+    }
+    writeFile(path, motion);
+    const QStringList columns{"--column", "clock=time [ms]", "--column", "slider.s=R4_x [m]",
+                              "--column", "arm.phi=theta3",  "--column", "#4=theta3_diff [rad/s]"};
+    const Outcome json =
+        run(QStringList{"compare", path, "--b", "60", "--format", "json", "--fail-on-difference"} + columns);
+    QVERIFY2(json.status == 0, json.err.constData());
+    const QJsonObject entry = QJsonDocument::fromJson(json.out).object()["files"].toArray().first().toObject();
+    QStringList names;
+    for (const QJsonValue &channel : entry["channels"].toArray()) {
+        names += channel.toObject()["name"].toString();
+    }
+    QCOMPARE(names, QStringList({"R4_x", "theta3", "theta3_diff"}));
+    QCOMPARE(entry["columns"].toArray()[1].toObject()["why"].toString(), QStringLiteral("chosen by hand"));
+    QCOMPARE(entry["ignoredColumns"].toArray().size(), qsizetype(1));
+    const Outcome found = run(QStringList{"identify", path} + columns);
+    QVERIFY2(found.status == 0 && found.out.contains("--b 60 "), found.out.constData());
+
+    // Said otherwise it is another motion.
+    QStringList otherwise = columns;
+    otherwise[3] = QStringLiteral("slider.s=R4_x [cm]");
+    QCOMPARE(run(QStringList{"compare", path, "--b", "60", "--fail-on-difference"} + otherwise).status, 1);
+
+    const auto refusal = [&](const QString &column) {
+        const Outcome outcome = run({"compare", path, "--column", column});
+        return outcome.status == 3 && isOneLine(outcome.err) ? outcome.err : QByteArray();
+    };
+    const QByteArray missing = refusal(QStringLiteral("slider.x=R4_x"));
+    QVERIFY2(missing.contains("no column \"slider.x\"") && missing.contains("clock, slider.s, arm.phi (rad), x = y"),
+             missing.constData());
+    QVERIFY(refusal(QStringLiteral("#6=R4_x")).contains("no column \"#6\""));
+    QVERIFY(refusal(QStringLiteral("x = y=R4_x")).contains("several columns are called \"x = y\""));
+}
+
+void TestCommandLine::readsATableByTheCranksAngle_data()
+{
+    QTest::addColumn<QByteArray>("heading");
+    QTest::addColumn<double>("first"); // °
+    QTest::addColumn<double>("step");
+    QTest::addColumn<double>("unit"); // in a degree
+    QTest::addColumn<QString>("options");
+    const double radian = 180.0 / std::numbers::pi;
+    QTest::newRow("textbook, every 15°") << QByteArray("Crank angle (deg)") << 0.0 << 15.0 << 1.0 << QString();
+    QTest::newRow("engine, two turns") << QByteArray("CAD") << -360.0 << 30.0 << 1.0 << QString();
+    QTest::newRow("backwards") << QByteArray("theta2") << 360.0 << -15.0 << 1.0 << QString();
+    QTest::newRow("radians") << QByteArray("theta2 (rad)") << 0.0 << 15.0 << 1.0 / radian << QString();
+    QTest::newRow("said so") << QByteArray("phi") << 0.0 << 15.0 << 1.0 << "--abscissa angle";
+    QTest::newRow("said so of the column")
+        << QByteArray("phi") << 0.0 << 15.0 << 1.0 / radian << "--column \"phi=crank-angle [rad]\"";
+}
+
+void TestCommandLine::readsATableByTheCranksAngle()
+{
+    QFETCH(const QByteArray, heading);
+    QFETCH(const double, first);
+    QFETCH(const double, step);
+    QFETCH(const double, unit);
+    QFETCH(const QString, options);
+    QByteArray table = heading + ",Slider position (mm),Coupler angle (deg)\n";
+    for (int row = 0; row <= 24; ++row) {
+        const double angle = first + step * row;
+        const Textbook at = textbook(20, 60, 25, 1.0, angle * kDegree, false);
+        table += QByteArray::number(angle * unit, 'g', 9) + ',' + QByteArray::number(at.R4x, 'f', 5) + ',' +
+                 QByteArray::number(at.theta3 / kDegree, 'f', 5) + '\n';
+    }
+    QTemporaryDir folder;
+    const QString path = writeFile(folder.filePath(QStringLiteral("table.csv")), table);
+    const QStringList compare =
+        QStringList{"compare", path, "--fail-on-difference", "--format", "json"} + QProcess::splitCommand(options);
+
+    // Whatever the drive: positions by angle do not depend on it.
+    for (const QStringList &drive :
+         {QStringList{}, QStringList{"--omega2", "-157"}, QStringList{"--omega2", "1e-3", "--theta20", "2rad"}}) {
+        const Outcome same = run(compare + QStringList{"--b", "60"} + drive);
+        QVERIFY2(same.status == 0, same.out.constData());
+        const QJsonObject entry = QJsonDocument::fromJson(same.out).object()["files"].toArray().first().toObject();
+        QCOMPARE(entry["columns"].toArray().first().toObject()["channel"].toString(), QStringLiteral("crank-angle"));
+        QCOMPARE(entry["columns"].toArray().first().toObject()["guessed"].toBool(), options.isEmpty());
+        const QJsonObject slider = entry["channels"].toArray().first().toObject();
+        QCOMPARE(slider["count"].toInt(), 25);
+        QVERIFY(slider["maxAbs"].toDouble() <= 0.51e-5 + 20 * 1e-8 * 10);
+    }
+    // And it is not the motion of another mechanism, nor said of a wrong angle.
+    QCOMPARE(run(compare + QStringList{"--b", "60.01"}).status, 1);
+    const Outcome text = run(QStringList{"compare", path} + QProcess::splitCommand(options));
+    QVERIFY2(text.out.contains("b = 60 instead of 65 mm"), text.out.constData());
+    QVERIFY2(text.out.contains("25 angles, timed by ω2 = 6.28318531 rad/s") && text.out.contains("at θ2 [°]"),
+             text.out.constData());
+
+    const Outcome still = run(compare + QStringList{"--omega2", "0"});
+    QCOMPARE(still.status, 3);
+    QVERIFY2(isOneLine(still.err) && still.err.contains("choose another ω₂"), still.err.constData());
+}
+
+void TestCommandLine::knowsNoSpeedOfATableWithoutDerivatives()
+{
+    QByteArray table = "Crank angle (deg),R4_x\n";
+    for (int angle = 0; angle <= 360; angle += 15) {
+        const Textbook at = textbook(20, 60, 25, 1.0, angle * kDegree, false);
+        table += QByteArray::number(angle) + ',' + QByteArray::number(at.R4x, 'f', 5) + '\n';
+    }
+    QTemporaryDir folder;
+    const QString path = writeFile(folder.filePath(QStringLiteral("table.csv")), table);
+    const QStringList identify{"identify", path, "--omega2", "3", "--theta20", "30deg"};
+    const Outcome json = run(identify + QStringList{"--format", "json"});
+    QCOMPARE(json.status, 0);
+    const QJsonObject found = QJsonDocument::fromJson(json.out).object();
+    const QJsonObject mechanism = found["mechanism"].toObject();
+    const QJsonObject error = found["standardError"].toObject();
+    const QJsonObject identifiable = found["identifiable"].toObject();
+    for (const auto &[name, value] : {std::pair{"a", 20.0}, std::pair{"b", 60.0}, std::pair{"c", 25.0}}) {
+        QVERIFY(identifiable[QLatin1String(name)].toBool());
+        QVERIFY(error[QLatin1String(name)].toDouble() < 1e-4);
+        QVERIFY(std::abs(mechanism[QLatin1String(name)].toDouble() - value) <
+                5.0 * error[QLatin1String(name)].toDouble());
+    }
+    for (const auto &[name, value] : {std::pair{"omega2", 3.0}, std::pair{"theta20", 30.0 * kDegree}}) {
+        QCOMPARE(identifiable[QLatin1String(name)], QJsonValue(false));
+        QCOMPARE(error[QLatin1String(name)], QJsonValue(QJsonValue::Null));
+        QCOMPARE(mechanism[QLatin1String(name)].toDouble(), value);
+    }
+    const Outcome text = run(identify);
+    QVERIFY2(text.out.contains("The data do not fix ω₂ = 3 rad/s and θ₂₀ = 30°: kept as given."), text.out.constData());
+    QVERIFY2(text.out.contains("--a 20 --b 60 --c 25 --omega2 3 "), text.out.constData());
+}
+
+void TestCommandLine::takesTheSpeedFromTheDerivatives()
+{
+    const auto tableOfSpeed = [](double omega2) {
+        QByteArray table =
+            "Crank angle (deg),Slider position (mm),Slider velocity (mm/s),Slider acceleration (m/s^2)\n";
+        for (int angle = 0; angle <= 360; angle += 15) {
+            const Textbook at = textbook(20, 60, 25, omega2, angle * kDegree, false);
+            table += QByteArray::number(angle) + ',' + QByteArray::number(at.R4x, 'f', 4) + ',' +
+                     QByteArray::number(at.R4xDot, 'f', 1) + ',' + QByteArray::number(at.R4xDDot / 1000.0, 'f', 3) +
+                     '\n';
+        }
+        return table;
+    };
+    QTemporaryDir folder;
+    for (const double omega2 : {157.0, -42.0}) {
+        const QString path = writeFile(folder.filePath(QStringLiteral("table.csv")), tableOfSpeed(omega2));
+        const Outcome json = run({"identify", path, "--format", "json"});
+        const QJsonObject found = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(found["outcome"].toString(), QStringLiteral("identified"));
+        QCOMPARE(found["identifiable"].toObject()["omega2"], QJsonValue(true));
+        QCOMPARE(found["identifiable"].toObject()["theta20"], QJsonValue(false));
+        const double error = found["standardError"].toObject()["omega2"].toDouble();
+        QVERIFY(error > 0.0 && error < 1e-4 * std::abs(omega2));
+        QVERIFY(std::abs(found["mechanism"].toObject()["omega2"].toDouble() - omega2) < 4.0 * error);
+        QCOMPARE(found["rounded"].toObject()["omega2"].toDouble(), omega2);
+        QVERIFY(found["summary"].toString().contains(QStringLiteral("ω₂ is what its derivatives say")));
+
+        // Against the model's speed only the derivatives differ; against the file's nothing.
+        const Outcome other = run({"compare", path, "--b", "60"});
+        QVERIFY2(other.out.contains("Differs from this mechanism in 2 of 3 channels"), other.out.constData());
+        QVERIFY2(other.out.contains("This error looks like ω₂ = " + QByteArray::number(omega2)), other.out.constData());
+        QCOMPARE(
+            run({"compare", path, "--b", "60", "--omega2", QString::number(omega2), "--fail-on-difference"}).status, 0);
+    }
+}
+
+void TestCommandLine::saysWhereTheAnglesAreCountedFrom()
+{
+    // From the outer dead centre, as engines do, and clockwise.
+    const double dead = std::asin(25.0 / 80.0) / kDegree;
+    for (const double sign : {1.0, -1.0}) {
+        QByteArray table = "CAD,theta3,R4_x\n";
+        for (int angle = 0; angle < 720; angle += 15) {
+            const Textbook at = textbook(20, 60, 25, 1.0, (sign * angle + dead) * kDegree, false);
+            table += QByteArray::number(angle) + ',' + QByteArray::number(at.theta3 / kDegree, 'f', 5) + ',' +
+                     QByteArray::number(at.R4x, 'f', 5) + '\n';
+        }
+        QTemporaryDir folder;
+        const QString path = writeFile(folder.filePath(QStringLiteral("engine.csv")), table);
+        const Outcome json = run({"compare", path, "--b", "60", "--format", "json"});
+        const QJsonObject entry = QJsonDocument::fromJson(json.out).object()["files"].toArray().first().toObject();
+        const QJsonArray conventions = entry["explanation"].toObject()["conventions"].toArray();
+        QCOMPARE(conventions.size(), qsizetype(sign > 0.0 ? 1 : 2));
+        const QJsonObject zero = conventions.last().toObject();
+        QCOMPARE(zero["name"].toString(), QStringLiteral("zero-point"));
+        QCOMPARE(zero["channel"].toString(), QStringLiteral("theta2"));
+        QVERIFY(std::abs(zero["amount"].toDouble() - dead) < 1e-4);
+        QVERIFY(zero["after"].toDouble() < 1e-3 && zero["before"].toDouble() > 1.0);
+        if (sign < 0.0) {
+            QCOMPARE(conventions.first().toObject()["name"].toString(), QStringLiteral("sign"));
+        }
+        QVERIFY(entry["explanation"].toObject()["sentence"].toString().contains(
+            QStringLiteral("Read so, it does not differ from this mechanism.")));
+    }
 }
 
 void TestCommandLine::saysWhatIsWrongWithAFile()
@@ -1703,17 +2044,25 @@ void TestCommandLine::forgetsTheSettings()
 void TestCommandLine::helpsEverywhere()
 {
     const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
-    for (const QString &command : {QString(), QStringLiteral("solve"), QStringLiteral("compare"),
-                                   QStringLiteral("identify"), QStringLiteral("study"), QStringLiteral("render")}) {
+    const QString manual = QString::fromUtf8(contentOf(QStringLiteral(SLIDERCRANK_MANUAL))).remove(QLatin1Char('\\'));
+    for (const QString &command :
+         {QString(), QStringLiteral("solve"), QStringLiteral("limits"), QStringLiteral("compare"),
+          QStringLiteral("identify"), QStringLiteral("study"), QStringLiteral("render")}) {
         const QStringList words = command.isEmpty() ? QStringList() : QStringList(command);
         const Outcome help = run(words + QStringList(QStringLiteral("--help")));
         QCOMPARE(help.status, 0);
         QCOMPARE(help.err, QByteArray());
         QVERIFY(help.out.contains("Usage: slidercrank"));
         QVERIFY(help.out.contains("Exit status"));
+        for (auto each = option.globalMatch(QString::fromUtf8(help.out)); each.hasNext();) {
+            const QString name = each.next().captured();
+            QVERIFY2(manual.contains(QRegularExpression(name + QStringLiteral("(?![a-z0-9-])"))), qPrintable(name));
+        }
         const Outcome version = run(words + QStringList(QStringLiteral("--version")));
         QCOMPARE(version.status, 0);
-        QVERIFY(QRegularExpression(QStringLiteral("^slidercrank \\d+\\.\\d+\\.\\d+\n$"))
+        QVERIFY(QRegularExpression(
+                    QStringLiteral("^slidercrank \\d+\\.\\d+\\.\\d+\nQt 6\\.\\d+\\.\\d+, Eigen 3\\.\\d+\\.\\d+, "
+                                   "Highway 1\\.\\d+\\.\\d+, Boost 1\\.\\d+\\.\\d+, \\w+ \\d+[.\\d]*\n$"))
                     .match(QString::fromUtf8(version.out))
                     .hasMatch());
     }

@@ -555,6 +555,9 @@ private slots:
         AWAIT(m_window->session().diagnosis());
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
+        AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
+        const QString checksum = QString::fromLatin1(outputOf(QStringLiteral("sha256sum"), {kSample}).left(64));
+        QCOMPARE(checksum.size(), qsizetype(64));
         const QString rendered = m_folder->filePath(QStringLiteral("rendered.pdf"));
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "report", "--reference", kSample, "--output", rendered});
@@ -570,6 +573,7 @@ private slots:
             for (const char *word : {"inventor_sample.csv", "θ³ [°]", "d²Rₓ⁴/dt² [mm/s²]", "Method"}) {
                 QVERIFY2(text.contains(QString::fromUtf8(word)), qPrintable(QString::fromUtf8(word) + text));
             }
+            QVERIFY2(text.contains(checksum), qPrintable(text));
         }
     }
 

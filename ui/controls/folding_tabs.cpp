@@ -17,7 +17,7 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
     m_bar->setAccessibleName(tr("Panels"));
-    m_bar->setToolTip(tr("F9 folds the panels away and out"));
+    m_bar->setToolTip(tr("F9 hides and shows the panels"));
 
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -25,7 +25,8 @@ namespace
 {
 
 constexpr int kMargin = 3; // px, beside a text in its cell, as the style has it
-constexpr int kAir = 12;   // px, about the longest text of a column
+constexpr int kMarkSize = 13;
+constexpr int kAir = 12; // px, about the longest text of a column
 constexpr int kInstantRole = Qt::UserRole;
 constexpr int kShortTextRole = Qt::UserRole + 1;
 
@@ -85,7 +86,8 @@ public:
             for (int column = 0; column < columnCount(); ++column) {
                 const TableCell &was = before[static_cast<std::size_t>(column)];
                 const TableCell &is = cell(row, column);
-                if (was.text != is.text || was.tint != is.tint || was.ink != is.ink) {
+                if (was.text != is.text || was.tint != is.tint || was.ink != is.ink ||
+                    was.mark.cacheKey() != is.mark.cacheKey()) {
                     emit dataChanged(index(row, column), index(row, column));
                 }
             }
@@ -126,6 +128,7 @@ public:
         case Qt::DisplayRole: return shown.text;
         case Qt::ToolTipRole: return shown.explanation;
         case Qt::AccessibleTextRole: return shown.spoken.isEmpty() ? QVariant() : shown.spoken;
+        case Qt::DecorationRole: return shown.mark.isNull() ? QVariant() : shown.mark;
         case kInstantRole: return instantOf(index) ? QVariant(*instantOf(index)) : QVariant();
         case kShortTextRole: return shown.shortText;
         default: return {};
@@ -189,8 +192,13 @@ public:
         if (cell.text.isEmpty()) {
             return;
         }
+        QRect place = option.rect.adjusted(kMargin, 0, -kMargin, 0);
+        if (!cell.mark.isNull()) {
+            cell.mark.paint(painter, QRect(place.topLeft(), QSize(kMarkSize, place.height())));
+            place.setLeft(place.left() + kMarkSize + kMargin);
+        }
         const bool wraps = option.features.testFlag(QStyleOptionViewItem::WrapText);
-        painter->drawText(option.rect.adjusted(kMargin, 0, -kMargin, 0),
+        painter->drawText(place,
                           static_cast<int>(m_model.alignmentOf(index.column())) |
                               static_cast<int>(wraps ? Qt::TextWordWrap : Qt::TextSingleLine),
                           wraps ? cell.text : shownText(cell, option.rect, option.fontMetrics));
@@ -198,7 +206,7 @@ public:
 
     static QString shownText(const TableCell &cell, const QRect &place, const QFontMetrics &metrics)
     {
-        const int room = place.width() - 2 * kMargin;
+        const int room = place.width() - 2 * kMargin - (cell.mark.isNull() ? 0 : kMarkSize + kMargin);
         const bool fits = cell.shortText.isEmpty() || metrics.horizontalAdvance(cell.text) <= room;
         return metrics.elidedText(fits ? cell.text : cell.shortText, Qt::ElideRight, room);
     }
@@ -240,6 +248,7 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
     setWordWrap(false);
+    setIconSize({kMarkSize, kMarkSize});
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setHighlightSections(false);

@@ -7,6 +7,7 @@
 
 #include "core/mechanism/mechanism_part.h"
 
+#include <QIcon>
 #include <QTableView>
 
 #include <optional>
@@ -32,6 +33,7 @@ struct TableCell {
     QString spoken = {};                ///< by a screen reader, where it is not the text
     std::optional<double> instant = {}; ///< s, where a click on it leads
     QString csv = {};                   ///< in the CSV instead of the text
+    QIcon mark = {};                    ///< before the text
 };
 
 struct TableRow {

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <cstdio>
 #include <optional>
 
 #ifdef Q_OS_UNIX
@@ -28,7 +29,9 @@ class Stream
 {
 public:
     explicit Stream(const QString &path)
-        : m_descriptor(::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
+        : m_descriptor(isStandardInput(path)
+                           ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                           : ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
     {
     }
     ~Stream()
@@ -69,7 +72,8 @@ public:
     explicit Stream(const QString &path)
         : m_file(path)
     {
-        m_file.open(QIODevice::ReadOnly | QIODevice::Unbuffered);
+        const QIODevice::OpenMode mode = QIODevice::ReadOnly | QIODevice::Unbuffered;
+        isStandardInput(path) ? m_file.open(stdin, mode) : m_file.open(mode);
     }
 
     bool isOpen() const { return m_file.isOpen(); }
@@ -86,6 +90,11 @@ private:
 #endif
 
 } // namespace
+
+bool isStandardInput(const QString &path)
+{
+    return path == u"-";
+}
 
 bool isStream(const QFileInfo &file)
 {

@@ -15,6 +15,9 @@ class QFileInfo;
 namespace slidercrank
 {
 
+/// What is read from standard input rather than from a file of that name: "-".
+bool isStandardInput(const QString &path);
+
 /// Neither a file with something in it nor a folder.
 bool isStream(const QFileInfo &file);
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/reference_file.h"
 
+#include "core/reading/crank_angles.h"
 #include "ui/document/byte_stream.h"
+#include "ui/words/column_text.h"
+#include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -50,6 +54,9 @@ bool isOfTheSame(const Convention &convention, const ReferenceData &x, const Ref
     const bool concernsTime =
         convention.kind == Convention::Kind::TimeUnit || convention.kind == Convention::Kind::TimeShift;
     return (!concernsTime || isSame(x.time, y.time)) && std::ranges::all_of(convention.channels, [&](Channel channel) {
+               if (x.crank && y.crank && channel == Channel{Theta2, Order::Position}) {
+                   return isSame(x.crank->degrees, y.crank->degrees);
+               }
                const ReferenceSeries *of = x.find(channel);
                const ReferenceSeries *other = y.find(channel);
                return of && other && isSame(of->values, other->values);
@@ -60,6 +67,11 @@ struct ReferenceFileText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferenceFileText)
 };
 
+FileState stateOf(const QFileInfo &info)
+{
+    return {info.size(), info.lastModified()};
+}
+
 QString cannotBeRead(const QString &file, const QString &reason)
 {
     return ReferenceFileText::tr("%1 cannot be read: %2.").arg(file, reason);
@@ -67,9 +79,21 @@ QString cannotBeRead(const QString &file, const QString &reason)
 
 } // namespace
 
+QString shownNameOf(const QString &path)
+{
+    return isStandardInput(path) ? ReferenceFileText::tr("Standard input") : QDir::toNativeSeparators(path);
+}
+
 QString sentenceOf(const ReadError &error, const QString &file)
 {
-    const QString reason = sentenceOf(error.fault);
+    QString reason = sentenceOf(error.fault);
+    if (error.fault.kind == ReadFault::Kind::NoSuchColumn) {
+        QStringList headings;
+        for (std::size_t i = 0; i < error.layout.columns.size(); ++i) {
+            headings += headingText(error.layout, i);
+        }
+        reason += u' ' + ReferenceFileText::tr("There are: %1.").arg(headings.join(QStringLiteral(", ")));
+    }
     if (error.line == 0) {
         return QStringLiteral("%1: %2").arg(file, reason);
     }
@@ -84,16 +108,17 @@ QString sentenceOf(const ReadError &error, const QString &file)
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop,
                                                                       const ReadOptions &options)
 {
-    const QString shown = QDir::toNativeSeparators(path);
+    const QString shown = shownNameOf(path);
     const QFileInfo info(path);
     if (info.isDir()) {
         return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
     }
     std::variant<ReferenceData, ReadError> outcome;
     QFile file(path);
-    if (isStream(info)) {
-        std::variant<QByteArray, QString> bytes = readStream(path, stop, [](const QByteArray &beginning) {
-            return std::holds_alternative<ReferenceData>(readReferenceData(viewOf(beginning)));
+    if (isStandardInput(path) || isStream(info)) {
+        const ReadOptions asChosen{options.columns, {}, options.named};
+        std::variant<QByteArray, QString> bytes = readStream(path, stop, [&](const QByteArray &beginning) {
+            return std::holds_alternative<ReferenceData>(readReferenceData(viewOf(beginning), {}, asChosen));
         });
         if (const QString *reason = std::get_if<QString>(&bytes)) {
             return cannotBeRead(shown, *reason);
@@ -112,7 +137,8 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     }
     auto reference = std::make_shared<Reference>();
     reference->path = path;
-    reference->name = info.fileName();
+    reference->name = isStandardInput(path) ? shown : info.fileName();
+    reference->state = stateOf(info);
     reference->data = std::move(std::get<ReferenceData>(outcome));
     reference->columns = options.columns;
     return reference;
@@ -129,6 +155,40 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const Refe
         }
     }
     return outcome;
+}
+
+std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism &mechanism,
+                                                                const std::shared_ptr<const Reference> &reference)
+{
+    if (!reference || !reference->data.crank) {
+        return reference;
+    }
+    std::optional<ReferenceData> data = timedBy(mechanism, reference->data);
+    if (!data) {
+        return ReferenceFileText::tr("%1 counts by the crank's angle, and with ω₂ = %2 the crank does not come to its "
+                                     "angles one after the other: choose another ω₂.")
+            .arg(shownNameOf(reference->path), parameterText(Parameter::Omega2, mechanism.omega2()));
+    }
+    auto timed = std::make_shared<Reference>(*reference);
+    timed->data = *std::move(data);
+    return timed;
+}
+
+std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &reference)
+{
+    const std::vector<FileColumn> &columns = reference.data.layout.columns;
+    const auto found = std::ranges::find_if(columns, [](const FileColumn &column) {
+        return column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle;
+    });
+    const auto abscissa = static_cast<std::size_t>(found - columns.begin());
+    const std::string &printed = columns[abscissa].unit;
+    const std::optional<Unit> unit = unitOf(printed);
+    const bool suits = printed.empty() || (role == ColumnRole::CrankAngle ? unitsPerDegree(printed).has_value()
+                                                                          : unit && unit->dimension == Dimension::Time);
+    std::vector<ColumnChoice> choices = reference.columns;
+    std::erase_if(choices, [abscissa](const ColumnChoice &choice) { return choice.column == abscissa; });
+    choices.push_back({abscissa, role, {}, suits ? "" : role == ColumnRole::CrankAngle ? "deg" : "s"});
+    return choices;
 }
 
 ReferenceSource sourceOf(const Reference &reference)
@@ -158,6 +218,16 @@ std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
         }
     }
     return reference;
+}
+
+QByteArray checksumOf(const Reference &reference)
+{
+    const QFileInfo info(reference.path);
+    QFile file(reference.path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const bool isRead = !isStream(info) && stateOf(info) == reference.state && file.open(QIODevice::ReadOnly) &&
+                        hash.addData(&file) && stateOf(QFileInfo(reference.path)) == reference.state;
+    return isRead ? hash.result().toHex() : QByteArray();
 }
 
 QByteArray beginningOf(const QString &path)

@@ -10,9 +10,12 @@
 #include "ui/words/written_number.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -67,7 +70,8 @@ ReportBlock mechanismBlock(const ReportContent &content)
     const Identification &found = content.diagnosis.identification;
     ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
     if (content.hasGhost) {
-        block.text = Report::tr("Thin: the linkage as the file has it.");
+        block.text = content.result->reference ? Report::tr("Thin: the mechanism as the file has it.")
+                                               : Report::tr("Thin: the mechanism that was kept.");
     }
     if (isFound(content)) {
         block.table.header << (found.outcome == Identification::Outcome::Identified ? Report::tr("the file's own")
@@ -90,11 +94,75 @@ ReportBlock mechanismBlock(const ReportContent &content)
     return block;
 }
 
+/// What the thin curves are; empty where there are none.
+QString keptText(const Result &result)
+{
+    QStringList motions;
+    for (const Parameters &kept : result.kept) {
+        motions << keptText(kept, result.mechanism.parameters());
+    }
+    return motions.isEmpty()
+               ? QString()
+               : Report::tr("Thin curves: motions that were kept, %1.").arg(motions.join(Report::tr("; ")));
+}
+
+ReportTable differenceTable(const MotionDifference &difference)
+{
+    ReportTable table{{Report::tr("channel"), Report::tr("largest difference"), Report::tr("at [s]"), Report::tr("rms"),
+                       Report::tr("% of peak")},
+                      {},
+                      QStringLiteral("tnnnn")};
+    for (const ChannelDifference &channel : difference.channels) {
+        const bool isInfinite = channel.maxAbs && std::isinf(*channel.maxAbs);
+        table.rows.push_back({QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
+                              isInfinite ? QStringLiteral("∞") : shortNumber(channel.maxAbs, kErrorDigits),
+                              channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
+                              shortNumber(channel.rms, kErrorDigits),
+                              shortNumber(channel.percentOfPeak, kErrorDigits)});
+    }
+    return table;
+}
+
 QString fileText(const Reference &reference)
 {
     const std::vector<double> &time = reference.data.time;
     return Report::tr("Reference: %1, t = %2 s to %3 s, %4 instants.")
         .arg(reference.name, numberText(time.front()), numberText(time.back()), countText(time.size()));
+}
+
+/// When, and by what.
+QString originText(const ReportContent &content)
+{
+    return Report::tr("%1, by %2 %3")
+        .arg(QLocale().toString(content.written, QLocale::LongFormat), QCoreApplication::applicationName(),
+             QCoreApplication::applicationVersion());
+}
+
+/// Which bytes were read; the sample that comes with the program has no place of its own.
+QString identityText(const ReportContent &content)
+{
+    const QString &path = content.result->reference->path;
+    return Report::tr("File: %1\nSHA-256: %2")
+        .arg(path.startsWith(u':') ? Report::tr("the sample that comes with the program")
+                                   : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
+             content.checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or was changed since")
+                                        : QString::fromLatin1(content.checksum));
+}
+
+QString guessedText(const FileLayout &layout)
+{
+    QStringList parts;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        if (isGuess(column.reason)) {
+            const QString meaning = column.role == ColumnRole::Channel
+                                        ? Report::tr("%1 %2").arg(quantityOf(column.channel), symbolOf(column.channel))
+                                        : meaningText(column);
+            parts << Report::tr("“%1” as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
+        }
+    }
+    return parts.isEmpty() ? Report::tr("No column was guessed.")
+                           : Report::tr("Columns guessed: %1.").arg(parts.join(Report::tr("; ")));
 }
 
 /// What was not used of the file; empty where all was.
@@ -239,9 +307,12 @@ void addErrors(std::vector<ReportBlock> &blocks, const Result &result)
 std::vector<ReportBlock> reportOf(const ReportContent &content)
 {
     const Result &result = *content.result;
-    std::vector<ReportBlock> blocks{paragraph(Report::tr("Motion of an offset slider-crank"), Kind::Title)};
+    std::vector<ReportBlock> blocks{paragraph(Report::tr("Motion of an offset slider-crank"), Kind::Title),
+                                    paragraph(originText(content), Kind::Note)};
     if (result.reference) {
         blocks.push_back(paragraph(fileText(*result.reference)));
+        blocks.push_back(paragraph(identityText(content), Kind::Note));
+        blocks.push_back(paragraph(guessedText(result.reference->data.layout), Kind::Note));
         addComparison(blocks, content);
     }
     blocks.push_back(heading(Report::tr("Mechanism")));
@@ -250,9 +321,17 @@ std::vector<ReportBlock> reportOf(const ReportContent &content)
         addIdentification(blocks, content);
         addErrors(blocks, result);
     }
+    if (result.difference) {
+        blocks.push_back(heading(
+            Report::tr("This mechanism − kept %1").arg(keptText(result.kept.back(), result.mechanism.parameters()))));
+        blocks.push_back({Kind::Table, {}, differenceTable(*result.difference)});
+    }
     blocks.push_back(heading(Report::tr("Method")));
     blocks.push_back(paragraph(methodText(result)));
-    blocks.push_back(heading(result.reference ? Report::tr("Motion and errors") : Report::tr("Motion")));
+    blocks.push_back(heading(result.isCompared() ? Report::tr("Motion and errors") : Report::tr("Motion")));
+    if (const QString kept = keptText(result); !kept.isEmpty()) {
+        blocks.push_back(paragraph(kept));
+    }
     blocks.push_back({Kind::Figure, {}, {}});
     return blocks;
 }

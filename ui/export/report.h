@@ -2,12 +2,14 @@
 #pragma once
 
 // What a report on paper says: the mechanism, how far a reference file is from it and whose motion that file is, the
-// figure, the method. Blocks of text and tables in their order, and places for the two drawings; ui/report_pages puts
-// them on pages.
+// figure, the method; and from what it was made: date, program, file, checksum, guessed columns. Blocks of text and
+// tables in their order, and places for the two drawings; ui/report_pages puts them on pages.
 
 #include "core/diagnosis/diagnosis.h"
 #include "ui/document/result.h"
 
+#include <QByteArray>
+#include <QDateTime>
 #include <QString>
 #include <QStringList>
 
@@ -21,6 +23,8 @@ struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null; its reference may be
     Diagnosis diagnosis;                  ///< of the reference against the mechanism; without one, of no meaning
     bool hasGhost = false;                ///< the drawing shows the file's linkage, too
+    QByteArray checksum = {};             ///< of the reference's file, in hexadecimal; empty: there is none
+    QDateTime written = QDateTime::currentDateTime();
 };
 
 struct ReportTable {

@@ -12,6 +12,7 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextOption>
 
 #include <algorithm>
 #include <cmath>
@@ -211,9 +212,16 @@ private:
     double bottom() const { return m_page.height() - kMargin - kFooter; }
     double textHeight(const ReportBlock &block) const
     {
-        return QFontMetricsF(fontOf(block.kind))
-            .boundingRect(QRectF(0.0, 0.0, width(), 1e6), Qt::TextWordWrap, unbroken(block.text))
-            .height();
+        m_painter.setFont(fontOf(block.kind));
+        return m_painter.boundingRect(QRectF(0.0, 0.0, width(), 1e6), unbroken(block.text), wrapping()).height();
+    }
+
+    /// Between words; a path that is longer than a line, anywhere.
+    static QTextOption wrapping()
+    {
+        QTextOption option;
+        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+        return option;
     }
 
     /// What of a block has to stay together with a heading before it.
@@ -290,7 +298,7 @@ private:
         need(height);
         m_painter.setFont(fontOf(block.kind));
         m_painter.setPen(colourOf(block.kind, m_colours));
-        m_painter.drawText(QRectF(kMargin, m_y, width(), height + 1.0), Qt::TextWordWrap, unbroken(block.text));
+        m_painter.drawText(QRectF(kMargin, m_y, width(), height + 1.0), unbroken(block.text), wrapping());
         m_y += height + kGap;
     }
 

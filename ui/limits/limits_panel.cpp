@@ -5,12 +5,20 @@
 #include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
 #include "ui/controls/paragraph.h"
+#include "ui/controls/save_dialog.h"
+#include "ui/document/whole_file.h"
 #include "ui/words/motion_facts.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QStandardPaths>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -98,11 +106,8 @@ LimitsPanel::LimitsPanel(QWidget *parent)
     : QWidget(parent)
 {
     named("limitsPanel", this, tr("Motion limits"));
-    m_sentence = named("mobilityLabel", new Paragraph);
-    m_sentence->setTextFormat(Qt::PlainText);
-
     const QString valueName = QStringLiteral("value");
-    const TableColumn value{tr("value"), tr("Positions are Rₓ⁴, those of the slider"), valueName};
+    const TableColumn value{tr("value"), tr("Positions are those of the slider, Rₓ⁴, measured from O₂"), valueName};
     const TableColumn signedValue{tr("value"), tr("With its sign: x to the right, angles counter-clockwise"),
                                   valueName};
     const TableColumn angle{tr("θ₂ [°]"), tr("Crank angle, 0 to 360°"), QStringLiteral("theta2 [°]")};
@@ -132,10 +137,64 @@ LimitsPanel::LimitsPanel(QWidget *parent)
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setWidget(page);
     auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(6, 6, 6, 4);
-    rows->setSpacing(4);
-    rows->addWidget(m_sentence);
+    rows->setContentsMargins(6, 2, 6, 0);
+    rows->setSpacing(2);
+    rows->addLayout(createHead());
     rows->addWidget(m_scroll, 1);
+}
+
+QLayout *LimitsPanel::createHead()
+{
+    m_sentence = named("mobilityLabel", new Paragraph);
+    m_sentence->setTextFormat(Qt::PlainText);
+    auto *copyButton = named("copyLimitsButton", new QToolButton);
+    copyButton->setText(tr("Copy as CSV"));
+    copyButton->setToolTip(tr("Both tables with every digit (Ctrl+C in one of them: the rows that are chosen)"));
+    connect(copyButton, &QToolButton::clicked, this, &LimitsPanel::copy);
+    auto *exportButton = named("exportLimitsButton", new QToolButton);
+    exportButton->setText(tr("Export…"));
+    exportButton->setToolTip(tr("Both tables as a CSV file"));
+    connect(exportButton, &QToolButton::clicked, this, &LimitsPanel::chooseFile);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_sentence, 1);
+    head->addWidget(copyButton);
+    head->addWidget(exportButton);
+    return head;
+}
+
+QString LimitsPanel::csv()
+{
+    if (m_stale) {
+        fill();
+    }
+    const QString peaks = m_peaks->csv();
+    return m_positions->csv() + peaks.sliced(peaks.indexOf(u'\n') + 1); // one line of names for both
+}
+
+void LimitsPanel::copy()
+{
+    QApplication::clipboard()->setText(csv());
+    emit rowsCopied(m_positions->model()->rowCount() + m_peaks->model()->rowCount());
+}
+
+std::optional<QString> LimitsPanel::exportCsv(const QString &path)
+{
+    const std::optional<QString> reason = writeWhole(path, csv().toUtf8());
+    return reason ? std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
+}
+
+void LimitsPanel::chooseFile()
+{
+    chooseFileToSave(this, {tr("Export"),
+                            {tr("Tables (*.csv)")},
+                            lastFolder(QStandardPaths::DocumentsLocation),
+                            tr("limits.csv"),
+                            [this](const QString &path, const QString &) {
+                                if (const std::optional<QString> problem = exportCsv(path)) {
+                                    emit problemFound(*problem);
+                                }
+                            }});
 }
 
 NumberTable *LimitsPanel::createTable(const QString &name, const QString &title, std::vector<TableColumn> columns)

@@ -28,6 +28,9 @@ class LimitsPanel : public QWidget
 public:
     explicit LimitsPanel(QWidget *parent = nullptr);
 
+    /// Both tables, as they are on show; a sentence when it could not be written.
+    std::optional<QString> exportCsv(const QString &path);
+
 public slots:
     /// Kept; computed and filled in when the panel is on show.
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
@@ -35,6 +38,7 @@ public slots:
 signals:
     void timeRequested(double seconds); ///< somebody wants to see the mechanism there
     void rowsCopied(int count);
+    void problemFound(const QString &sentence); ///< one sentence, for the message bar
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -43,6 +47,10 @@ protected:
 
 private:
     NumberTable *createTable(const QString &name, const QString &title, std::vector<TableColumn> columns);
+    QLayout *createHead(); ///< the sentence, and what can be done with the tables
+    QString csv();         ///< of both tables, as the result on show has it
+    void copy();
+    void chooseFile();
     void showLater(); ///< m_result, at once where the panel is on show
     void fill();
     void arrange(); ///< the tables side by side where there is room, else one above the other

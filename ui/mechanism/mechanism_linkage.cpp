@@ -142,25 +142,28 @@ void paintExplanations(QPainter &painter, const MechanismCanvas &on, const Mecha
     paintLabels(painter, on, drawing, exists ? ink : mixed(ink, on.colours.background, 0.35), room);
 }
 
-void paintGhost(QPainter &painter, const MechanismCanvas &on, const ReferencePose &ghost)
+void paintGhost(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
 {
+    const ReferencePose &ghost = drawing.ghost;
+    const bool isOfFile = !drawing.result->difference;
+    const QColor colour = isOfFile ? on.colours.reference : on.colours.kept;
     const QPointF crank = on.toPixels({ghost.pinX, ghost.pinY});
     const QPointF slider = on.toPixels({ghost.sliderX, ghost.sliderY});
-    painter.setPen(QPen(on.colours.reference, kGhostWidth, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(colour, kGhostWidth, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(on.toPixels({0.0, 0.0}), crank);
     painter.drawLine(crank, slider);
     painter.setBrush(Qt::NoBrush);
     painter.setRenderHint(QPainter::Antialiasing, false); // upright edges need none, and cost less without
-    painter.setPen(on.colours.reference);
+    painter.setPen(colour);
     painter.drawRect(blockAt(slider));
     const double side = 2.0 * kGhostJointRadius;
     for (const QPointF &joint : {crank, slider}) {
-        painter.fillRect(QRectF(joint.x() - kGhostJointRadius, joint.y() - kGhostJointRadius, side, side),
-                         on.colours.reference);
+        painter.fillRect(QRectF(joint.x() - kGhostJointRadius, joint.y() - kGhostJointRadius, side, side), colour);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(on.smallFont);
-    painter.drawText(ghostWordPlace(on, slider), Qt::AlignCenter, MechanismLinkage::tr("file"));
+    painter.drawText(ghostWordPlace(on, slider), Qt::AlignCenter,
+                     isOfFile ? MechanismLinkage::tr("file") : MechanismLinkage::tr("kept"));
 }
 
 /// Where the crank should be, and why it cannot be there.
@@ -221,7 +224,7 @@ void paintLinkage(QPainter &painter, const MechanismCanvas &on, const MechanismD
     }
     paintExplanations(painter, on, drawing);
     if (drawing.ghost.exists) {
-        paintGhost(painter, on, drawing.ghost);
+        paintGhost(painter, on, drawing);
     }
     if (!drawing.pose.exists()) {
         paintMissingPose(painter, on, drawing);

@@ -51,7 +51,7 @@ QStringList motionLines(const MechanismDrawing &drawing, LinkagePoint point)
               << vectorText(MechanismWords::tr("acceleration %1 mm/s² (%2; %3)"), motion.acceleration,
                             size * omega2 * omega2);
     } else {
-        lines << MechanismWords::tr("no velocity: the coupler stands square to the slider's line");
+        lines << MechanismWords::tr("no velocity: the coupler is perpendicular to the slider's line");
     }
     return lines;
 }

@@ -64,7 +64,7 @@ IterationPlot::IterationPlot(QWidget *parent)
     : QWidget(parent)
 {
     named("iterationPlot", this, tr("Residual ‖C‖ over the iterations"));
-    setToolTip(tr("Near the answer each step doubles the right digits: on this axis the line bends down"));
+    setToolTip(tr("Near the solution each iteration doubles the number of correct digits: the line bends down"));
 }
 
 void IterationPlot::setHistories(const IterationHistory &fromAfar, const IterationHistory &fromBefore,
@@ -92,7 +92,7 @@ void IterationPlot::setHistories(const IterationHistory &fromAfar, const Iterati
             told << QStringLiteral("%1: %2").arg(start, numbers.join(QStringLiteral("; ")));
         }
     };
-    tell(tr("From afar"), m_fromAfar);
+    tell(tr("From a rough start"), m_fromAfar);
     tell(tr("From %1 s earlier").arg(numberText(seconds)), m_fromBefore);
     setAccessibleDescription(told.join(QStringLiteral(". ")));
     update();
@@ -179,7 +179,7 @@ void IterationPlot::paintLegend(QPainter &painter, const Axes &axes, const Serie
         right -= width + 4.0 * kRadius + 8.0;
     };
     add(Mark::Square, colours.reference, tr("from %1 s earlier").arg(numberText(m_seconds)), m_fromBefore);
-    add(Mark::Dot, colours.model, tr("from afar"), m_fromAfar);
+    add(Mark::Dot, colours.model, tr("from a rough start"), m_fromAfar);
 
     const bool relative = m_options.toleranceKind == ToleranceKind::Relative;
     const QString name = relative ? tr("‖C‖, relative") : tr("‖C‖");

@@ -51,7 +51,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     auto *equations =
         new NumberTable(QStringLiteral("equationTable"), tr("Equations, a row a constraint"), equationColumns());
     equations->setColumnText(0, longestConstraintName());
-    equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ² + b/2 cos θ³ = 0"));
+    equations->setColumnText(1, QStringLiteral("−R_y³ + R_y² + a/2 cos θ₂ + b/2 cos θ³ = 0"));
     equations->setColumnText(2, QStringLiteral("-0.000·10⁻¹⁰"));
     equations->setColumnText(3, QStringLiteral("-0000.0000"));
     equations->setColumnText(4, QStringLiteral("-0000.0000"));
@@ -136,7 +136,7 @@ QWidget *NewtonPanel::createJacobianPage()
     m_jacobianNote->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_jacobianNote->setToolTip(
         tr("κ: the largest singular value over the smallest, mm and rad mixed as in C_q. The larger it is, the more "
-           "digits are lost; it is infinite where the coupler stands square to the slider's line."));
+           "digits are lost; it is infinite where the coupler is perpendicular to the slider's line."));
 
     auto *page = new QWidget;
     auto *beside = new QHBoxLayout(page);
@@ -163,9 +163,9 @@ QWidget *NewtonPanel::createIterationPage()
     return page;
 }
 
-void NewtonPanel::setSettings(const Sampling &sampling, const SolverSettings &solver)
+void NewtonPanel::setSolver(const SolverSettings &solver)
 {
-    m_form->setSettings(sampling, solver);
+    m_form->setSolver(solver);
 }
 
 void NewtonPanel::setResult(const std::shared_ptr<const Result> &result)
@@ -282,8 +282,8 @@ void NewtonPanel::explain(Status status)
     switch (status) {
     case Status::Solved: break;
     case Status::Singular:
-        text = tr("The coupler stands square to the slider's line: C_q is singular. The position exists, velocity and "
-                  "acceleration do not.");
+        text = tr("The coupler is perpendicular to the slider's line: C_q is singular. The position exists, velocity "
+                  "and acceleration do not.");
         break;
     case Status::IterationLimit:
         text = tr("Not converged within %1 iterations: what is shown is the last one. Allow more iterations or a "
@@ -291,7 +291,7 @@ void NewtonPanel::explain(Status status)
                    .arg(QLocale().toString(m_result->solver.newton.maxIterations));
         break;
     case Status::NotAssemblable: text = tr("It cannot be assembled here: the coupler is too short."); break;
-    case Status::NotFinite: text = tr("No finite number comes out here: the numbers are too large."); break;
+    case Status::NotFinite: text = tr("The result is too large to be a number here."); break;
     }
     setInk(*m_remark, seriesColours(palette()).warning);
     m_remark->setText(text.isEmpty() ? text : tr("⚠ %1").arg(text));

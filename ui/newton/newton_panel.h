@@ -35,13 +35,13 @@ public:
 
 public slots:
     /// Shows them; emits nothing.
-    void setSettings(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
+    void setSolver(const slidercrank::SolverSettings &solver);
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
     void setPose(const slidercrank::Pose &pose);
 
 signals:
     void rowsCopied(int count);
-    void edited(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
+    void edited(const slidercrank::SolverSettings &solver);
 
     /// What the row under the mouse, or the current one, is about; None: nothing is pointed at.
     void partHovered(slidercrank::MechanismPart part);

@@ -56,15 +56,15 @@ QString equationOf(Constraint row)
         QStringLiteral("Rₓ¹ = 0"),
         QStringLiteral("R_y¹ = 0"),
         QStringLiteral("θ¹ = 0"),
-        QStringLiteral("Rₓ² − a/2 cos θ² = 0"),
-        QStringLiteral("R_y² − a/2 sin θ² = 0"),
-        QStringLiteral("−Rₓ³ + Rₓ² + a/2 cos θ² + b/2 cos θ³ = 0"),
-        QStringLiteral("−R_y³ + R_y² + a/2 sin θ² + b/2 sin θ³ = 0"),
+        QStringLiteral("Rₓ² − a/2 cos θ₂ = 0"),
+        QStringLiteral("R_y² − a/2 sin θ₂ = 0"),
+        QStringLiteral("−Rₓ³ + Rₓ² + a/2 cos θ₂ + b/2 cos θ³ = 0"),
+        QStringLiteral("−R_y³ + R_y² + a/2 sin θ₂ + b/2 sin θ³ = 0"),
         QStringLiteral("Rₓ⁴ − Rₓ³ − b/2 cos θ³ = 0"),
         QStringLiteral("R_y⁴ − R_y³ − b/2 sin θ³ = 0"),
         QStringLiteral("θ⁴ − θ¹ = 0"),
         QStringLiteral("R_y⁴ − c = 0"),
-        QStringLiteral("θ² − ω₂ t − θ₂₀ = 0")};
+        QStringLiteral("θ₂ − ω₂ t − θ₂₀ = 0")};
     return kEquations[static_cast<std::size_t>(row)];
 }
 
@@ -163,7 +163,7 @@ QString longestBodyName()
 std::vector<TableColumn> equationColumns()
 {
     return {
-        {NewtonTables::tr("joint"), NewtonTables::tr("What the equation holds together"), QStringLiteral("joint"),
+        {NewtonTables::tr("joint"), NewtonTables::tr("The joint that the equation is of"), QStringLiteral("joint"),
          false},
         {NewtonTables::tr("equation"),
          NewtonTables::tr("C(q, t) = 0, the bodies as superscripts: 1 ground, 2 crank, "
@@ -292,9 +292,9 @@ std::vector<TableRow> coordinateRows(const Mechanism &mechanism, const State &st
 std::vector<TableColumn> iterationColumns()
 {
     return {{NewtonTables::tr("step"), NewtonTables::tr("0: the start"), QStringLiteral("step"), true},
-            {NewtonTables::tr("● ‖C‖"), NewtonTables::tr("From afar: θ² exact, θ³ = 0 (crossed: 180°)"),
+            {NewtonTables::tr("● ‖C‖"), NewtonTables::tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)"),
              QStringLiteral("residual_from_afar")},
-            {NewtonTables::tr("● θ³ [°]"), NewtonTables::tr("From afar: θ² exact, θ³ = 0 (crossed: 180°)"),
+            {NewtonTables::tr("● θ³ [°]"), NewtonTables::tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)"),
              QStringLiteral("theta3_from_afar")},
             {NewtonTables::tr("□ ‖C‖"), NewtonTables::tr("From the position one step of the run before"),
              QStringLiteral("residual_from_before")},

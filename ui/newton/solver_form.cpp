@@ -18,7 +18,6 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <cmath>
 
 namespace slidercrank
 {
@@ -26,19 +25,8 @@ namespace slidercrank
 namespace
 {
 
-/// With few steps a warm start is far away and with many iterations nothing more comes: beyond these nobody gains.
-constexpr double kMostSteps = 1e6;
-constexpr double kMostIterations = 1000.0;
-constexpr int kWideInLetters = 115; // from here on what came out has room beside the settings
-
-NumberBox *countBox(double most)
-{
-    auto *box = new NumberBox;
-    box->setRange({.smallest = 1.0, .largest = most, .isWhole = true});
-    box->setFixedDecimals(0);
-    box->setStep(1.0);
-    return box;
-}
+constexpr double kMostIterations = 1000.0; // with more nothing more comes
+constexpr int kWideInLetters = 115;        // from here on what came out has room beside the settings
 
 } // namespace
 
@@ -53,28 +41,8 @@ SolverForm::SolverForm(QWidget *parent)
     m_method->setToolTip(tr("How the curves are computed"));
     connect(m_method, &QComboBox::activated, this, [this](int index) {
         const auto method = static_cast<Method>(m_method->itemData(index).toInt());
-        edit(m_sampling, with(m_solver, &SolverSettings::method, method));
+        edit(with(m_solver, &SolverSettings::method, method));
     });
-
-    m_steps = named("stepsBox", countBox(kMostSteps));
-    m_steps->setToolTip(tr("Intervals; one instant more is computed"));
-    connect(m_steps, &NumberBox::edited, this,
-            [this](double steps) { edit(with(m_sampling, &Sampling::steps, static_cast<int>(steps)), m_solver); });
-
-    m_duration = named("durationBox", new NumberBox);
-    m_duration->setSuffix(tr(" s"));
-    m_duration->setUnit(kSecond);
-    m_duration->setRange({.smallest = 0.0, .isOpen = true});
-    m_duration->setToolTip(tr("From the first instant to the last"));
-    connect(m_duration, &NumberBox::edited, this,
-            [this](double seconds) { edit(with(m_sampling, &Sampling::duration, seconds), m_solver); });
-
-    m_start = named("startBox", new NumberBox);
-    m_start->setSuffix(tr(" s"));
-    m_start->setUnit(kSecond);
-    m_start->setToolTip(tr("The first instant"));
-    connect(m_start, &NumberBox::edited, this,
-            [this](double seconds) { edit(with(m_sampling, &Sampling::start, seconds), m_solver); });
 
     m_tolerance = named("toleranceBox", new NumberBox);
     m_tolerance->setRange({.smallest = 0.0});
@@ -82,7 +50,7 @@ SolverForm::SolverForm(QWidget *parent)
     connect(m_tolerance, &NumberBox::edited, this, [this](double tolerance) {
         SolverSettings solver = m_solver;
         solver.newton.tolerance = tolerance;
-        edit(m_sampling, solver);
+        edit(solver);
     });
 
     m_toleranceKind = named("toleranceKindBox", new QComboBox);
@@ -94,35 +62,35 @@ SolverForm::SolverForm(QWidget *parent)
     connect(m_toleranceKind, &QComboBox::activated, this, [this](int index) {
         SolverSettings solver = m_solver;
         solver.newton.toleranceKind = static_cast<ToleranceKind>(m_toleranceKind->itemData(index).toInt());
-        edit(m_sampling, solver);
+        edit(solver);
     });
 
-    m_iterations = named("iterationsBox", countBox(kMostIterations));
+    m_iterations = named("iterationsBox", new NumberBox);
+    m_iterations->setRange({.smallest = 1.0, .largest = kMostIterations, .isWhole = true});
+    m_iterations->setFixedDecimals(0);
+    m_iterations->setStep(1.0);
     m_iterations->setToolTip(tr("At one instant"));
     connect(m_iterations, &NumberBox::edited, this, [this](double iterations) {
         SolverSettings solver = m_solver;
         solver.newton.maxIterations = static_cast<int>(iterations);
-        edit(m_sampling, solver);
+        edit(solver);
     });
 
     auto *settings = new QGridLayout;
     settings->setHorizontalSpacing(8);
     settings->setVerticalSpacing(4);
-    const auto add = [settings](const QString &name, QWidget *field, int row, int column) {
+    const auto add = [settings](const QString &name, QWidget *field, int row) {
         auto *label = new QLabel(name);
         label->setBuddy(field);
         field->setAccessibleName(name);
         field->setMaximumWidth(std::max(130, field->sizeHint().width())); // the method's name whole
-        settings->addWidget(label, row, 2 * column);
-        settings->addWidget(field, row, 2 * column + 1);
+        settings->addWidget(label, row, 0);
+        settings->addWidget(field, row, 1);
     };
-    add(tr("Method"), m_method, 0, 0);
-    add(tr("Tolerance"), m_tolerance, 1, 0);
-    add(tr("Kind of tolerance"), m_toleranceKind, 2, 0);
-    add(tr("Most iterations"), m_iterations, 3, 0);
-    add(tr("Steps"), m_steps, 0, 1);
-    add(tr("Duration"), m_duration, 1, 1);
-    add(tr("Start"), m_start, 2, 1);
+    add(tr("Method"), m_method, 0);
+    add(tr("Tolerance"), m_tolerance, 1);
+    add(tr("Kind of tolerance"), m_toleranceKind, 2);
+    add(tr("Most iterations"), m_iterations, 3);
 
     m_iterationsDone = named("iterationsLabel", new QLabel);
     m_residual = named("residualLabel", new QLabel);
@@ -153,9 +121,8 @@ SolverForm::SolverForm(QWidget *parent)
     colourExplanation();
 }
 
-void SolverForm::setSettings(const Sampling &sampling, const SolverSettings &solver)
+void SolverForm::setSolver(const SolverSettings &solver)
 {
-    m_sampling = sampling;
     m_solver = solver;
     showSettings();
 }
@@ -197,10 +164,9 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
         sentence = sentence.arg(locale.toString(result->solver.newton.maxIterations));
     }
     tell(Status::NotAssemblable, tr("%1 of %2 instants cannot be assembled: the coupler is too short there."));
-    tell(Status::Singular,
-         tr("At %1 of %2 instants the coupler stands square to the slider's line: the position exists, "
-            "velocity and acceleration do not."));
-    tell(Status::NotFinite, tr("%1 of %2 instants gave no finite number: the numbers are too large."));
+    tell(Status::Singular, tr("At %1 of %2 instants the coupler is perpendicular to the slider's line: the position "
+                              "exists, velocity and acceleration do not."));
+    tell(Status::NotFinite, tr("At %1 of %2 instants the result is too large to be a number."));
     if (const QString few = newton ? fewSamplesSentence(result->mechanism, result->sampling) : QString();
         !few.isEmpty()) {
         sentences << few;
@@ -233,9 +199,6 @@ void SolverForm::colourExplanation()
 void SolverForm::showSettings()
 {
     m_method->setCurrentIndex(m_method->findData(static_cast<int>(m_solver.method)));
-    m_steps->setValue(m_sampling.steps);
-    m_duration->setValue(m_sampling.duration);
-    m_start->setValue(m_sampling.start);
     m_tolerance->setValue(m_solver.newton.tolerance);
     m_toleranceKind->setCurrentIndex(m_toleranceKind->findData(static_cast<int>(m_solver.newton.toleranceKind)));
     m_iterations->setValue(m_solver.newton.maxIterations);
@@ -245,22 +208,13 @@ void SolverForm::showSettings()
     m_iterations->setEnabled(newton);
 }
 
-void SolverForm::edit(const Sampling &sampling, const SolverSettings &solver)
+void SolverForm::edit(const SolverSettings &solver)
 {
-    // What the session will make of a run without length, or farther away than any parameter, helps nobody.
-    const bool usable = sampling.duration > 0.0 && sampling.duration <= kLargestParameter &&
-                        std::abs(sampling.start) <= kLargestParameter && solver.newton.tolerance >= 0.0;
-    const bool changed = sampling != m_sampling || solver != m_solver;
-    if (usable) {
-        m_sampling = sampling;
-        m_solver = solver;
-    }
+    const bool isChange = solver != m_solver;
+    m_solver = solver;
     showSettings();
-    if (usable && changed) {
-        // Copies: whoever listens may call setSettings() before it has read both.
-        const Sampling wantedSampling = m_sampling;
-        const SolverSettings wantedSolver = m_solver;
-        emit edited(wantedSampling, wantedSolver);
+    if (isChange) {
+        emit edited(solver);
     }
 }
 

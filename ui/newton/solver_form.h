@@ -27,11 +27,11 @@ public:
 
 public slots:
     /// Shows them; emits nothing.
-    void setSettings(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
+    void setSolver(const slidercrank::SolverSettings &solver);
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
 
 signals:
-    void edited(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
+    void edited(const slidercrank::SolverSettings &solver);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -40,15 +40,11 @@ protected:
 private:
     void showSettings();
     void colourExplanation();
-    void edit(const Sampling &sampling, const SolverSettings &solver);
+    void edit(const SolverSettings &solver);
 
-    Sampling m_sampling;
     SolverSettings m_solver;
     QBoxLayout *m_beside = nullptr;
     QComboBox *m_method = nullptr;
-    NumberBox *m_steps = nullptr;
-    NumberBox *m_duration = nullptr;
-    NumberBox *m_start = nullptr;
     NumberBox *m_tolerance = nullptr;
     QComboBox *m_toleranceKind = nullptr;
     NumberBox *m_iterations = nullptr;

@@ -282,7 +282,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     row.reset->setText(QStringLiteral("↺"));
     row.reset->setAutoRaise(true);
     row.reset->setFixedSize(20, 22); // beside five sliders, which need the width more
-    row.reset->setToolTip(tr("Back to the report's Table 1"));
+    row.reset->setToolTip(tr("Back to the initial value"));
     grid->addWidget(row.reset, line, 4);
     connect(row.reset, &QToolButton::clicked, this, [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
 }

@@ -6,9 +6,9 @@
 #include "ui/controls/named.h"
 #include "ui/controls/number_box.h"
 #include "ui/controls/number_slider.h"
+#include "ui/parameters/run_form.h"
 #include "ui/words/written_number.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -18,9 +18,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -28,19 +28,20 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
+constexpr double kSlowest = 1e-9;
+constexpr double kFastest = 1e9;
 
 double steadySeconds()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+} // namespace
+
 QString speedText(double speed)
 {
     return Timeline::tr("%1×").arg(numberText(speed, 3));
 }
-
-} // namespace
 
 /// A flat button whose sign is drawn in the palette's colour, so that it can be read in every theme and at every scale.
 class PlaybackButton : public QToolButton
@@ -194,14 +195,14 @@ Timeline::Timeline(QWidget *parent)
     connect(forward, &QToolButton::clicked, this, &Timeline::stepForward);
     connect(end, &QToolButton::clicked, this, &Timeline::toEnd);
 
-    m_speedBox = named("speedBox", new QComboBox, tr("Playing speed"));
-    m_speedBox->setToolTip(tr("Playing speed"));
-    for (const double speed : kSpeeds) {
-        m_speedBox->addItem(speedText(speed), speed);
-    }
-    m_speedBox->setCurrentIndex(m_speedBox->findData(m_speed));
-    connect(m_speedBox, &QComboBox::activated, this,
-            [this](int index) { setSpeed(m_speedBox->itemData(index).toDouble()); });
+    m_run = named("runButton", new QToolButton, tr("Run and speed"));
+    m_run->setAutoRaise(true);
+    m_run->setFocusPolicy(Qt::TabFocus);
+    m_run->setToolTip(tr("Start, duration, steps, one turn, and the speed of playing (Ctrl+R)"));
+    connect(m_run, &QToolButton::clicked, this, &Timeline::openRun);
+    m_runForm = new RunForm(this);
+    connect(m_runForm, &RunForm::edited, this, &Timeline::samplingEdited);
+    connect(m_runForm, &RunForm::speedEdited, this, &Timeline::setSpeed);
 
     auto *playing = new QHBoxLayout;
     playing->setSpacing(2);
@@ -211,7 +212,7 @@ Timeline::Timeline(QWidget *parent)
     playing->addSpacing(8);
     playing->addWidget(m_loop);
     playing->addStretch(1);
-    playing->addWidget(m_speedBox);
+    playing->addWidget(m_run);
 
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(6, 4, 6, 4);
@@ -251,6 +252,8 @@ void Timeline::setSampling(const Sampling &sampling)
     if (isPlaying()) {
         restartClock(std::clamp(m_requested, first(), last()));
     }
+    m_runForm->setSampling(sampling);
+    showRun();
     showTime();
 }
 
@@ -267,6 +270,7 @@ void Timeline::setParameters(const Parameters &parameters)
 {
     m_parameters = parameters;
     m_angleBox->setEnabled(parameters.omega2 != 0.0);
+    m_runForm->setParameters(parameters);
 }
 
 void Timeline::togglePlaying()
@@ -321,13 +325,30 @@ void Timeline::toEnd()
 
 void Timeline::setSpeed(double speed)
 {
-    m_speed = std::clamp(speed, kSpeeds.front(), kSpeeds.back());
-    const int index = m_speedBox->findData(m_speed);
-    m_speedBox->setPlaceholderText(speedText(m_speed));
-    m_speedBox->setCurrentIndex(index);
+    m_speed = std::clamp(speed, kSlowest, kFastest);
+    m_runForm->setSpeed(m_speed);
+    showRun();
     if (isPlaying()) {
         restartClock(m_requested);
     }
+    emit speedChanged(m_speed);
+}
+
+void Timeline::faster()
+{
+    const auto next = std::ranges::upper_bound(kSpeeds, m_speed);
+    setSpeed(next == kSpeeds.end() ? std::max(m_speed, kSpeeds.back()) : *next);
+}
+
+void Timeline::slower()
+{
+    const auto next = std::ranges::lower_bound(kSpeeds, m_speed);
+    setSpeed(next == kSpeeds.begin() ? std::min(m_speed, kSpeeds.front()) : *std::prev(next));
+}
+
+void Timeline::openRun()
+{
+    m_runForm->openAt(*m_run);
 }
 
 bool Timeline::isLooping() const
@@ -402,6 +423,14 @@ void Timeline::goToAngle(double degrees)
         emit timeRequested(time);
     }
     showTime();
+}
+
+/// What opens it says what is chosen.
+void Timeline::showRun()
+{
+    constexpr int kDigits = 3;
+    m_run->setText(tr("%1 s · %2 ▾", "duration of the run, speed of playing")
+                       .arg(numberText(m_sampling.duration, kDigits), speedText(m_speed)));
 }
 
 void Timeline::showTime()

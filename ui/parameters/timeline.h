@@ -2,7 +2,8 @@
 #pragma once
 
 // Playing, stepping and scrubbing through the sampled time. It asks for instants (timeRequested) and shows the one that
-// comes back (setPose). Playing follows the clock: a slow machine drops frames, not time.
+// comes back (setPose). Playing follows the clock: a slow machine drops frames, not time. What the run is and how fast
+// it plays opens from a button.
 
 #include "core/mechanism/mechanism.h"
 #include "core/run/trajectory.h"
@@ -11,9 +12,10 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <array>
 #include <functional>
 
-class QComboBox;
+class QToolButton;
 
 namespace slidercrank
 {
@@ -21,6 +23,11 @@ namespace slidercrank
 class NumberBox;
 class NumberSlider;
 class PlaybackButton;
+class RunForm;
+
+/// Model seconds a second of the clock, to choose from.
+inline constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
+QString speedText(double speed); ///< "0.1×"
 
 class Timeline : public QWidget
 {
@@ -51,12 +58,17 @@ public slots:
     void toStart();
     void toEnd();
     void setLooping(bool looping);
-    void setSpeed(double speed); ///< model seconds a second of the clock, 0.1 … 10
+    void setSpeed(double speed); ///< model seconds a second of the clock
+    void faster();               ///< the next of kSpeeds
+    void slower();
+    void openRun(); ///< start, duration, steps and speed
 
 signals:
     void timeRequested(double seconds);
     void playingChanged(bool playing);
     void loopingChanged(bool looping);
+    void speedChanged(double speed);
+    void samplingEdited(const slidercrank::Sampling &sampling);
 
 private:
     double first() const; ///< of the sampled range, s
@@ -67,6 +79,7 @@ private:
     void stepTo(double step);
     void goToAngle(double degrees);
     void showTime();
+    void showRun();
 
     Sampling m_sampling;
     Parameters m_parameters;
@@ -82,7 +95,8 @@ private:
 
     PlaybackButton *m_play = nullptr;
     PlaybackButton *m_loop = nullptr;
-    QComboBox *m_speedBox = nullptr;
+    QToolButton *m_run = nullptr;
+    RunForm *m_runForm = nullptr;
     NumberSlider *m_slider = nullptr;
     NumberBox *m_timeBox = nullptr;
     NumberBox *m_angleBox = nullptr;

@@ -254,6 +254,7 @@ void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
             [this, plot] { emit copyPlotRequested(plotName(plot)); });
     connect(menu->addAction(tr("&Export this plot…")), &QAction::triggered, this,
             [this, plot] { emit exportPlotRequested(plotName(plot)); });
+    connect(menu->addAction(tr("&Keep this motion")), &QAction::triggered, this, &PlotGrid::keepRequested);
     menu->addSeparator();
     menu->addActions(m_choices);
     menu->popup(globalPosition);

@@ -104,8 +104,7 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
     const bool takesOver = isBetter(diagnosis.found.identified, result.comparison);
     if (takesOver) {
         finding.remedy = Finding::Remedy::TakeOver;
-        finding.remedyText =
-            isOne ? FindingList::tr("Take this mechanism over") : FindingList::tr("Take the first of them over");
+        finding.remedyText = isOne ? FindingList::tr("Use this mechanism") : FindingList::tr("Use the first of them");
         finding.details = changesText(result.mechanism.parameters(), diagnosis.found);
     }
     if (finding.sentence.isEmpty() && (takesOver || !found.noise.empty())) {
@@ -128,6 +127,9 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
                                 conventionSentence(found, result.reference->data), FindingList::tr("Apply"),
                                 effectOf(found)});
         }
+        for (const QString &sentence : differenceSentences(result.reference->data, diagnosis->found.conventions)) {
+            findings.push_back({Finding::Remedy::None, {}, sentence, {}, {}});
+        }
         const Finding mechanism = mechanismFinding(result, *diagnosis);
         const bool isExplained = !differs || !findings.empty();
         if (!mechanism.sentence.isEmpty() && (mechanism.remedy != Finding::Remedy::None || !isExplained)) {
@@ -139,11 +141,12 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
         for (const Convention &convention : result.reference->conventions) {
             names << nameOf(convention);
         }
-        findings.push_back({Finding::Remedy::ReadAsPrinted,
-                            {},
-                            FindingList::tr("Not read as printed: %1.").arg(names.join(FindingList::tr(", "))),
-                            FindingList::tr("Read as printed"),
-                            {}});
+        findings.push_back(
+            {Finding::Remedy::ReadAsPrinted,
+             {},
+             FindingList::tr("Read differently from how it is written: %1.").arg(names.join(FindingList::tr(", "))),
+             FindingList::tr("Read as written"),
+             {}});
     }
     return findings;
 }

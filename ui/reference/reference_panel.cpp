@@ -14,6 +14,7 @@
 #include "ui/words/written_number.h"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QDir>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -105,6 +106,15 @@ QWidget *ReferencePanel::createFilePage()
     columns->setToolTip(tr("Say what the columns of the file are"));
     connect(columns, &QPushButton::clicked, this, &ReferencePanel::columnsRequested);
     m_form = named("formLabel", plainText());
+    m_abscissa = named("abscissaBox", new QComboBox, tr("What the first column is"));
+    m_abscissa->addItem(tr("First column: time"), QVariant::fromValue(ColumnRole::Time));
+    m_abscissa->addItem(tr("First column: crank angle"), QVariant::fromValue(ColumnRole::CrankAngle));
+    m_abscissa->setToolTip(tr("Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ "
+                              "make the time"));
+    connect(m_abscissa, &QComboBox::activated, this, [this](int index) {
+        showAbscissa(); // it may be refused
+        emit abscissaRequested(m_abscissa->itemData(index).value<ColumnRole>());
+    });
 
     QWidget *tables = createTables();
     auto *head = new QHBoxLayout;
@@ -116,13 +126,17 @@ QWidget *ReferencePanel::createFilePage()
     auto *file = new QVBoxLayout;
     file->setSpacing(4);
     file->addLayout(head);
-    file->addWidget(m_form);
+    auto *form = new QHBoxLayout;
+    form->addWidget(m_form, 1);
+    form->addWidget(m_abscissa, 0, Qt::AlignTop);
+    file->addLayout(form);
     file->addWidget(tables, 1);
 
     auto *room = new QWidget;
     m_findingsRoom = new QVBoxLayout(room);
     m_findingsRoom->setContentsMargins(8, 0, 4, 0);
-    m_findingsArea = named("findings", new QScrollArea, tr("Whose motion the file is, and how else it may be read"));
+    m_findingsArea =
+        named("findings", new QScrollArea, tr("Which mechanism the file belongs to, and how else it may be read"));
     m_findingsArea->setWidgetResizable(true);
     m_findingsArea->setFrameShape(QFrame::NoFrame);
     m_findingsArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -153,7 +167,7 @@ QWidget *ReferencePanel::createTables()
 
     m_choice = new QButtonGroup(this);
     for (const auto &[name, text] : {std::pair{"showColumns", tr("Columns")}, std::pair{"showSkipped", QString()},
-                                     std::pair{"showFindings", tr("Whose motion")}}) {
+                                     std::pair{"showFindings", tr("Its mechanism")}}) {
         auto *button = named(name, new QToolButton);
         button->setText(text);
         button->setCheckable(true);
@@ -270,14 +284,20 @@ void ReferencePanel::showName()
     m_name->setToolTip(path);
 }
 
+void ReferencePanel::showAbscissa()
+{
+    const bool byAngle = m_reference && m_reference->data.crank;
+    m_abscissa->setCurrentIndex(byAngle ? 1 : 0);
+}
+
 void ReferencePanel::fillForm()
 {
     showName();
+    showAbscissa();
     const ReferenceData &read = m_reference->data;
     QString rows = tr("%1 rows read").arg(countText(read.time.size()));
     if (!read.time.empty()) {
-        const QLocale locale;
-        rows += tr(", t = %1 … %2 s").arg(locale.toString(read.time.front()), locale.toString(read.time.back()));
+        rows += QStringLiteral(", ") + abscissaText(read);
     }
     m_form->setText(tr("%1. %2.").arg(formText(read.layout), rows));
 }
@@ -290,7 +310,8 @@ void ReferencePanel::fillColumns()
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
         QString rounding = dash();
-        QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : dash();
+        const bool isAbscissa = column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle;
+        QString values = isAbscissa ? countText(read.time.size()) : dash();
         const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
         if (series) {
             rounding = roundingText(series->rounding);
@@ -347,13 +368,13 @@ void ReferencePanel::fillFindings()
     const auto later = Qt::QueuedConnection; // what follows a click makes all of this anew, the button too
 
     if (!m_reference->conventions.empty()) {
-        rows->addWidget(boldLabel(tr("Read otherwise than printed")));
+        rows->addWidget(boldLabel(tr("Read differently from how it is written")));
         const ReferenceData &printed = (m_reference->asPrinted ? m_reference->asPrinted : m_reference)->data;
         QStringList sentences;
         for (const Convention &convention : m_reference->conventions) {
             sentences << explanationOf(convention, printed);
         }
-        auto *asPrinted = named("asPrintedButton", new QPushButton(tr("Read as printed again")));
+        auto *asPrinted = named("asPrintedButton", new QPushButton(tr("Read as written again")));
         connect(asPrinted, &QPushButton::clicked, this, &ReferencePanel::readAsPrintedRequested, later);
         rows->addLayout(rowOf(plainText(sentences.join(QLatin1Char('\n'))), asPrinted));
     }
@@ -370,9 +391,9 @@ void ReferencePanel::fillFindings()
             rows->addLayout(rowOf(plainText(explanation + QLatin1Char('\n') + effectOf(finding)), apply));
         }
     }
-    rows->addWidget(boldLabel(tr("Whose motion it is")));
+    rows->addWidget(boldLabel(tr("Which mechanism it belongs to")));
     if (!known) {
-        rows->addWidget(plainText(tr("Being found out…")));
+        rows->addWidget(plainText(tr("Searching…")));
     } else {
         QString summary = summaryOf(m_diagnosis->found);
         if (const QString rounded = roundNumbersText(m_diagnosis->found); !rounded.isEmpty()) {
@@ -385,9 +406,8 @@ void ReferencePanel::fillFindings()
         QLabel *mechanism = named("identificationLabel", plainText(summary));
         if (const Identification &found = m_diagnosis->found.identification; found.stands()) {
             const bool isOne = found.outcome == Identification::Outcome::Identified;
-            auto *takeOver =
-                named("takeOverButton", new QPushButton(isOne ? tr("Take over") : tr("Take the first over")));
-            takeOver->setToolTip(tr("Makes this mechanism the one on show; can be undone"));
+            auto *takeOver = named("takeOverButton", new QPushButton(isOne ? tr("Take over") : tr("Use the first")));
+            takeOver->setToolTip(tr("Sets the sliders to this mechanism; can be undone"));
             takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);
             rows->addLayout(rowOf(mechanism, takeOver));

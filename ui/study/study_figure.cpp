@@ -9,10 +9,12 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -20,8 +22,11 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kRadius = 3.6;       // px, of a point
+constexpr double kRadius = 4.0;       // px, of a point
 constexpr int kFontPixels = 11;       // pixel sizes: SVG would scale points
+constexpr double kLegendGap = 12.0;   // px, between the picture and its legend
+constexpr double kLegendSign = 22.0;  // px, for a mark or a piece of line before its name
+constexpr double kLeastWidth = 200.0; // px, of the picture beside a legend
 constexpr double kLeastError = 1e-17; // an error of 0 is drawn here, below what a double can resolve
 
 struct StudyFigureText {
@@ -65,6 +70,11 @@ std::optional<double> boundOf(const CaseResult &which)
     return best && best->errorBound && *best->errorBound > 0.0 ? best->errorBound : std::nullopt;
 }
 
+bool hasPoint(const MethodResult &row)
+{
+    return row.maxError && row.nsPerState > 0.0;
+}
+
 double shownError(const MethodResult &row)
 {
     const double error = row.maxError.value_or(kLeastError);
@@ -90,13 +100,58 @@ QFont labelFont()
     return font;
 }
 
+/// The kinds of method that have a point, in the order of their rows.
+std::vector<MethodName::Kind> kindsIn(const CaseResult &which)
+{
+    std::vector<MethodName::Kind> kinds;
+    for (const MethodResult &row : which.methods) {
+        if (hasPoint(row) && std::ranges::count(kinds, row.method.kind) == 0) {
+            kinds.push_back(row.method.kind);
+        }
+    }
+    return kinds;
+}
+
+/// A row of that kind, which solves all.
+MethodResult solvedBy(MethodName::Kind kind)
+{
+    MethodResult row;
+    row.method.kind = kind;
+    return row;
+}
+
+QString legendText(MethodName::Kind kind)
+{
+    return kind == MethodName::Kind::Harmonics ? StudyFigureText::tr("so many harmonics") : titleOf(solvedBy(kind));
+}
+
+struct LineNames {
+    QString front = StudyFigureText::tr("fastest for its error");
+    QString bound = StudyFigureText::tr("cost of rounded input");
+};
+
+/// Of the legend beside the picture; 0 where there is no room for it.
+double legendWidth(const CaseResult &which, const QSize &size)
+{
+    const QFontMetricsF metrics(labelFont());
+    const std::vector<MethodName::Kind> kinds = kindsIn(which);
+    const LineNames lines;
+    double widest = std::max(metrics.horizontalAdvance(lines.front), metrics.horizontalAdvance(lines.bound));
+    for (const MethodName::Kind kind : kinds) {
+        widest = std::max(widest, metrics.horizontalAdvance(legendText(kind)));
+    }
+    const double width = kLegendGap + kLegendSign + widest;
+    const double height = metrics.height() * static_cast<double>(kinds.size() + 2);
+    return !kinds.empty() && size.width() - width >= kLeastWidth && size.height() >= height ? width : 0.0;
+}
+
 Axes axesOf(const CaseResult &which, const QSize &size)
 {
     Axes axes;
     axes.time = {1, 3};
-    axes.error = {-18, 0}; // with room for names below the last digit of a double
+    axes.error = {-17, 0}; // with room below the last digit of a double
     for (const MethodResult &row : which.methods) {
-        if (row.maxError && row.nsPerState > 0.0) {
+        if (hasPoint(row)) {
             axes.time.include(row.nsPerState);
             axes.error.include(shownError(row));
         }
@@ -106,42 +161,59 @@ Axes axesOf(const CaseResult &which, const QSize &size)
     }
     const QFontMetricsF metrics(labelFont());
     const double left = metrics.height() + metrics.horizontalAdvance(powerOfTen(-16)) + 10.0;
+    const double right = 10.0 + legendWidth(which, size);
     const double bottom = 2.0 * metrics.height() + 6.0;
     axes.area =
-        QRectF(left, 6.0, std::max(20.0, size.width() - left - 10.0), std::max(20.0, size.height() - bottom - 6.0));
+        QRectF(left, 6.0, std::max(20.0, size.width() - left - right), std::max(20.0, size.height() - bottom - 6.0));
     return axes;
 }
 
-QColor colourOf(MethodKind kind, const SeriesColours &colours)
+QColor colourOf(MethodName::Kind kind, const SeriesColours &colours)
 {
     switch (kind) {
-    case MethodKind::NewtonDense: return colours.reference;
-    case MethodKind::NewtonStructured: return colours.model;
-    case MethodKind::ClosedForm: return colours.errorOther;
-    case MethodKind::Approximation: return colours.error;
+    case MethodName::Kind::NewtonDense:
+    case MethodName::Kind::NewtonDenseTaylor: return colours.reference;
+    case MethodName::Kind::NewtonStructured:
+    case MethodName::Kind::NewtonStructuredTaylor: return colours.model;
+    case MethodName::Kind::ClosedForm:
+    case MethodName::Kind::ClosedFormBatch: return colours.errorOther;
+    case MethodName::Kind::FiniteDifference:
+    case MethodName::Kind::Harmonics: return colours.error;
     }
     return {};
 }
 
-QPainterPath shapeOf(MethodKind kind, const QPointF &at, double r)
+/// A polygon around the origin, its first corner straight above it, every other one that far away.
+QPolygonF starOf(int corners, double outer, double inner)
 {
+    QPolygonF polygon;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / corners;
+        const double distance = i % 2 == 0 ? outer : inner;
+        polygon << QPointF(distance * std::sin(angle), -distance * std::cos(angle));
+    }
+    return polygon;
+}
+
+/// Of about the same size, around the origin.
+QPainterPath shapeOf(MethodName::Kind kind)
+{
+    const QPolygonF cross{{-0.4, -1.3}, {0.4, -1.3}, {0.4, -0.4}, {1.3, -0.4}, {1.3, 0.4},   {0.4, 0.4},
+                          {0.4, 1.3},   {-0.4, 1.3}, {-0.4, 0.4}, {-1.3, 0.4}, {-1.3, -0.4}, {-0.4, -0.4}};
     QPainterPath path;
     switch (kind) {
-    case MethodKind::NewtonDense: path.addRect(QRectF(at.x() - r, at.y() - r, 2.0 * r, 2.0 * r)); break;
-    case MethodKind::NewtonStructured: path.addEllipse(at, 1.1 * r, 1.1 * r); break;
-    case MethodKind::ClosedForm:
-        path.addPolygon(QPolygonF({{at.x(), at.y() - 1.5 * r},
-                                   {at.x() + 1.5 * r, at.y()},
-                                   {at.x(), at.y() + 1.5 * r},
-                                   {at.x() - 1.5 * r, at.y()}}));
-        path.closeSubpath();
+    case MethodName::Kind::NewtonDense: path.addRect(QRectF(-1.0, -1.0, 2.0, 2.0)); break;
+    case MethodName::Kind::NewtonDenseTaylor: path.addPolygon(QTransform().rotate(45.0).map(cross)); break;
+    case MethodName::Kind::NewtonStructured: path.addEllipse(QPointF(), 1.1, 1.1); break;
+    case MethodName::Kind::NewtonStructuredTaylor: path.addPolygon(cross); break;
+    case MethodName::Kind::ClosedForm: path.addPolygon(starOf(4, 1.5, 1.5)); break;
+    case MethodName::Kind::ClosedFormBatch: path.addPolygon(starOf(10, 1.7, 0.7)); break;
+    case MethodName::Kind::FiniteDifference:
+        path.addPolygon(QTransform().rotate(180.0).map(starOf(3, 1.4, 1.4)));
         break;
-    case MethodKind::Approximation:
-        path.addPolygon(
-            QPolygonF({{at.x(), at.y() - 1.3 * r}, {at.x() + 1.3 * r, at.y() + r}, {at.x() - 1.3 * r, at.y() + r}}));
-        path.closeSubpath();
-        break;
+    case MethodName::Kind::Harmonics: path.addPolygon(starOf(3, 1.4, 1.4)); break;
     }
+    path.closeSubpath();
     return path;
 }
 
@@ -179,7 +251,7 @@ void drawGrid(QPainter &painter, const Axes &axes, const SeriesColours &colours,
     painter.translate(0.0, axes.area.bottom());
     painter.rotate(-90.0);
     painter.drawText(QRectF(0.0, 1.0, axes.area.height(), lineHeight), Qt::AlignCenter,
-                     StudyFigureText::tr("largest error / peak"));
+                     StudyFigureText::tr("error / peak"));
     painter.restore();
 }
 
@@ -269,21 +341,52 @@ bool isSolvedThroughout(const MethodResult &row)
     return row.status == Status::Solved || row.status == Status::NotAssemblable;
 }
 
+QPen frontPen(const SeriesColours &colours)
+{
+    return QPen(colours.cursor, 1.0);
+}
+
+QPen boundPen(const SeriesColours &colours)
+{
+    return QPen(colours.warning, 1.0, Qt::DashLine);
+}
+
+void drawLegend(QPainter &painter, const Axes &axes, const CaseResult &which, const SeriesColours &colours)
+{
+    const double lineHeight = QFontMetricsF(painter.font()).height();
+    const double left = axes.area.right() + kLegendGap;
+    const double middle = left + 0.4 * kLegendSign;
+    double y = 0.5 * lineHeight;
+    const auto write = [&](const QString &text) {
+        painter.setPen(colours.text);
+        painter.drawText(QPointF(left + kLegendSign, y + 0.35 * lineHeight), text);
+        y += lineHeight;
+    };
+    for (const MethodName::Kind kind : kindsIn(which)) {
+        drawMark(painter, {middle, y}, solvedBy(kind), colours);
+        write(legendText(kind));
+    }
+    const LineNames names;
+    const auto drawLine = [&](const QPen &pen) {
+        painter.setPen(pen);
+        painter.drawLine(QPointF(left, y), QPointF(left + 0.8 * kLegendSign, y));
+    };
+    drawLine(frontPen(colours));
+    write(names.front);
+    if (boundOf(which)) {
+        drawLine(boundPen(colours));
+        write(names.bound);
+    }
+}
+
 } // namespace
 
-MethodKind kindOf(const MethodResult &row)
+void drawMark(QPainter &painter, const QPointF &at, const MethodResult &row, const SeriesColours &colours)
 {
-    switch (row.method.kind) {
-    case MethodName::Kind::NewtonDense:
-    case MethodName::Kind::NewtonDenseTaylor: return MethodKind::NewtonDense;
-    case MethodName::Kind::NewtonStructured:
-    case MethodName::Kind::NewtonStructuredTaylor: return MethodKind::NewtonStructured;
-    case MethodName::Kind::ClosedForm:
-    case MethodName::Kind::ClosedFormBatch: return MethodKind::ClosedForm;
-    case MethodName::Kind::FiniteDifference:
-    case MethodName::Kind::Harmonics: return MethodKind::Approximation;
-    }
-    return {};
+    const QColor colour = colourOf(row.method.kind, colours);
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(isSolvedThroughout(row) ? QBrush(colour) : QBrush(colours.background));
+    painter.drawPath(QTransform::fromTranslate(at.x(), at.y()).scale(kRadius, kRadius).map(shapeOf(row.method.kind)));
 }
 
 QString titleOf(const MethodResult &row)
@@ -301,12 +404,37 @@ QString titleOf(const MethodResult &row)
     return {};
 }
 
+/// What the method does.
+QString explanationOf(MethodName::Kind kind)
+{
+    switch (kind) {
+    case MethodName::Kind::NewtonDense:
+        return StudyFigureText::tr("Newton-Raphson as in the report: 12 equations solved together (dense LU), started "
+                                   "from the instant before");
+    case MethodName::Kind::NewtonStructured:
+        return StudyFigureText::tr("Newton-Raphson on the same 12 equations, solved joint by joint");
+    case MethodName::Kind::NewtonDenseTaylor:
+    case MethodName::Kind::NewtonStructuredTaylor:
+        return StudyFigureText::tr("The same, started from the position, velocity and acceleration of the instant "
+                                   "before (Taylor series)");
+    case MethodName::Kind::ClosedForm: return StudyFigureText::tr("The exact formulas, instant by instant");
+    case MethodName::Kind::ClosedFormBatch:
+        return StudyFigureText::tr("The exact formulas for several instants at once (vector instructions)");
+    case MethodName::Kind::FiniteDifference:
+        return StudyFigureText::tr("Velocity and acceleration as central differences of exact positions");
+    case MethodName::Kind::Harmonics:
+        return StudyFigureText::tr("The motion as a Fourier series with so many harmonics");
+    }
+    return {};
+}
+
 QString descriptionOf(const MethodResult &row)
 {
     QString text = titleOf(row);
     if (row.tolerance) {
         text += StudyFigureText::tr(", tolerance %1").arg(numberText(*row.tolerance, 3));
     }
+    text += u'\n' + explanationOf(row.method.kind);
     text += u'\n' +
             StudyFigureText::tr("%1 ns per state (± %2), %3 channels")
                 .arg(shortNumber(row.nsPerState, 3), shortNumber(0.5 * row.spread, 2), QString::number(row.channels));
@@ -317,7 +445,8 @@ QString descriptionOf(const MethodResult &row)
         u'\n' + (row.maxError ? StudyFigureText::tr("largest error %1 of the peak").arg(shortNumber(*row.maxError, 3))
                               : StudyFigureText::tr("no instant solved"));
     if (row.errorBound) {
-        text += u'\n' + StudyFigureText::tr("rounded input alone makes κ·u = %1").arg(shortNumber(*row.errorBound, 3));
+        text += u'\n' + StudyFigureText::tr("rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1")
+                            .arg(shortNumber(*row.errorBound, 3));
     }
     return text;
 }
@@ -328,7 +457,7 @@ std::vector<StudyPoint> studyPoints(const CaseResult &which, const QSize &size)
     std::vector<StudyPoint> points;
     for (std::size_t row = 0; row < which.methods.size(); ++row) {
         const MethodResult &method = which.methods[row];
-        if (method.maxError && method.nsPerState > 0.0) {
+        if (hasPoint(method)) {
             points.push_back({row, axes.place(method.nsPerState, shownError(method))});
         }
     }
@@ -346,58 +475,35 @@ void drawStudy(QPainter &painter, const QSize &size, const CaseResult &which, co
     const std::vector<StudyPoint> points = studyPoints(which, size);
     drawGrid(painter, axes, colours, size);
     const QPolygonF frontLine = frontOf(axes, which);
-    painter.setPen(QPen(colours.cursor, 1.0));
+    painter.setPen(frontPen(colours));
     painter.drawPolyline(frontLine);
 
     Labels labels(painter, axes.area, colours.background, points);
     labels.avoid(frontLine);
-    if (const std::optional<double> bound = boundOf(which)) {
-        const double y = axes.heightOf(*bound);
-        painter.setPen(QPen(colours.warning, 1.0, Qt::DashLine));
-        painter.drawLine(QPointF(axes.area.left(), y), QPointF(axes.area.right(), y));
-        const QString text = StudyFigureText::tr("κ·u");
-        const QFontMetricsF metrics(painter.font());
-        const QRectF place(axes.area.left() + 3.0, y - metrics.height(), metrics.horizontalAdvance(text),
-                           metrics.height());
-        painter.setPen(colours.warning);
-        painter.drawText(place, Qt::AlignCenter, text);
-        labels.take(place);
-        labels.avoid(QPolygonF({{axes.area.left(), y}, {axes.area.right(), y}}));
+    const std::optional<double> bound = boundOf(which);
+    if (bound) {
+        const QPolygonF line{{axes.area.left(), axes.heightOf(*bound)}, {axes.area.right(), axes.heightOf(*bound)}};
+        painter.setPen(boundPen(colours));
+        painter.drawPolyline(line);
+        labels.avoid(line);
     }
-
     for (const StudyPoint &point : points) {
         const MethodResult &row = which.methods[point.row];
-        const QColor colour = colourOf(kindOf(row), colours);
-        painter.setPen(QPen(colour, 1.2));
-        painter.setBrush(isSolvedThroughout(row) ? QBrush(colour) : QBrush(colours.background));
-        painter.drawPath(shapeOf(kindOf(row), point.at, kRadius));
+        drawMark(painter, point.at, row, colours);
         if (point.row == marked) {
             painter.setPen(QPen(colours.cursor, 1.5));
             painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(point.at, 2.4 * kRadius, 2.4 * kRadius);
         }
     }
-    // A name once, at the method's most exact point; those of the best front first.
-    std::vector<StudyPoint> named;
     for (const StudyPoint &point : points) {
-        const MethodResult &row = which.methods[point.row];
-        const auto same = std::find_if(named.begin(), named.end(), [&](const StudyPoint &other) {
-            return which.methods[other.row].method == row.method;
-        });
-        if (same == named.end()) {
-            named.push_back(point);
-        } else if (shownError(row) < shownError(which.methods[same->row])) {
-            *same = point;
+        if (const MethodName &method = which.methods[point.row].method; method.kind == MethodName::Kind::Harmonics) {
+            painter.setPen(colourOf(method.kind, colours));
+            labels.put(point.at, QString::number(method.harmonics));
         }
     }
-    const std::vector<std::size_t> front = bestFront(which);
-    std::stable_partition(named.begin(), named.end(), [&](const StudyPoint &point) {
-        return std::find(front.begin(), front.end(), point.row) != front.end();
-    });
-    for (const StudyPoint &point : named) {
-        const MethodResult &row = which.methods[point.row];
-        painter.setPen(colourOf(kindOf(row), colours));
-        labels.put(point.at, titleOf(row));
+    if (legendWidth(which, size) > 0.0) {
+        drawLegend(painter, axes, which, colours);
     }
     painter.restore();
 }

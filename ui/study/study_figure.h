@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The picture of a case of the study: error against time per state, both logarithmic, a point a method and tolerance,
-// the best front as a stepped line, the bound κ·u as a horizontal one. Draws with any painter at any size.
+// The picture of a case of the study: error against time per state, both logarithmic, a mark a method and tolerance,
+// the best front as a stepped line, the bound κ·u as a horizontal one, a legend where there is room for it. Draws with
+// any painter at any size.
 
 #include "core/study/study.h"
 #include "ui/words/theme.h"
@@ -18,11 +19,10 @@ class QPainter;
 namespace slidercrank
 {
 
-/// What kind of method a row is of: one colour and one shape of point each.
-enum class MethodKind { NewtonDense, NewtonStructured, ClosedForm, Approximation };
-MethodKind kindOf(const MethodResult &row);
+/// The method's mark, in its shape and colour: hollow where it does not solve every instant.
+void drawMark(QPainter &painter, const QPointF &at, const MethodResult &row, const SeriesColours &colours);
 
-/// "dense LU, Taylor start", translated.
+/// "closed form, batch", translated.
 QString titleOf(const MethodResult &row);
 
 /// What the point says to who hovers over it, a line each.

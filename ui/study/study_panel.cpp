@@ -3,6 +3,7 @@
 
 #include "ui/controls/named.h"
 #include "ui/controls/number_table.h"
+#include "ui/controls/paragraph.h"
 #include "ui/controls/save_dialog.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/figure_export.h"
@@ -16,13 +17,17 @@
 #include <QDir>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QHeaderView>
+#include <QIcon>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QStringList>
@@ -30,6 +35,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -82,6 +88,26 @@ std::size_t silentFailuresOf(const StudyResult &result)
         }
     }
     return sum;
+}
+
+/// They are powers of ten, or 0.
+QString toleranceOf(const MethodResult &row)
+{
+    return row.tolerance.value_or(0.0) > 0.0 ? powerOfTen(static_cast<int>(std::lround(std::log10(*row.tolerance))))
+                                             : numberText(row.tolerance, kDigits);
+}
+
+/// As in the picture.
+QIcon markOf(const MethodResult &method, const QWidget &where)
+{
+    constexpr double kSide = 13.0; // px
+    QPixmap pixmap((QSizeF(kSide, kSide) * where.devicePixelRatioF()).toSize());
+    pixmap.setDevicePixelRatio(where.devicePixelRatioF());
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawMark(painter, {0.5 * kSide, 0.5 * kSide}, method, seriesColours(where.palette()));
+    return QIcon(pixmap);
 }
 
 QString lengthsOf(const Parameters &p)
@@ -146,7 +172,7 @@ protected:
         painter.setPen(colours.text);
         painter.drawText(rect().adjusted(12, 4, -12, -4), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("How fast is each method, and how exact? Run the study: every method is timed on the same "
-                            "instants and its error measured against 50 digits and more."));
+                            "instants, and its error measured against a computation in 50 digits or more."));
     }
 
     void mouseMoveEvent(QMouseEvent *event) override
@@ -192,7 +218,8 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_runThis->setToolTip(tr("Times every method on one turn of this mechanism"));
     connect(m_runThis, &QPushButton::clicked, this, &StudyPanel::runThisMechanism);
     m_runHard = named("runHardButton", new QPushButton(tr("Run hard cases")));
-    m_runHard->setToolTip(tr("Toggles, rockers, other scales, far times: takes some ten seconds"));
+    m_runHard->setToolTip(tr("Cranks that only just turn or only rock, very long and very short links, very late "
+                             "instants: takes some ten seconds"));
     connect(m_runHard, &QPushButton::clicked, this, &StudyPanel::runHardCases);
     m_cancel = named("cancelStudyButton", new QPushButton(tr("Cancel")));
     connect(m_cancel, &QPushButton::clicked, this, &StudyPanel::cancel);
@@ -200,8 +227,8 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_progress->setRange(0, kProgressSteps);
     m_progress->setMaximumWidth(140);
 
-    m_cases = named("caseBox", new QComboBox, tr("Case on show"));
-    m_cases->setToolTip(tr("Case on show"));
+    m_cases = named("caseBox", new QComboBox, tr("Case shown"));
+    m_cases->setToolTip(tr("Case shown"));
     m_cases->setMinimumContentsLength(12);
     m_cases->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(m_cases, &QComboBox::currentIndexChanged, this, &StudyPanel::showCase);
@@ -218,13 +245,14 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_summary = named("studySummary", new QLabel);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_answer = named("studyAnswer", plainText());
 
     auto *controls = new QHBoxLayout;
     controls->setSpacing(6);
     for (QWidget *widget : std::initializer_list<QWidget *>{m_runThis, m_runHard, m_cancel, m_progress}) {
         controls->addWidget(widget);
     }
-    controls->addStretch(1);
+    controls->addWidget(m_summary, 1);
     controls->addWidget(m_cases);
     controls->addWidget(m_export);
 
@@ -232,11 +260,11 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_table = new NumberTable(
         QStringLiteral("studyTable"), tr("Methods, a row a method and tolerance"),
         {{tr("method"), tr("How the motion is computed"), {}, false},
-         {tr("tolerance"), tr("Of Newton-Raphson: absolute as in the report for its own way, relative for the others")},
-         {tr("ns"), tr("Time per state: median over interleaved rounds")},
+         {tr("tolerance"), tr("Of Newton-Raphson: absolute for the report's way, relative for the others")},
+         {tr("time [ns]"),
+          tr("Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds")},
          {tr("error"),
           tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants")},
-         {tr("κ·u"), tr("The error that rounding the given numbers makes by itself")},
          {tr("iterations"), tr("Per state")},
          {tr("instants"), tr("What the method says of them"), {}, false}},
         TableLook::Striped);
@@ -247,20 +275,18 @@ StudyPanel::StudyPanel(QWidget *parent)
     connect(m_picture, &StudyPicture::pointed, this,
             [this](std::size_t row) { m_table->setCurrentIndex(m_table->model()->index(static_cast<int>(row), 0)); });
 
-    auto *beside = new QSplitter(Qt::Horizontal);
-    beside->setChildrenCollapsible(false);
-    beside->addWidget(m_picture);
-    beside->addWidget(m_table);
-    beside->setSizes({1000, 1000}); // alike, whatever they would like to have
-    beside->setStretchFactor(0, 1);
-    beside->setStretchFactor(1, 1);
+    m_beside = new QSplitter(Qt::Horizontal);
+    m_beside->setChildrenCollapsible(false);
+    m_beside->addWidget(m_picture);
+    m_beside->addWidget(m_table);
+    connect(m_beside, &QSplitter::splitterMoved, this, [this] { m_isSharedByHand = true; });
 
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(6, 4, 6, 4);
     rows->setSpacing(4);
     rows->addLayout(controls);
-    rows->addWidget(beside, 1);
-    rows->addWidget(m_summary);
+    rows->addWidget(m_answer);
+    rows->addWidget(m_beside, 1);
     listen();
     updateButtons();
     showSummary();
@@ -368,12 +394,12 @@ void StudyPanel::fillTable(const CaseResult &which)
     std::vector<TableRow> rows;
     for (const MethodResult &method : which.methods) {
         TableRow row;
-        for (const QString &text :
-             {titleOf(method), numberText(method.tolerance, kDigits), shortNumber(method.nsPerState, kDigits),
-              shortNumber(method.maxError, kDigits), shortNumber(method.errorBound, kDigits),
-              shortNumber(method.iterationsPerState, kDigits), outcomeOf(method)}) {
+        for (const QString &text : {titleOf(method), toleranceOf(method), shortNumber(method.nsPerState, kDigits),
+                                    shortNumber(method.maxError, kDigits),
+                                    shortNumber(method.iterationsPerState, kDigits), outcomeOf(method)}) {
             row.cells.push_back({.text = text, .explanation = descriptionOf(method)});
         }
+        row.cells.front().mark = markOf(method, *this);
         if (method.silentFailures.value_or(0) > 0) {
             row.cells.back().ink = seriesColours(palette()).warning;
         }
@@ -382,6 +408,20 @@ void StudyPanel::fillTable(const CaseResult &which)
     m_table->setCurrentIndex({});
     m_table->setRows(std::move(rows));
     m_table->fitToContents();
+    shareTheRoom();
+}
+
+/// The table as wide as what it holds, as far as the picture keeps enough.
+void StudyPanel::shareTheRoom()
+{
+    if (m_isSharedByHand) {
+        return;
+    }
+    constexpr double kMostOfTable = 0.6;
+    const int width = m_beside->width();
+    const int needed = m_table->horizontalHeader()->length() + m_table->verticalScrollBar()->sizeHint().width();
+    const int given = std::min(needed, static_cast<int>(kMostOfTable * width));
+    m_beside->setSizes({width - m_beside->handleWidth() - given, given});
 }
 
 void StudyPanel::showSummary()
@@ -395,16 +435,17 @@ void StudyPanel::showSummary()
         if (!m_result->complete) {
             text += tr(" (cancelled)");
         }
-        const CaseResult *which = shownCase();
-        const bool ofThisMechanism = which && which->traits == studyCase(which->parameters).traits;
-        if (ofThisMechanism && which->parameters != m_parameters) {
-            text += tr(". The mechanism has changed since: run again");
-        }
-        text += tr(". Times of %1").arg(machineText(m_result->machine));
+        m_summary->setToolTip(tr("Times of %1").arg(machineText(m_result->machine)));
     }
     m_summary->setText(text);
-    m_summary->setToolTip(text);
-    m_summary->setVisible(!text.isEmpty());
+    const CaseResult *which = shownCase();
+    QString answer = which ? closedFormSentence(*which) : QString();
+    const bool ofThisMechanism = which && which->traits == studyCase(which->parameters).traits;
+    if (ofThisMechanism && which->parameters != m_parameters) {
+        answer += tr(" The mechanism has changed since: run again.");
+    }
+    m_answer->setText(answer.trimmed());
+    m_answer->setVisible(!answer.isEmpty());
 }
 
 void StudyPanel::updateButtons()
@@ -459,9 +500,14 @@ void StudyPanel::chooseNumbers()
 void StudyPanel::tellProblem(const std::optional<QString> &sentence)
 {
     if (sentence) {
-        m_summary->setText(tr("⚠ %1").arg(*sentence));
-        m_summary->setVisible(true);
+        emit problemFound(*sentence);
     }
+}
+
+void StudyPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    shareTheRoom();
 }
 
 void StudyPanel::changeEvent(QEvent *event)

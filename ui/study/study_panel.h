@@ -17,6 +17,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QSplitter;
 class QToolButton;
 
 namespace slidercrank
@@ -54,6 +55,7 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void run(StudyRequest request);
@@ -61,6 +63,7 @@ private:
     const CaseResult *shownCase() const;
     void showCase();
     void fillTable(const CaseResult &which);
+    void shareTheRoom();
     void showSummary();
     void updateButtons();
     void choosePicture();
@@ -78,8 +81,11 @@ private:
     QComboBox *m_cases = nullptr;
     QToolButton *m_export = nullptr;
     QLabel *m_summary = nullptr;
+    QLabel *m_answer = nullptr;
     StudyPicture *m_picture = nullptr;
     NumberTable *m_table = nullptr;
+    QSplitter *m_beside = nullptr;
+    bool m_isSharedByHand = false;
 };
 
 } // namespace slidercrank

@@ -132,19 +132,23 @@ void Exports::writeReport(const QString &path)
     const Result &result = *content->result;
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
     const bool isKnown =
-        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+        diagnosis && diagnosis->reference == result.chosenReference() && diagnosis->parameters == result.mechanism.parameters();
     if (isKnown) {
         content->diagnosis = diagnosis->found;
     }
-    if (isKnown || !result.reference) {
+    if (!result.reference) {
         tellWritten(path, write());
         return;
     }
-    const auto diagnoseAside = [content](const std::stop_token &stop, const auto &) -> std::optional<QString> {
-        content->diagnosis = diagnose(content->result->reference->data, content->result->mechanism, stop);
+    const auto prepareAside = [content, isKnown](const std::stop_token &stop, const auto &) -> std::optional<QString> {
+        const Reference &reference = *content->result->reference;
+        if (!isKnown) {
+            content->diagnosis = diagnose(reference.data, content->result->mechanism, stop);
+        }
+        content->checksum = checksumOf(reference);
         return std::nullopt;
     };
-    writeAside(path, diagnoseAside, write);
+    writeAside(path, prepareAside, write);
 }
 
 void Exports::chooseAnimation()
@@ -185,7 +189,8 @@ void Exports::writeAnimation(const QString &path)
                                          .arg(QString::number(older.size()), older.first(), older.last()),
                                      QMessageBox::Cancel, m_window);
     question->setObjectName(QStringLiteral("framesQuestion"));
-    question->setInformativeText(tr("All of them go; new ones, %1, take their place.").arg(animation.frameCount()));
+    question->setInformativeText(
+        tr("All of them are deleted; the new ones, %1, take their place.").arg(animation.frameCount()));
     question->addButton(tr("Replace"), QMessageBox::AcceptRole);
     question->setDefaultButton(QMessageBox::Cancel);
     question->setAttribute(Qt::WA_DeleteOnClose);

@@ -128,57 +128,55 @@ QString formulasText()
         paragraph(HelpPage::tr("It shows how an offset slider-crank moves with the lengths and the speed you choose, "
                                "and how far a motion exported from a simulation (CSV) is from it, and why."));
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("The mechanism"));
-    html += paragraph(
-        HelpPage::tr("The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length "
-                     "b, leads from its pin A to the pin B of the slider, which moves along y = c. Bodies "
-                     "are superscripts: 1 ground, 2 crank, 3 coupler, 4 slider."));
-    html += formulas({QStringLiteral("θ² = ω₂ t + θ₂₀")});
     html += paragraph(HelpPage::tr(
-        "Rₓ⁴ and R_y⁴ are counted from O₂, x along the slider's line, and angles counter-clockwise from x. "
-        "At the start it is the mechanism of Table 1 of the report that the program began with, a piece "
-        "of course work: a = 20, b = 65, c = 25 mm, one turn a second."));
-    html +=
-        paragraph(HelpPage::tr("θ³ is the coupler's angle seen from A towards B; the θ₃ that textbooks draw at B is "
-                               "θ³ + 180°. The crank turns round where"));
+        "The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length b, leads from its pin "
+        "A to the pin B of the slider, which moves along y = c. Superscripts number the bodies: 1 ground, 2 crank, 3 "
+        "coupler, 4 slider. The crank angle is the one exception: it is θ₂ everywhere, also where Shabana writes θ²."));
+    html += formulas({QStringLiteral("θ₂ = ω₂ t + θ₂₀")});
+    html += paragraph(
+        HelpPage::tr("The slider position Rₓ⁴ and its height R_y⁴ are measured from O₂, x along the slider's line, and "
+                     "angles counter-clockwise from x. The program starts with the mechanism of Table 1 of a report, "
+                     "the piece of course work that it grew from: a = 20, b = 65, c = 25 mm, one turn a second."));
+    html += paragraph(HelpPage::tr("The coupler angle θ³ is seen from A towards B; the θ₃ that textbooks draw at B is "
+                                   "θ³ + 180°. The crank makes full turns when"));
     html += formulas({QStringLiteral("a + |c| ≤ b")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Closed form, exact"));
     html += paragraph(HelpPage::tr("Plus: open assembly, the slider to the right of A. Minus: crossed."));
-    html += formulas({QStringLiteral("h = c − a sin θ²"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),
-                      QStringLiteral("Rₓ⁴ = a cos θ² + b cos θ³"), QStringLiteral("dθ³/dt = −a ω₂ cos θ² / (b cos θ³)"),
-                      QStringLiteral("dRₓ⁴/dt = −a ω₂ sin θ² − b sin θ³ dθ³/dt"),
-                      QStringLiteral("d²θ³/dt² = (a ω₂² sin θ² + b sin θ³ (dθ³/dt)²) / (b cos θ³)"),
-                      QStringLiteral("d²Rₓ⁴/dt² = −a ω₂² cos θ² − b cos θ³ (dθ³/dt)² − b sin θ³ d²θ³/dt²")});
+    html += formulas({QStringLiteral("h = c − a sin θ₂"), QStringLiteral("sin θ³ = h / b,  cos θ³ = ± √(b² − h²) / b"),
+                      QStringLiteral("Rₓ⁴ = a cos θ₂ + b cos θ³"), QStringLiteral("dθ³/dt = −a ω₂ cos θ₂ / (b cos θ³)"),
+                      QStringLiteral("dRₓ⁴/dt = −a ω₂ sin θ₂ − b sin θ³ dθ³/dt"),
+                      QStringLiteral("d²θ³/dt² = (a ω₂² sin θ₂ + b sin θ³ (dθ³/dt)²) / (b cos θ³)"),
+                      QStringLiteral("d²Rₓ⁴/dt² = −a ω₂² cos θ₂ − b cos θ³ (dθ³/dt)² − b sin θ³ d²θ³/dt²")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Newton-Raphson"));
-    html += paragraph(
-        HelpPage::tr("The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations "
-                     "C(q, t) = 0, after A. A. Shabana, <i>Computational Dynamics</i>. The position is iterated "
-                     "until ‖C‖ is within the tolerance; velocity and acceleration follow from it. Where "
-                     "cos θ³ = 0 the coupler stands square to the slider's line and they do not exist."));
+    html +=
+        paragraph(HelpPage::tr("The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations C(q, "
+                               "t) = 0, after A. A. Shabana, <i>Computational Dynamics</i>. The position is iterated "
+                               "until ‖C‖ is within the tolerance; velocity and acceleration follow from it. Where cos "
+                               "θ³ = 0 the coupler is perpendicular to the slider's line and they do not exist."));
     html += formulas({QStringLiteral("C_q Δq = −C"), QStringLiteral("C_q q̇ = −Cₜ"),
                       QStringLiteral("C_q q̈ = Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt"),
                       QStringLiteral("det C_q = −b cos θ³")});
     html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Error"));
     html += paragraph(
-        HelpPage::tr("Of each value x of a file against the model's, as a percentage of the file's; where that "
-                     "is 0 there is no percentage. The View menu has errors in ° and mm, and in percent of "
-                     "the peak."));
+        HelpPage::tr("The error of the model against each value x of a file, as a percentage of x; where x is 0 there "
+                     "is no percentage. The View menu has errors in ° and mm, and in percent of the peak."));
     html += formulas({HelpPage::tr("|model − x| / |x| · 100 %")});
-    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Whose motion a file is"));
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("Which mechanism a file belongs to"));
     html += paragraph(
-        HelpPage::tr("A mechanism is found for a file where what it leaves of every column is rounding, or noise that "
-                     "looks like noise; ± is one standard deviation. Several may explain it equally: then all are "
-                     "listed. Too few values, too few instants a turn or too small a part of a turn do not tell; then "
-                     "it is said what is missing. Where nothing explains the file, what comes nearest is no more than "
-                     "that, and no proof that there is nothing."));
+        HelpPage::tr("A mechanism counts as found when all that it leaves unexplained in every column is rounding, or "
+                     "looks like random noise; ± is one standard deviation. Where several explain the file equally "
+                     "well, all are listed. With too few values, too few instants a turn or too small a part of a "
+                     "turn, the program says what is missing. Where no mechanism was found, the nearest is shown as no "
+                     "more than that; this does not prove that there is none."));
     html += paragraph(
-        HelpPage::tr("Rₓ⁴ alone does not tell a mechanism from its mirror image, θ³ alone fixes only b/a and c/a. A "
-                     "column may be counted from elsewhere than O₂, as a slider joint's own coordinate is, or mean "
-                     "another unit, sign or angle than its name says: that is shown with the error before and after, "
-                     "and never applied by itself."));
-    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("How exact numbers can be"));
-    html += paragraph(
-        HelpPage::tr("The study holds every method against 50 digits and more, and against the bound κ·u: how far a "
-                     "channel f moves because the numbers given are rounded to doubles, whatever the method."));
+        HelpPage::tr("The slider position Rₓ⁴ alone does not tell a mechanism from its mirror image; the coupler angle "
+                     "θ³ alone determines only b/a and c/a. A column may be measured from elsewhere than O₂, as a "
+                     "slider joint's own coordinate is, or mean another unit, sign or angle than its name says: the "
+                     "program shows the error before and after, and changes nothing without being asked."));
+    html += QStringLiteral("<h3>%1</h3>").arg(HelpPage::tr("How exact the numbers can be"));
+    html += paragraph(HelpPage::tr("The study compares every method with a computation in 50 digits or more, and with "
+                                   "κ·u: how much a channel f can change just because each given number p is rounded "
+                                   "to the 16 digits of a double, by u of itself at most."));
     html +=
         formulas({QStringLiteral("κ = Σ |p ∂f/∂p|,  p = a, b, c, ω₂, θ₂₀, t"), QStringLiteral("u = 2⁻⁵³ = 1.1·10⁻¹⁶")});
     return html;

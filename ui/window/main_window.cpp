@@ -136,7 +136,12 @@ void MainWindow::connectDocument()
         if (reference && reference->path != kSamplePath) {
             rememberFile(kRecentReferences, QFileInfo(reference->path).absoluteFilePath());
         }
+        if (reference) {
+            askWhereNothingTells(reference->path, reference->data.layout);
+        }
     });
+    connect(m_session, &Session::referenceRefused, this,
+            [this](const QString &path) { askWhereNothingTells(path, layoutOf(beginningOf(path))); });
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
 
     connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
@@ -199,6 +204,7 @@ void MainWindow::remakeRooms()
     const MechanismView::Look drawing = m_rooms.mechanism->look();
     const bool hasGhost = m_rooms.ghost->isWanted();
     const bool isPlaying = m_rooms.timeline->isPlaying();
+    const double speed = m_rooms.timeline->speed();
     auto *study = m_rooms.tabs->findChild<StudyPanel *>(); // made anew only where it has been opened
     const int studyTab = m_rooms.tabs->indexOf(study);
     if (study) {
@@ -219,6 +225,7 @@ void MainWindow::remakeRooms()
     m_rooms.plots->maximize(maximized);
     m_rooms.plots->setMeasured(measured);
     m_rooms.mechanism->setLook(drawing);
+    m_rooms.timeline->setSpeed(speed);
     if (study) {
         m_rooms.tabs->setCurrent(studyTab);
         m_rooms.tabs->findChild<StudyPanel *>()->takeOver(*study);
@@ -254,6 +261,7 @@ void MainWindow::connectRooms()
     follow(&Session::settingsChanged, m_rooms.timeline, &Timeline::setSampling, m_session->sampling());
     connect(m_session, &Session::timeChanged, m_rooms.timeline, &Timeline::setPose);
     connect(m_rooms.timeline, &Timeline::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.timeline, &Timeline::samplingEdited, m_session, &Session::setSampling);
 
     follow(&Session::resultChanged, m_rooms.mechanism, &MechanismView::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.mechanism, &MechanismView::setPose);
@@ -265,6 +273,7 @@ void MainWindow::connectRooms()
     follow(&Session::resultChanged, m_rooms.plots, &PlotGrid::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
     connect(m_rooms.plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.plots, &PlotGrid::keepRequested, m_session, &Session::keep);
     connect(m_rooms.plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_rooms.plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
@@ -290,6 +299,7 @@ QWidget *MainWindow::makeReferencePanel()
     connect(panel, &ReferencePanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(panel, &ReferencePanel::openSampleRequested, this, &MainWindow::openSample);
     connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->path); });
+    connect(panel, &ReferencePanel::abscissaRequested, m_session, &Session::readAbscissaAs);
     connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
     connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
     connect(panel, &ReferencePanel::takeOverRequested, m_session, &Session::takeOver);
@@ -299,11 +309,10 @@ QWidget *MainWindow::makeReferencePanel()
 QWidget *MainWindow::makeNewtonPanel()
 {
     auto *panel = new NewtonPanel(this);
-    connect(panel, &NewtonPanel::edited, m_session, [this](const Sampling &sampling, const SolverSettings &solver) {
-        m_session->setSolver(solver);
-        m_session->setSampling(sampling);
-    });
-    follow(&Session::settingsChanged, panel, &NewtonPanel::setSettings, m_session->sampling(), m_session->solver());
+    connect(panel, &NewtonPanel::edited, m_session, &Session::setSolver);
+    panel->setSolver(m_session->solver());
+    connect(m_session, &Session::settingsChanged, panel,
+            [panel](const Sampling &, const SolverSettings &solver) { panel->setSolver(solver); });
     follow(&Session::resultChanged, panel, &NewtonPanel::setResult, m_session->result());
     follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
 
@@ -329,6 +338,7 @@ QWidget *MainWindow::makeLimitsPanel()
     follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
     connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &LimitsPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
 
@@ -345,7 +355,7 @@ void MainWindow::showWithinScreen()
 
 void MainWindow::openFile(const QString &path)
 {
-    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+    if (isNamedAsScene(path)) {
         m_scene->open(path);
     } else {
         openReference(path);
@@ -354,7 +364,18 @@ void MainWindow::openFile(const QString &path)
 
 void MainWindow::openReference(const QString &path)
 {
+    m_asked = path;
     m_session->loadReference(path);
+}
+
+/// Names that differ only in what they belong to: the person who opened the file knows.
+void MainWindow::askWhereNothingTells(const QString &path, const FileLayout &layout)
+{
+    const bool isAsked = path == m_asked && layout.isOpen();
+    m_asked.clear();
+    if (isAsked) {
+        chooseColumns(path);
+    }
 }
 
 void MainWindow::openSample()

@@ -7,6 +7,7 @@
 #include "ui/window/remembered.h"
 #include "ui/window/rooms.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -54,6 +55,7 @@ Scene SceneFile::scene() const
             .sampling = m_session->sampling(),
             .solver = m_session->solver(),
             .reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing,
+            .kept = m_session->kept(),
             .time = m_session->time(),
             .plots = m_rooms.plots->settings(),
             .zoom = m_rooms.plots->zoom(),
@@ -71,10 +73,11 @@ void SceneFile::askThen(const std::function<void()> &goOn)
     if (auto *asked = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))) {
         asked->reject();
     }
-    auto *question = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                     m_path.isEmpty() ? tr("Save what you changed as a scene?")
-                                                      : tr("Save the changes to %1?").arg(QFileInfo(m_path).fileName()),
-                                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    auto *question =
+        new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                        m_path.isEmpty() ? tr("Save what you changed as a scene, to go on from there another time?")
+                                         : tr("Save the changes to %1?").arg(QFileInfo(m_path).fileName()),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     question->setObjectName(QStringLiteral("unsavedQuestion"));
     question->setInformativeText(tr("Otherwise they are lost."));
     question->setDefaultButton(QMessageBox::Save);
@@ -92,6 +95,11 @@ void SceneFile::askThen(const std::function<void()> &goOn)
 void SceneFile::open(const QString &path, const QString &reference)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (const QFileInfo file(absolute); file.exists() && !file.isFile() && !file.isDir()) {
+        emit problemFound(tr("%1 is a pipe or a device: save the scene in a file, and open that.")
+                              .arg(QDir::toNativeSeparators(absolute)));
+        return;
+    }
     std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit problemFound(*sentence);
@@ -114,7 +122,7 @@ void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource
 {
     m_opening = opening;
     const Scene &scene = opening.scene;
-    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr}, scene.time, reference);
+    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.kept}, scene.time, reference);
 }
 
 void SceneFile::finishOpening(const QString &problem)
@@ -149,7 +157,7 @@ void SceneFile::finishOpening(const QString &problem)
 
 void SceneFile::chooseAndOpen()
 {
-    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.json);;All files (*)"));
+    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.slidercrank *.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
@@ -169,9 +177,9 @@ void SceneFile::saveAs(const std::function<void()> &goOn)
 {
     const QFileInfo file(m_path);
     chooseFileToSave(m_window, {tr("Save scene"),
-                                {tr("Scenes (*.json)")},
+                                {tr("Scenes (*.slidercrank)"), tr("Scenes (*.json)")},
                                 m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
-                                m_path.isEmpty() ? QStringLiteral("scene.json") : file.fileName(),
+                                m_path.isEmpty() ? QStringLiteral("scene.slidercrank") : file.fileName(),
                                 [this, goOn](const QString &path, const QString &) {
                                     if (saveTo(path) && goOn) {
                                         goOn();

@@ -136,12 +136,11 @@ QString lackSentence(const Identification &found)
     case Lack::Nothing:
     case Lack::FewValues: break;
     case Lack::FewInstants:
-        return DiagnosisText::tr("There are too few instants to find the mechanism by: export more of them.");
+        return DiagnosisText::tr("There are too few instants to find the mechanism: export more of them.");
     case Lack::NothingMoves:
         return DiagnosisText::tr("Nothing moves in these data: export the motion of a turning crank.");
     case Lack::NoEvidence:
-        return DiagnosisText::tr("So few values can be met by chance, and do not tell the mechanism: export more "
-                                 "instants, or more columns.");
+        return DiagnosisText::tr("So few values fit many mechanisms by chance: export more instants, or more columns.");
     case Lack::OpenParameters: {
         QStringList open;
         for (const Parameter parameter : kParameters) {
@@ -149,7 +148,8 @@ QString lackSentence(const Identification &found)
                 open << symbolOf(parameter);
             }
         }
-        return DiagnosisText::tr("These data leave %1 open: export a longer motion, more digits, or more columns.")
+        return DiagnosisText::tr(
+                   "These data do not determine %1: export a longer motion, more digits, or more columns.")
             .arg(listed(open));
     }
     case Lack::Crooked:
@@ -157,8 +157,9 @@ QString lackSentence(const Identification &found)
             "Many mechanisms move nearly as these data do: export a longer motion, more digits, or "
             "more columns.");
     }
-    return DiagnosisText::tr("There are too few values of θ³, Rₓ⁴, R³ and their derivatives to find the mechanism by: "
-                             "export more instants, or more columns.");
+    return DiagnosisText::tr(
+        "There are too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler's centre R³ and their "
+        "derivatives to find the mechanism: export more instants, or more columns.");
 }
 
 QString crankSpeedSentence(const CrankSpeedChange &speed)
@@ -176,10 +177,9 @@ QString nearestSentence(const Diagnosis &diagnosis)
     const auto worst = std::ranges::max_element(
         diagnosis.identified, {}, [](const ChannelComparison &channel) { return channel.percentOfPeak.value_or(0.0); });
     return worst == diagnosis.identified.end() || !worst->percentOfPeak
-               ? DiagnosisText::tr("Nothing found explains this file. What comes nearest: %1.").arg(mechanism)
-               : DiagnosisText::tr(
-                     "Nothing found explains this file. What comes nearest: %1, off by up to %2 % of peak, "
-                     "in %3.")
+               ? DiagnosisText::tr("No mechanism was found that explains this file. The nearest: %1.").arg(mechanism)
+               : DiagnosisText::tr("No mechanism was found that explains this file. The nearest: %1, off by up to %2 % "
+                                   "of peak, in %3.")
                      .arg(mechanism, errorText(*worst->percentOfPeak), symbolOf(worst->channel));
 }
 
@@ -208,7 +208,8 @@ QString caveatsOf(const Diagnosis &diagnosis)
     const Identification &identification = diagnosis.identification;
     QStringList sentences;
     if (identification.onlyRatios) {
-        sentences << DiagnosisText::tr("θ³ alone fixes only b/a and c/a; a = %1 is taken as given.")
+        sentences << DiagnosisText::tr(
+                         "The coupler angle θ³ alone determines only b/a and c/a; a = %1 is taken as given.")
                          .arg(parameterText(Parameter::A, identification.parameters.a));
     }
     if (identification.outcome == Outcome::Identified) {
@@ -216,8 +217,17 @@ QString caveatsOf(const Diagnosis &diagnosis)
             sentences << imageSentence(alternative);
         }
     }
+    if (diagnosis.isSpeedOfDerivatives) {
+        sentences << DiagnosisText::tr("The file counts by the crank's angle: ω₂ is what its derivatives say.");
+    }
     if (const QStringList kept = foundAndKept(identification).kept; !kept.isEmpty()) {
-        sentences << DiagnosisText::tr("The data do not fix %1: kept as given.").arg(listed(kept));
+        sentences << DiagnosisText::tr("The data do not determine %1: kept as given.").arg(listed(kept));
+    }
+    if (diagnosis.mayBeInMetres) {
+        sentences << DiagnosisText::tr(
+                         "The file does not say the unit of its lengths, and they were read as mm: if they "
+                         "are metres, a = %1; then write [m] behind the names.")
+                         .arg(parameterText(Parameter::A, 1e3 * diagnosis.rounded.a));
     }
     if (!identification.noise.empty()) {
         QStringList columns;
@@ -227,7 +237,7 @@ QString caveatsOf(const Diagnosis &diagnosis)
                            .arg(symbolOf(noise.channel), errorText(noise.rms),
                                 unit.startsWith(u'°') ? QString() : QStringLiteral(" "), unit);
         }
-        sentences << DiagnosisText::tr("What is left looks like noise: %1 (rms).").arg(listed(columns));
+        sentences << DiagnosisText::tr("What remains looks like noise: %1 (rms).").arg(listed(columns));
     }
     if (diagnosis.unevenCrank) {
         sentences << crankSpeedSentence(*diagnosis.unevenCrank);
@@ -247,12 +257,13 @@ QString summaryOf(const Diagnosis &diagnosis)
         const QString caveats = caveatsOf(diagnosis);
         return caveats.isEmpty() ? mechanism : mechanism + u' ' + caveats;
     }
-    const QString text = found.outcome == Outcome::Insufficient ? lackSentence(found)
-                         : found.outcome == Outcome::Nearest    ? nearestSentence(diagnosis)
-                         : diagnosis.unevenCrank
-                             ? DiagnosisText::tr("Nothing found explains this file.")
-                             : DiagnosisText::tr("Nothing found explains this file: check which column is which, and "
-                                                 "their units.");
+    const QString text =
+        found.outcome == Outcome::Insufficient ? lackSentence(found)
+        : found.outcome == Outcome::Nearest    ? nearestSentence(diagnosis)
+        : diagnosis.unevenCrank
+            ? DiagnosisText::tr("No mechanism was found that explains this file.")
+            : DiagnosisText::tr(
+                  "No mechanism was found that explains this file: check which column is which, and their units.");
     return diagnosis.unevenCrank ? crankSpeedSentence(*diagnosis.unevenCrank) + u' ' + text : text;
 }
 
@@ -263,11 +274,11 @@ QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &dat
         lines << explanationOf(finding.convention, data) + u' ' + effectOf(finding);
     }
     if (!lines.isEmpty() && diagnosis.isOfMechanismAtHand) {
-        lines << DiagnosisText::tr("Read so, it does not differ from this mechanism.");
+        lines << DiagnosisText::tr("Read this way, it does not differ from this mechanism.");
     } else if (const QString change = changeText(diagnosis, mechanism); !change.isEmpty()) {
         lines << change;
     }
-    return lines;
+    return lines << differenceSentences(data, diagnosis.conventions);
 }
 
 QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)
@@ -289,7 +300,7 @@ QString roundNumbersText(const Diagnosis &diagnosis)
         return {};
     }
     constexpr int kDigits = 9;
-    return DiagnosisText::tr("Round numbers come as near to the data: %1.")
+    return DiagnosisText::tr("Round numbers fit the data as well: %1.")
         .arg(mechanismText(Mechanism(diagnosis.rounded), kDigits));
 }
 

@@ -49,13 +49,43 @@ QString symbolOf(Channel channel)
     const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ")
                            : axis == 0                 ? QStringLiteral("Rₓ")
                                                        : QStringLiteral("R_y");
-    const QString symbol = letter + QStringLiteral("¹²³⁴")[body];
+    // The crank's angle is the drive's, too: one letter for both.
+    const QString symbol = channel.coordinate == Theta2 ? QStringLiteral("θ₂") : letter + QStringLiteral("¹²³⁴")[body];
     switch (channel.order) {
     case Order::Position: return symbol;
     case Order::Velocity: return QStringLiteral("d%1/dt").arg(symbol);
     case Order::Acceleration: return QStringLiteral("d²%1/dt²").arg(symbol);
     }
     return {};
+}
+
+QString quantityOf(Channel channel)
+{
+    const auto one = [channel](const QString &position, const QString &velocity, const QString &acceleration) {
+        switch (channel.order) {
+        case Order::Position: return position;
+        case Order::Velocity: return velocity;
+        case Order::Acceleration: return acceleration;
+        }
+        return QString();
+    };
+    const std::array bodies{FindingText::tr("ground"), FindingText::tr("crank"), FindingText::tr("coupler"),
+                            FindingText::tr("slider")};
+    QString quantity;
+    if (isAngle(channel.coordinate)) {
+        quantity = one(FindingText::tr("%1 angle"), FindingText::tr("%1 angular velocity"),
+                       FindingText::tr("%1 angular acceleration"));
+    } else if (channel.coordinate == R4x) {
+        quantity =
+            one(FindingText::tr("%1 position"), FindingText::tr("%1 velocity"), FindingText::tr("%1 acceleration"));
+    } else if (static_cast<int>(channel.coordinate) % 3 == 0) {
+        quantity = one(FindingText::tr("%1 centre in x"), FindingText::tr("%1 centre's velocity in x"),
+                       FindingText::tr("%1 centre's acceleration in x"));
+    } else {
+        quantity = one(FindingText::tr("%1 centre in y"), FindingText::tr("%1 centre's velocity in y"),
+                       FindingText::tr("%1 centre's acceleration in y"));
+    }
+    return quantity.arg(bodies[static_cast<std::size_t>(channel.coordinate) / 3]);
 }
 
 QString columnNameOf(Channel channel)
@@ -134,6 +164,21 @@ QString mechanismText(const Mechanism &mechanism, int digits)
     return (parts << withNoun(mechanism.branch())).join(FindingText::tr(", "));
 }
 
+QString keptText(const Parameters &kept, const Parameters &present)
+{
+    QStringList parts;
+    for (const Parameter parameter : kParameters) {
+        if (valueOf(kept, parameter) != valueOf(present, parameter)) {
+            parts << FindingText::tr("%1 = %2").arg(symbolOf(parameter),
+                                                    parameterText(parameter, valueOf(kept, parameter)));
+        }
+    }
+    if (kept.branch != present.branch) {
+        parts << withNoun(kept.branch);
+    }
+    return parts.isEmpty() ? FindingText::tr("kept") : parts.join(FindingText::tr(", "));
+}
+
 QString measuredText(double value, double standardError, double scale)
 {
     constexpr double kArithmetic = 1e-13; // of the scale: a smaller error says nothing of the data
@@ -207,12 +252,10 @@ QString verdictFormula(const ChannelComparison &channel)
     }
     return rule + u'\n' +
            (channel.clockIsRounded
-                ? FindingText::tr(
-                      "The bound: half a step of the value's last digit, and what the motion does in half a "
-                      "step of the instant's, though the instants are evenly spaced.")
-                : FindingText::tr(
-                      "The bound: half a step of the value's last digit, and what the motion does in half a "
-                      "step of the instant's; evenly spaced instants count as exact.")) +
+                ? FindingText::tr("The bound: half a unit of the value's last digit, plus how far the motion goes in "
+                                  "half a unit of the instant's, though the instants are evenly spaced.")
+                : FindingText::tr("The bound: half a unit of the value's last digit, plus how far the motion goes in "
+                                  "half a unit of the instant's; evenly spaced instants count as exact.")) +
            u'\n' +
            FindingText::tr("Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.")
                .arg(channel.withinBound)
@@ -234,8 +277,8 @@ QString summaryOf(std::span<const ChannelComparison> channels)
     };
     if (count(Verdict::Differs) == 0) {
         if (std::ranges::all_of(channels, &ChannelComparison::clockIsRounded)) {
-            return FindingText::tr("Comes close to this mechanism in every channel, if the file's instants, evenly "
-                                   "spaced as they are, were rounded.");
+            return FindingText::tr("Comes close to this mechanism in every channel, provided that the file's instants, "
+                                   "though evenly spaced, were rounded.");
         }
         if (count(Verdict::Agrees) == 0) {
             return FindingText::tr("Comes close to this mechanism in every channel, a little beyond the rounding of "

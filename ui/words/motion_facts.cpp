@@ -199,12 +199,14 @@ private:
 void addDeadCentres(FactList &list, const MotionLimits &limits, double reach)
 {
     if (limits.outer) {
-        list.addAt(limits.outer->theta2, MotionFacts::tr("outer dead centre"), lengthOf(limits.outer->R4x, reach),
-                   MotionFacts::tr("Where the slider (Rₓ⁴) turns back with crank and coupler stretched"));
+        list.addAt(
+            limits.outer->theta2, MotionFacts::tr("outer dead centre"), lengthOf(limits.outer->R4x, reach),
+            MotionFacts::tr("The slider position Rₓ⁴ where it turns back, crank and coupler stretched in one line"));
     }
     if (limits.inner) {
-        list.addAt(limits.inner->theta2, MotionFacts::tr("inner dead centre"), lengthOf(limits.inner->R4x, reach),
-                   MotionFacts::tr("Where the slider (Rₓ⁴) turns back with crank and coupler folded"));
+        list.addAt(
+            limits.inner->theta2, MotionFacts::tr("inner dead centre"), lengthOf(limits.inner->R4x, reach),
+            MotionFacts::tr("The slider position Rₓ⁴ where it turns back, crank and coupler folded in one line"));
     }
 }
 
@@ -213,8 +215,8 @@ void addEnds(FactList &list, const Mechanism &mechanism, const MotionLimits &lim
 {
     const auto add = [&](const QString &name, double theta2) {
         list.addAt(theta2, name, lengthOf(mechanism.a() * std::cos(theta2), reach),
-                   MotionFacts::tr("The crank can go no further: the coupler stands square to the slider's line. The "
-                                   "value is the slider's position Rₓ⁴."));
+                   MotionFacts::tr("The crank can go no further: the coupler is perpendicular to the slider's line. "
+                                   "The value is the slider's position Rₓ⁴."));
     };
     for (const CrankRange &range : limits.ranges) {
         if (limits.mobility == Mobility::Locked) {
@@ -268,7 +270,8 @@ Amount peakOf(Channel channel, double value)
 
 void addPeak(FactList &list, const Peak &peak)
 {
-    const QString explanation = MotionFacts::tr("The largest over a whole turn: where its own derivative vanishes");
+    const QString explanation =
+        MotionFacts::tr("The largest over a whole turn of the crank: there its own derivative is zero");
     for (const PeakPlace &place : inOrder(peak.places)) {
         list.addAt(place.theta2, peakName(peak.channel), peakOf(peak.channel, place.value), explanation);
     }
@@ -289,13 +292,12 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
             return MotionFacts::tr("The crank turns round: b = %1 ≥ a + |c| = %2.").arg(turning.one, turning.other);
         }
         if (mechanism.c() == 0.0) {
-            return MotionFacts::tr(
-                       "The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° "
-                       "the coupler stands square to the slider's line, and the speeds jump.")
+            return MotionFacts::tr("The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and "
+                                   "270° the coupler is perpendicular to the slider's line, and the speeds jump.")
                 .arg(turning.one);
         }
-        return MotionFacts::tr("The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler stands square to "
-                               "the slider's line, and the speeds jump.")
+        return MotionFacts::tr("The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler is perpendicular "
+                               "to the slider's line, and the speeds jump.")
             .arg(turning.one, numberText(mechanism.c() > 0.0 ? 270.0 : 90.0));
     case Mobility::Rocker: {
         const QString help = helpForFullTurn(mechanism);
@@ -371,7 +373,7 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
             list.addAt(place.theta2,
                        turns ? MotionFacts::tr("accelerations") : MotionFacts::tr("speeds, accelerations"),
                        {MotionFacts::tr("unbounded"), unbounded->magnitude, {}}, // of several units
-                       turns ? MotionFacts::tr("The coupler stands square to the slider's line and the speeds jump")
+                       turns ? MotionFacts::tr("The coupler is perpendicular to the slider's line and the speeds jump")
                              : MotionFacts::tr("Towards the crank's limit slider and coupler get ever faster"));
         }
     }
@@ -402,8 +404,8 @@ QString iterationsText(const RunSummary &run, const NewtonOptions &options)
         return MotionFacts::tr("%1 in all, at most %2 an instant").arg(all, most);
     }
     return run.mostFromBefore == 0
-               ? MotionFacts::tr("%1 in all, at most %2 where it started from afar").arg(all, most)
-               : MotionFacts::tr("%1 in all, at most %2 from one instant to the next, %3 where it started from afar")
+               ? MotionFacts::tr("%1 in all, at most %2 where it had a rough start").arg(all, most)
+               : MotionFacts::tr("%1 in all, at most %2 from one instant to the next, %3 where it had a rough start")
                      .arg(all, locale.toString(run.mostFromBefore), most);
 }
 

@@ -23,6 +23,7 @@ QString clauseOf(ColumnReason reason)
     case ColumnReason::NotDerivative: return ReadFaultText::tr("its values are not the derivative that its name says");
     case ColumnReason::AngleOrLength:
         return ReadFaultText::tr("neither its unit nor its values tell an angle from a length");
+    case ColumnReason::UnknownBody: return ReadFaultText::tr("its name does not tell what moves so");
     case ColumnReason::UnknownUnit:
     default: return ReadFaultText::tr("its unit is not known or does not suit the quantity");
     }
@@ -60,6 +61,7 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::Pdf: return ReadFaultText::tr("The file is a PDF document, not a table: export the table as CSV.");
     case Kind::Markup:
         return ReadFaultText::tr("The file is HTML or XML, not a table of text: export the table as CSV.");
+    case Kind::Json: return ReadFaultText::tr("The file is JSON, not a table of text: export the table as CSV.");
     case Kind::NotText: return ReadFaultText::tr("the file holds bytes that are not text: export the table as CSV.");
     case Kind::LineTooLong:
         return ReadFaultText::tr("the line has more than a million characters: export the table as CSV, a row a line.");
@@ -78,6 +80,11 @@ QString sentenceOf(const ReadFault &fault)
             .arg(QString::fromUtf8(authorUnitOf(fault.channel)));
     case Kind::UnknownTimeUnit:
         return ReadFaultText::tr("the unit of the time is not known: write [s] or [ms], or none for seconds.");
+    case Kind::NoSuchColumn:
+        return ReadFaultText::tr("there is no column \"%1\".").arg(QString::fromUtf8(fault.heading));
+    case Kind::SeveralColumns:
+        return ReadFaultText::tr("several columns are called \"%1\": give the number of the one, as in #3.")
+            .arg(QString::fromUtf8(fault.heading));
     case Kind::ChannelTwice: return ReadFaultText::tr("there is a column of that name already: keep one of the two.");
     case Kind::TimeTwice: return ReadFaultText::tr("there is a time column already: keep one of the two.");
     case Kind::ChannelChosenTwice:
@@ -89,7 +96,7 @@ QString sentenceOf(const ReadFault &fault)
         return ReadFaultText::tr("no column beside the time has a known name: name them as in theta3, theta3_diff, "
                                  "theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.");
     case Kind::NoCertainChannel:
-        return ReadFaultText::tr("no column beside the time can be told for certain (%1: %2): name them as in theta3, "
+        return ReadFaultText::tr("the columns beside the time are unknown (%1: %2): name them as in theta3, "
                                  "theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.")
             .arg(QString::fromUtf8(fault.heading), clauseOf(fault.column));
     case Kind::NoNumbers: return ReadFaultText::tr("there are no numbers below the names of the columns.");
@@ -101,6 +108,10 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::TimeNotRising:
         return ReadFaultText::tr("the time does not increase from the row before: sort the rows by time and keep one "
                                  "of each instant.");
+    case Kind::AngleTurnsBack:
+        return ReadFaultText::tr("the crank's angle turns back behind %1: sort the rows by it, one row for each "
+                                 "angle.")
+            .arg(QString::fromUtf8(fault.heading));
     case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
     case Kind::Unreadable: return ReadFaultText::tr("The file became shorter while it was read: open it again.");
     case Kind::NoMemory:

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/study_text.h"
 
+#include "core/newton/newton_options.h"
+#include "ui/words/axis_scale.h"
 #include "ui/words/column_text.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 #include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -43,7 +50,82 @@ QString traitText(const CaseTrait &trait)
     return {};
 }
 
+constexpr double kAlike = 1.05; // ratios up to this say nothing
+
+/// "4", "4.6", "130".
+QString ratioText(double ratio)
+{
+    constexpr int kDigits = 2;
+    constexpr double kWrittenOut = 1e6;
+    const double step = std::pow(10.0, std::floor(std::log10(ratio)) - (kDigits - 1));
+    return ratio < kWrittenOut ? numberText(step * std::round(ratio / step)) : shortNumber(ratio, kDigits);
+}
+
+const MethodResult *rowOf(const CaseResult &which, MethodName::Kind kind, std::optional<double> tolerance)
+{
+    const auto row = std::ranges::find_if(which.methods, [&](const MethodResult &method) {
+        return method.method.kind == kind && method.tolerance == tolerance;
+    });
+    return row == which.methods.end() ? nullptr : &*row;
+}
+
+QString speedText(double closedForm, double report)
+{
+    if (report >= kAlike * closedForm) {
+        return StudyText::tr("%1 times as fast as the report's way").arg(ratioText(report / closedForm));
+    }
+    return closedForm < kAlike * report
+               ? StudyText::tr("as fast as the report's way")
+               : StudyText::tr("takes %1 times as long as the report's way").arg(ratioText(closedForm / report));
+}
+
+QString exactnessText(std::optional<double> closedForm, std::optional<double> report)
+{
+    if (!closedForm) {
+        return StudyText::tr(", but it solves no instant here");
+    }
+    if (!report) {
+        return StudyText::tr(", which solves no instant here");
+    }
+    if (*report >= kAlike * *closedForm && *report > 0.0) {
+        return *closedForm > 0.0 ? StudyText::tr(" and %1 times as exact here").arg(ratioText(*report / *closedForm))
+                                 : StudyText::tr(" and right to the last digit here");
+    }
+    return *closedForm <= kAlike * *report ? StudyText::tr(" and as exact here")
+           : *report > 0.0
+               ? StudyText::tr(", but its error is %1 times as large here").arg(ratioText(*closedForm / *report))
+               : StudyText::tr(", which is right to the last digit here");
+}
+
 } // namespace
+
+QString closedFormSentence(const CaseResult &which)
+{
+    const MethodResult *closedForm = rowOf(which, MethodName::Kind::ClosedForm, std::nullopt);
+    const MethodResult *report = rowOf(which, MethodName::Kind::NewtonDense, NewtonOptions().tolerance);
+    if (!closedForm || !report || closedForm->nsPerState <= 0.0 || report->nsPerState <= 0.0) {
+        return {};
+    }
+    if (!closedForm->maxError && !report->maxError) {
+        return StudyText::tr("Neither the closed form nor the report's way solves an instant here.");
+    }
+    QString text = StudyText::tr("Closed form: %1%2.")
+                       .arg(speedText(closedForm->nsPerState, report->nsPerState),
+                            exactnessText(closedForm->maxError, report->maxError));
+    const auto solved = [](const MethodResult &row) { return row.counts[static_cast<std::size_t>(Status::Solved)]; };
+    if (closedForm->maxError && report->maxError && solved(*closedForm) != solved(*report)) {
+        text += u' ' + StudyText::tr("It solves %1 of %2 instants, the report's way %3.")
+                           .arg(solved(*closedForm))
+                           .arg(std::accumulate(closedForm->counts.begin(), closedForm->counts.end(), std::size_t{0}))
+                           .arg(solved(*report));
+    }
+    if (report->silentFailures.value_or(0) > 0) {
+        text +=
+            u' ' +
+            StudyText::tr("At %1 instants the report's way is wrong without saying so.").arg(*report->silentFailures);
+    }
+    return text;
+}
 
 QString caseText(const std::vector<CaseTrait> &traits)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison/comparison.h"
+#include "core/comparison/motion_difference.h"
 
 #include <QFile>
 #include <QTest>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -483,6 +485,84 @@ private slots:
             QVERIFY2(found.verdict == Verdict::Agrees, nameOf(found.channel).data());
             QVERIFY2(found.count == 201, nameOf(found.channel).data());
         }
+    }
+
+    void tellsHowFarTwoMotionsAreApart_data()
+    {
+        QTest::addColumn<double>("b");
+        QTest::addColumn<double>("omega2"); // as a part of the other's
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("to");
+        QTest::newRow("another coupler, one turn") << 75.0 << 1.0 << 0.0 << 1.0;
+        QTest::newRow("from the end") << 75.0 << 1.0 << 1.0 << 0.0;
+        QTest::newRow("a part of a turn, largest at its end") << 75.0 << 1.0 << 0.1 << 0.35;
+        QTest::newRow("another speed") << 65.0 << 1.3 << -0.4 << 2.1;
+        QTest::newRow("many turns alike") << 66.0 << 1.0 << 0.0 << 1000.0;
+    }
+
+    void tellsHowFarTwoMotionsAreApart()
+    {
+        QFETCH(const double, b);
+        QFETCH(const double, omega2);
+        QFETCH(const double, from);
+        QFETCH(const double, to);
+        Parameters one;
+        one.b = b;
+        one.omega2 *= omega2;
+        const MotionDifference found = differenceOf(Mechanism(one), Mechanism(Parameters()), from, to);
+        QVERIFY(!found.hasGaps);
+        // By the other method, at instants of its own; of a thousand turns the last.
+        const bool isLong = to - from > 10.0;
+        const Sampling run{isLong ? to - 1.0 : from, isLong ? 1.0 : to - from, 3000};
+        const SolverSettings newton{Method::Newton, {20, 1e-12, {}, {}, Elimination::Structured}};
+        const Trajectory first = sample(Mechanism(one), run.instants(), plottedChannels(), newton, {});
+        const Trajectory second = sample(Mechanism(Parameters()), run.instants(), plottedChannels(), newton, {});
+        for (const ChannelDifference &channel : found.channels) {
+            double largest = 0.0;
+            double squares = 0.0;
+            double peak = 0.0;
+            for (std::size_t i = 0; i < first.time.size(); ++i) {
+                const double error = std::abs(first[channel.channel][i] - second[channel.channel][i]);
+                largest = std::max(largest, error);
+                squares += error * error;
+                peak = std::max(peak, std::abs(second[channel.channel][i]));
+            }
+            const double rms = std::sqrt(squares / static_cast<double>(first.time.size()));
+            const auto isNearly = [&](double value, double wanted) { return std::abs(value - wanted) < 3e-3 * wanted; };
+            QVERIFY2(isNearly(channel.maxAbs.value(), largest) && *channel.maxAbs > (1.0 - 1e-9) * largest,
+                     nameOf(channel.channel).data());
+            QVERIFY2(isNearly(channel.rms.value(), rms), nameOf(channel.channel).data());
+            QVERIFY2(isNearly(channel.percentOfPeak.value(), 100.0 * largest / peak), nameOf(channel.channel).data());
+            const double t = channel.timeOfMaxAbs;
+            const Trajectory there = sample(Mechanism(one), {t}, plottedChannels(), newton, {});
+            const Trajectory otherThere = sample(Mechanism(Parameters()), {t}, plottedChannels(), newton, {});
+            QVERIFY2(isNearly(std::abs(there[channel.channel][0] - otherThere[channel.channel][0]), *channel.maxAbs),
+                     nameOf(channel.channel).data());
+        }
+    }
+
+    void theSameMotionIsNowhereApart()
+    {
+        const MotionDifference found = differenceOf(Mechanism(Parameters()), Mechanism(Parameters()), 0.0, 1.0);
+        for (const ChannelDifference &channel : found.channels) {
+            QCOMPARE(channel.maxAbs.value(), 0.0);
+            QCOMPARE(channel.rms.value(), 0.0);
+        }
+    }
+
+    void whereOneGrowsBeyondAllBoundsThereIsNoLargestDifference()
+    {
+        Parameters rocker;
+        rocker.b = 40.0; // a + |c| = 45
+        const MotionDifference found = differenceOf(Mechanism(rocker), Mechanism(Parameters()), 0.0, 1.0);
+        QVERIFY(found.hasGaps);
+        QVERIFY(std::isfinite(found.channels[0].maxAbs.value()) && found.channels[0].rms.has_value());
+        QVERIFY(std::isinf(found.channels[2].maxAbs.value()) && !found.channels[2].rms.has_value());
+        QVERIFY(!found.channels[2].percentOfPeak.has_value());
+        const double limit = std::asin((25.0 - 40.0) / 20.0); // where c − a sin θ² = b
+        QVERIFY(std::abs(found.channels[2].timeOfMaxAbs * Parameters().omega2 - (std::numbers::pi - limit)) < 1e-6);
+        const MotionDifference within = differenceOf(Mechanism(rocker), Mechanism(Parameters()), 0.1, 0.4);
+        QVERIFY(!within.hasGaps && std::isfinite(within.channels[5].maxAbs.value()));
     }
 };
 

@@ -127,6 +127,45 @@ private slots:
         QVERIFY(std::abs(errors.rows[3][1].toDouble() / *content.result->comparison[3].maxAbs - 1.0) < 5e-3);
     }
 
+    void saysFromWhatItWasMade()
+    {
+        // A file of its own, with names that leave something to guess.
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a long way/motion.csv"));
+        QVERIFY(QDir().mkpath(QFileInfo(path).path()));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time,Linear Displacement1 (mm),theta3\n0,80,22.6\n0.01,80.3,21.5\n0.02,80.5,20.5\n");
+        file.close();
+        const auto outcome = readReference(path);
+        const auto reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        // As `sha256sum` has it.
+        QCOMPARE(checksumOf(*reference),
+                 QByteArray("5a0472220eeedb4db32514e7d5c80640911f2d532411f7cf10adae6d081235b0"));
+        ReportContent content = contentWith(65.0, reference);
+        content.checksum = checksumOf(*reference);
+        content.written = QDateTime({2024, 5, 17}, {9, 41, 5}, Qt::UTC);
+        QString text = allText(reportOf(content));
+        QVERIFY2(text.contains("17 May 2024 09:41:05"), qPrintable(text));
+        QVERIFY(text.contains(QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion()));
+        QVERIFY(text.contains("File: " + QDir::toNativeSeparators(path) + '\n'));
+        QVERIFY(text.contains("SHA-256: " + QString::fromLatin1(content.checksum)));
+        QVERIFY2(text.contains("Columns guessed: “Linear Displacement1 (mm)” as slider position Rₓ⁴ (guessed by its "
+                               "name)."),
+                 qPrintable(text));
+        QVERIFY(!text.contains("theta3”")); // its name is known
+
+        QVERIFY(file.open(QIODevice::Append));
+        file.write("0.03,80.7,19.5\n"); // no longer what was read
+        file.close();
+        QCOMPARE(checksumOf(*reference), QByteArray());
+        content.checksum.clear();
+        text = allText(reportOf(content));
+        QVERIFY2(text.contains("SHA-256: unknown: the file cannot be read again, or was changed since"),
+                 qPrintable(text));
+        QVERIFY(allText(reportOf(contentWith(65.0, sampleFile()))).contains("No column was guessed."));
+    }
+
     void reportsAMechanismWithoutAFile()
     {
         const std::vector<ReportBlock> blocks = reportOf(contentWith(65.0, nullptr));
@@ -135,6 +174,7 @@ private slots:
         QCOMPARE(blockOf(blocks, Kind::Mechanism)->table.header.size(), qsizetype(2));
         QVERIFY(blockOf(blocks, Kind::Figure));
         QVERIFY(!allText(blocks).contains("reference"));
+        QVERIFY(!allText(blocks).contains("SHA-256") && !allText(blocks).contains("guessed"));
     }
 
     void namesTheMethodAndItsTolerance_data()
@@ -173,7 +213,7 @@ private slots:
         QVERIFY(text.contains("read with the conventions named above"));
         content.diagnosis.isOfMechanismAtHand = true; // by itself that is all there is to say
         text = allText(reportOf(content));
-        QVERIFY(text.contains("Read so, it does not differ") && !text.contains("This error looks like"));
+        QVERIFY(text.contains("Read this way, it does not differ") && !text.contains("This error looks like"));
 
         content.diagnosis.conventions.clear();
         content.diagnosis.isOfMechanismAtHand = false;
@@ -183,8 +223,8 @@ private slots:
 
         content.diagnosis.identification.outcome = Identification::Outcome::Nearest;
         text = allText(reportOf(content));
-        QVERIFY2(text.contains("Nothing found explains this file") && !text.contains("its own mechanism") &&
-                     !text.contains("the file's own"),
+        QVERIFY2(text.contains("No mechanism was found that explains this file") &&
+                     !text.contains("its own mechanism") && !text.contains("the file's own"),
                  qPrintable(text));
     }
 

@@ -2,12 +2,18 @@
 #include "core/closed_form/closed_form.h"
 #include "ui/limits/limits_panel.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include <cmath>
 #include <numbers>
@@ -128,12 +134,12 @@ private slots:
                                     << "It cannot be assembled: b = 4 mm < |c| − a = 5 mm. There is a pose with b ≥ 5 "
                                        "mm, a ≥ 21 mm or |c| ≤ 24 mm. It would turn round with b ≥ 45 mm.";
         QTest::newRow("exact toggle") << 20.0 << 45.0 << 25.0
-                                      << "The crank just turns round: b = a + |c| = 45 mm. At θ₂ = 270° the coupler "
-                                         "stands square to the slider's line, and the speeds jump.";
+                                      << "The crank just turns round: b = a + |c| = 45 mm. At θ₂ = 270° the coupler is "
+                                         "perpendicular to the slider's line, and the speeds jump.";
         QTest::newRow("change point")
             << 20.0 << 20.0 << 0.0
-            << "The crank just turns round: b = a = 20 mm, c = 0, a change point. At θ₂ = 90° "
-               "and 270° the coupler stands square to the slider's line, and the speeds jump.";
+            << "The crank just turns round: b = a = 20 mm, c = 0, a change point. At θ₂ = 90° and 270° the coupler is "
+               "perpendicular to the slider's line, and the speeds jump.";
         QTest::newRow("by a hair")
             << 20.0 << 45.0 * (1.0 - 1e-8) << 25.0
             << "The crank rocks: b = 44.9999995 mm < a + |c| = 45 mm. It would turn round with b ≥ "
@@ -421,6 +427,40 @@ private slots:
                 QVERIFY(!table->model()->index(row, Name).data(Qt::AccessibleTextRole).toString().isEmpty());
             }
         }
+    }
+
+    void copiesAndExportsBothTables()
+    {
+        const Parameters parameters = lengths(20.0, 60.0, 25.0);
+        Shown shown{parameters};
+        QSignalSpy copied(&shown.panel, &LimitsPanel::rowsCopied);
+        QTest::mouseClick(child<QToolButton>(shown.panel, "copyLimitsButton"), Qt::LeftButton);
+        const QString text = QApplication::clipboard()->text();
+        QCOMPARE(copied.value(0).value(0).toInt(), rowCountOf(shown.positions()) + rowCountOf(shown.peaks()));
+        const QStringList lines = text.trimmed().split('\n');
+        QCOMPARE(lines.size(), 1 + copied[0][0].toInt());
+        QCOMPARE(lines[0], QString("limit,value,theta2 [°],time [s]"));
+        // Crank and coupler in one line: what Pythagoras leaves of c.
+        const double stroke = std::sqrt(80.0 * 80.0 - 625.0) - std::sqrt(40.0 * 40.0 - 625.0);
+        const QStringList rows = lines.filter(QRegularExpression("^stroke \\[mm\\],"));
+        QCOMPARE(rows.size(), 1);
+        QVERIFY(std::abs(rows[0].split(',')[1].toDouble() / stroke - 1.0) < 1e-12);
+        QVERIFY(lines.last().startsWith("coupler acceleration [°/s²],"));
+
+        QTemporaryDir folder;
+        const QString path = folder.filePath("limits.csv");
+        QCOMPARE(shown.panel.exportCsv(path), std::nullopt);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(QString::fromUtf8(file.readAll()), text);
+        QVERIFY(shown.panel.exportCsv(folder.filePath("none/limits.csv")).value_or("").contains("cannot be written"));
+
+        shown.panel.hide(); // what it has not shown yet is exported all the same
+        shown.panel.setResult(resultOf(lengths(20.0, 65.0, 25.0)));
+        QCOMPARE(shown.panel.exportCsv(path), std::nullopt);
+        QFile other(path);
+        QVERIFY(other.open(QIODevice::ReadOnly));
+        QVERIFY(QString::fromUtf8(other.readAll()) != text);
     }
 
     /// A drag is to be cheap: nothing is laid out or made anew, and no cell told of but those whose text changes.

@@ -5,7 +5,7 @@
 
 #include "tests/support/waiting.h"
 
-#include <QComboBox>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -55,6 +55,7 @@ struct Bench {
         QObject::connect(&session, &Session::parametersChanged, &timeline, &Timeline::setParameters);
         QObject::connect(&session, &Session::settingsChanged, &timeline,
                          [this](const Sampling &changed) { timeline.setSampling(changed); });
+        QObject::connect(&timeline, &Timeline::samplingEdited, &session, &Session::setSampling);
         session.setParameters(parameters);
         session.setSampling(sampling);
         session.setTime(sampling.start);
@@ -348,17 +349,146 @@ private slots:
         QVERIFY(child<NumberBox>(bench.timeline, "angleBox")->isEnabled());
     }
 
-    void theSpeedIsChosen()
+    void theButtonSaysRunAndSpeed()
+    {
+        Bench bench({}, {0.0, 2.5, 200});
+        const auto *button = child<QToolButton>(bench.timeline, "runButton");
+        QCOMPARE(button->text(), QString("2.5 s · 1× ▾"));
+        bench.timeline.setSpeed(0.1);
+        QCOMPARE(button->text(), QString("2.5 s · 0.1× ▾"));
+    }
+
+    void theRunOpensFromItsButton()
     {
         Bench bench;
-        auto *box = child<QComboBox>(bench.timeline, "speedBox");
-        QCOMPARE(box->currentText(), QString("1×"));
-        bench.timeline.setSpeed(0.1);
-        QCOMPARE(box->currentText(), QString("0.1×"));
-        bench.timeline.setSpeed(1000.0);
-        QCOMPARE(box->currentText(), QString("10×"));
-        QCOMPARE(box->itemText(0), QString("0.1×"));
-        QCOMPARE(box->itemText(box->count() - 1), QString("10×"));
+        bench.timeline.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.timeline));
+        auto *form = child<QWidget>(bench.timeline, "runForm");
+        QVERIFY(!form->isVisible());
+        child<QToolButton>(bench.timeline, "runButton")->click();
+        QVERIFY(form->isVisible() && child<NumberBox>(bench.timeline, "startBox")->hasFocus());
+        for (const char *next : {"durationBox", "oneTurnButton", "stepsBox", "speedBox", "turnBox"}) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            QCOMPARE(QApplication::focusWidget()->objectName(), QString(next));
+        }
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(!form->isVisible());
+    }
+
+    void eachBoxOfTheRunChangesItsOwnOnly()
+    {
+        Bench bench({}, {0.5, 2.5, 400});
+        const Session &session = bench.session;
+        bench.session.endDrag(); // what follows is another step
+        QCOMPARE(child<NumberBox>(bench.timeline, "stepsBox")->value(), 400.0);
+        QCOMPARE(child<NumberBox>(bench.timeline, "durationBox")->value(), 2.5);
+        QCOMPARE(child<NumberBox>(bench.timeline, "startBox")->value(), 0.5);
+        type(child<NumberBox>(bench.timeline, "stepsBox"), "500");
+        QCOMPARE(session.sampling(), (Sampling{0.5, 2.5, 500}));
+        type(child<NumberBox>(bench.timeline, "durationBox"), "3.25");
+        QCOMPARE(session.sampling(), (Sampling{0.5, 3.25, 500}));
+        type(child<NumberBox>(bench.timeline, "startBox"), "-1");
+        QCOMPARE(session.sampling(), (Sampling{-1.0, 3.25, 500}));
+        for (const char *impossible : {"0", "-2"}) {
+            type(child<NumberBox>(bench.timeline, "durationBox"), impossible);
+        }
+        type(child<NumberBox>(bench.timeline, "startBox"), "1e13");
+        QCOMPARE(session.sampling(), (Sampling{-1.0, 3.25, 500}));
+        bench.session.undoStack().undo();
+        QCOMPARE(child<NumberBox>(bench.timeline, "durationBox")->value(), 2.5); // all in one: typed at once
+    }
+
+    void stepsBeyondTheLimitAreRefusedWithTheLimit_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::newRow("one too many") << "1000001";
+        QTest::newRow("in groups") << "1 000 001";
+        QTest::newRow("none") << "0";
+        QTest::newRow("not whole") << "12.5";
+    }
+
+    void stepsBeyondTheLimitAreRefusedWithTheLimit()
+    {
+        QFETCH(const QString, typed);
+        Bench bench;
+        bench.timeline.show();
+        bench.timeline.openRun();
+        auto *box = child<NumberBox>(bench.timeline, "stepsBox");
+        type(box, typed);
+        QCOMPARE(bench.session.sampling().steps, 200);
+        QCOMPARE(box->text(), typed);
+        const auto *refusal = child<QLabel>(bench.timeline, "refusalLabel");
+        QVERIFY(refusal->isVisible());
+        QCOMPARE(refusal->text(), QString("This must be a whole number from 1 to 1000000."));
+        type(box, "1 000 000");
+        QCOMPARE(bench.session.sampling().steps, 1'000'000);
+        QVERIFY(!refusal->isVisible());
+    }
+
+    void oneTurnIsAsLongAsTheCrankTakes_data()
+    {
+        QTest::addColumn<double>("omega2");
+        QTest::addColumn<double>("seconds"); // 0: there is none
+        QTest::newRow("a turn a second") << 2.0 * std::numbers::pi << 1.0;
+        QTest::newRow("the other way round") << -4.0 * std::numbers::pi << 0.5;
+        QTest::newRow("an engine at 3000 rpm") << 100.0 * std::numbers::pi << 0.02;
+        QTest::newRow("standing still") << 0.0 << 0.0;
+        QTest::newRow("as good as that") << 1e-13 << 0.0;
+    }
+
+    void oneTurnIsAsLongAsTheCrankTakes()
+    {
+        QFETCH(const double, omega2);
+        QFETCH(const double, seconds);
+        Parameters parameters;
+        parameters.omega2 = omega2;
+        Bench bench(parameters, {0.25, 7.0, 300});
+        child<QToolButton>(bench.timeline, "oneTurnButton")->click();
+        const Sampling &run = bench.session.sampling();
+        QCOMPARE(run.start, 0.25);
+        QCOMPARE(run.steps, 300);
+        QVERIFY(std::abs(run.duration - (seconds > 0.0 ? seconds : 7.0)) < 1e-12);
+    }
+
+    void theSpeedIsAFactorOrSecondsATurn()
+    {
+        Parameters engine;
+        engine.omega2 = 100.0 * std::numbers::pi; // a turn in 20 ms
+        Bench bench(engine);
+        auto *factor = child<NumberBox>(bench.timeline, "speedBox");
+        auto *turn = child<NumberBox>(bench.timeline, "turnBox");
+        QSignalSpy changed(&bench.timeline, &Timeline::speedChanged);
+        type(turn, "4");
+        QVERIFY(std::abs(bench.timeline.speed() - 0.005) < 1e-12);
+        QVERIFY(std::abs(factor->value() - 0.005) < 1e-12);
+        type(factor, "0.5");
+        QCOMPARE(bench.timeline.speed(), 0.5);
+        QVERIFY(std::abs(turn->value() - 0.04) < 1e-12);
+        QCOMPARE(changed.count(), 2);
+        bench.session.setParameter(Parameter::Omega2, 0.0);
+        QVERIFY(!turn->isEnabled() && factor->isEnabled());
+        type(factor, "-1");
+        QCOMPARE(bench.timeline.speed(), 0.5);
+    }
+
+    void fasterAndSlowerGoFromOneSpeedToTheNext()
+    {
+        Bench bench;
+        bench.timeline.setSpeed(0.3);
+        bench.timeline.faster();
+        QCOMPARE(bench.timeline.speed(), 0.5);
+        bench.timeline.slower();
+        QCOMPARE(bench.timeline.speed(), 0.25);
+        for (int i = 0; i < 20; ++i) {
+            bench.timeline.faster();
+        }
+        QCOMPARE(bench.timeline.speed(), 10.0);
+        bench.timeline.setSpeed(100.0);
+        bench.timeline.faster();
+        QCOMPARE(bench.timeline.speed(), 100.0);
+        bench.timeline.setSpeed(0.001);
+        bench.timeline.slower();
+        QCOMPARE(bench.timeline.speed(), 0.001);
     }
 
     void aRunningInstantLeavesAloneWhatSomebodyTypes()

@@ -255,11 +255,11 @@ private slots:
         diagnosis->found.identification.outcome = Identification::Outcome::Ambiguous;
         m_panel->setDiagnosis(diagnosis);
         QCOMPARE(child<QPushButton>(*m_panel, QStringLiteral("takeOverButton"))->text(),
-                 QStringLiteral("Take the first over"));
+                 QStringLiteral("Use the first"));
         const auto nearest = std::make_shared<ReferenceDiagnosis>(*diagnosis);
         nearest->found.identification.outcome = Identification::Outcome::Nearest;
         m_panel->setDiagnosis(nearest);
-        QVERIFY(child<QLabel>(*m_panel, QStringLiteral("identificationLabel"))->text().contains("What comes nearest"));
+        QVERIFY(child<QLabel>(*m_panel, QStringLiteral("identificationLabel"))->text().contains("The nearest"));
         QVERIFY(!m_panel->findChild<QPushButton *>(QStringLiteral("takeOverButton")));
     }
 

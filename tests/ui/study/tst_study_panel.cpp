@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controls/number_table.h"
 #include "ui/study/study_figure.h"
 #include "ui/study/study_panel.h"
 #include "ui/words/theme.h"
@@ -9,6 +10,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QFile>
+#include <QHeaderView>
 #include <QImage>
 #include <QJsonDocument>
 #include <QLabel>
@@ -21,6 +23,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolTip>
+
+#include <cmath>
+#include <limits>
 
 using namespace slidercrank;
 
@@ -87,6 +92,10 @@ private slots:
     void drawsAtAnySize_data();
     void drawsAtAnySize();
     void namesItsParts();
+    void everyMarkHasItsOwnShape();
+    void namesAndOutcomesAreWholeInAUsualWindow();
+    void answersInOneSentence_data();
+    void answersInOneSentence();
 };
 
 void tst_study_panel::showsThePurposeBeforeTheFirstRun()
@@ -162,7 +171,7 @@ void tst_study_panel::saysThatTheMechanismHasChanged()
     StudyPanel panel;
     panel.show();
     runOnce(panel);
-    const auto *summary = part<QLabel>(panel, "studySummary");
+    const auto *summary = part<QLabel>(panel, "studyAnswer");
     QVERIFY(!summary->text().contains("run again"));
     Parameters other;
     other.b = 70.0;
@@ -228,7 +237,12 @@ void tst_study_panel::exportsThePictureAndTheNumbers()
         QCOMPARE(panel.exportPicture(folder.filePath(name)), std::nullopt);
     }
     QCOMPARE(QImage(folder.filePath("x.png")).size(), QSize(1800, 1200));
-    QVERIFY(contentOf(folder.filePath("x.svg")).contains("closed form"));
+    const QByteArray drawn = contentOf(folder.filePath("x.svg"));
+    for (const char *name : {"Newton dense (report)", "Newton dense, Taylor", "Newton structured",
+                             "Newton structured, Taylor", "closed form", "closed form, batch", "differences",
+                             "so many harmonics", ">32<", "fastest for its error", "cost of rounded input"}) {
+        QVERIFY2(drawn.contains(name), name);
+    }
     QCOMPARE(panel.exportNumbers(folder.filePath("x.json")), std::nullopt);
     QVERIFY(QJsonDocument::fromJson(contentOf(folder.filePath("x.json"))).isObject());
     QCOMPARE(panel.exportNumbers(folder.filePath("x.csv")), std::nullopt);
@@ -287,6 +301,132 @@ void tst_study_panel::namesItsParts()
     for (const char *name : {"studyPicture", "studyTable", "caseBox", "studyProgress"}) {
         QVERIFY2(!part<QWidget>(panel, name)->accessibleName().isEmpty(), name);
     }
+}
+
+void tst_study_panel::everyMarkHasItsOwnShape()
+{
+    SeriesColours black;
+    black.model = black.reference = black.error = black.errorOther = Qt::black;
+    black.background = Qt::white;
+    QList<QImage> marks;
+    for (const MethodResult &row : studyOfATurn()->cases.front().methods) {
+        QImage image(13, 13, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        drawMark(painter, {6.5, 6.5}, row, black);
+        painter.end();
+        if (!marks.contains(image)) {
+            for (const QImage &other : std::as_const(marks)) {
+                int different = 0;
+                for (int i = 0; i < 169; ++i) {
+                    different += image.pixel(i % 13, i / 13) != other.pixel(i % 13, i / 13) ? 1 : 0;
+                }
+                QVERIFY2(different >= 9, qPrintable(titleOf(row)));
+            }
+            marks.append(image);
+        }
+    }
+    QCOMPARE(marks.size(), 8); // a kind of method each; tolerances and numbers of harmonics share one
+
+    MethodResult stuck = smallCase().methods.front();
+    stuck.status = Status::Singular;
+    QImage hollow(13, 13, QImage::Format_RGB32);
+    hollow.fill(Qt::white);
+    QPainter painter(&hollow);
+    drawMark(painter, {6.5, 6.5}, stuck, black);
+    painter.end();
+    QVERIFY(!marks.contains(hollow));
+}
+
+void tst_study_panel::namesAndOutcomesAreWholeInAUsualWindow()
+{
+    StudyPanel panel;
+    panel.resize(960, 215); // its room in a window of 1400 x 900
+    panel.show();
+    panel.setResult(studyOfATurn());
+    settle();
+    const auto *table = part<NumberTable>(panel, "studyTable");
+    const QAbstractItemModel &model = *table->model();
+    for (int row = 0; row < model.rowCount(); ++row) {
+        for (int column = 0; column < model.columnCount(); ++column) {
+            const QModelIndex index = model.index(row, column);
+            QCOMPARE(table->shownText(index), index.data().toString());
+        }
+    }
+    QVERIFY(table->horizontalHeader()->length() <= table->viewport()->width()); // nothing to scroll sideways
+    const auto *picture = part<QWidget>(panel, "studyPicture");
+    double rightmost = 0.0;
+    for (const StudyPoint &point : studyPoints(studyOfATurn()->cases.front(), picture->size())) {
+        rightmost = std::max(rightmost, point.at.x());
+    }
+    QVERIFY(rightmost < picture->width() - 120); // where the legend is
+}
+
+void tst_study_panel::answersInOneSentence_data()
+{
+    QTest::addColumn<double>("reportTime");
+    QTest::addColumn<double>("reportError"); // NaN: solves nothing
+    QTest::addColumn<double>("error");
+    QTest::addColumn<int>("reportSolves"); // of 10
+    QTest::addColumn<QString>("sentence");
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    QTest::newRow("faster, more exact")
+        << 3250.0 << 4e-16 << 1e-16 << 10
+        << "Closed form: 65 times as fast as the report's way and 4 times as exact here.";
+    QTest::newRow("alike") << 51.0 << 1.02e-16 << 1e-16 << 10
+                           << "Closed form: as fast as the report's way and as exact here.";
+    QTest::newRow("slower, less exact")
+        << 25.0 << 1e-16 << 3e-16 << 10
+        << "Closed form: takes 2 times as long as the report's way, but its error is 3 times as large here.";
+    QTest::newRow("without an error") << 500.0 << 1e-16 << 0.0 << 10
+                                      << "Closed form: 10 times as fast as the report's way and right to the last "
+                                         "digit here.";
+    QTest::newRow("both without") << 500.0 << 0.0 << 0.0 << 10
+                                  << "Closed form: 10 times as fast as the report's way and as exact here.";
+    QTest::newRow("only the report without")
+        << 500.0 << 0.0 << 1e-16 << 10
+        << "Closed form: 10 times as fast as the report's way, which is right to the last digit here.";
+    QTest::newRow("only the closed form") << 500.0 << none << 1e-16 << 0
+                                          << "Closed form: 10 times as fast as the report's way, which solves no "
+                                             "instant here.";
+    QTest::newRow("only the report") << 500.0 << 1e-16 << none << 10
+                                     << "Closed form: 10 times as fast as the report's way, but it solves no instant "
+                                        "here.";
+    QTest::newRow("neither") << 500.0 << none << none << 0
+                             << "Neither the closed form nor the report's way solves an instant here.";
+    QTest::newRow("not of the same instants")
+        << 500.0 << 2e-16 << 1e-16 << 7
+        << "Closed form: 10 times as fast as the report's way and 2 times as exact here. It solves 10 of 10 instants, "
+           "the report's way 7.";
+}
+
+void tst_study_panel::answersInOneSentence()
+{
+    QFETCH(double, reportTime);
+    QFETCH(double, reportError);
+    QFETCH(double, error);
+    QFETCH(int, reportSolves);
+    QFETCH(QString, sentence);
+    const auto given = [](double value) { return std::isnan(value) ? std::nullopt : std::optional(value); };
+    CaseResult which = smallCase();
+    MethodResult &report = which.methods[0];
+    report.tolerance = 1e-8;
+    report.nsPerState = reportTime;
+    report.maxError = given(reportError);
+    report.counts[0] = static_cast<std::size_t>(reportSolves);
+    which.methods[1].maxError = given(error);
+    auto result = std::make_shared<StudyResult>();
+    result->cases = {which};
+    StudyPanel panel;
+    panel.show();
+    panel.setResult(result);
+    QCOMPARE(part<QLabel>(panel, "studyAnswer")->text(), sentence);
+
+    which.methods.erase(which.methods.begin()); // without the one there is nothing to compare
+    result = std::make_shared<StudyResult>();
+    result->cases = {which};
+    panel.setResult(result);
+    QVERIFY(part<QLabel>(panel, "studyAnswer")->isHidden());
 }
 
 QTEST_MAIN(tst_study_panel)

@@ -202,6 +202,15 @@ private:
         }
     }
 
+    /// What opens from the timeline's button.
+    QWidget *openRun()
+    {
+        m_window->findChild<QAbstractButton *>(QStringLiteral("runButton"))->click();
+        auto *form = m_window->findChild<QWidget *>(QStringLiteral("runForm"));
+        QCoreApplication::processEvents();
+        return form;
+    }
+
 private slots:
     void initTestCase()
     {
@@ -238,6 +247,7 @@ private slots:
             AWAIT(m_window->session().diagnosis());
         }
         onEveryPage([this] { judge(m_window.get()); });
+        judge(openRun());
         m_faults.removeDuplicates();
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
@@ -298,6 +308,7 @@ private slots:
             AWAIT(m_window->session().diagnosis());
         }
         onEveryPage([this] { walk(m_window.get()); });
+        walk(openRun());
         m_faults.removeDuplicates();
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }

@@ -103,8 +103,10 @@ private slots:
                                 << QByteArray("%PDF-");
         QTest::newRow("animation") << QStringList{exporting, QStringLiteral("Animation…")} << 0 << "new_001.png"
                                    << QByteArray("\x89PNG\r");
-        QTest::newRow("scene") << QStringList{QStringLiteral("Save scene as…")} << 0 << "new.json"
+        QTest::newRow("scene") << QStringList{QStringLiteral("Save scene as…")} << 0 << "new.slidercrank"
                                << QByteArray("{\n   ");
+        QTest::newRow("scene as JSON") << QStringList{QStringLiteral("Save scene as…")} << 1 << "new.json"
+                                       << QByteArray("{\n   ");
     }
 
     void everyDialogCompletesTheSuffixOfItsFilter()
@@ -148,13 +150,13 @@ private slots:
 
     void asksBeforeAnOlderFileGoes()
     {
-        QFile older(m_folder->filePath(QStringLiteral("rig.json")));
+        QFile older(m_folder->filePath(QStringLiteral("rig.slidercrank")));
         QVERIFY(older.open(QIODevice::WriteOnly) && older.write("older") == 5);
         older.close();
         trigger({QStringLiteral("Save scene as…")});
         choose(QStringLiteral("rig"));
         QMessageBox *question = box("replaceQuestion");
-        QVERIFY(question && question->text().contains(QLatin1String("rig.json")));
+        QVERIFY(question && question->text().contains(QLatin1String("rig.slidercrank")));
         question->button(QMessageBox::Cancel)->click();
         settle();
         QCOMPARE(startOf(older.fileName()), QByteArray("older"));

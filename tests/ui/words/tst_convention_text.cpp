@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <QTest>
 
+#include <cmath>
+
 using namespace slidercrank;
 
 namespace
@@ -45,7 +47,7 @@ private slots:
                                          "R4_x_diff."
                                       << "Multiplies the instants by 0.001, and brings R4_x_diff to the same unit";
         QTest::newRow("sense of rotation")
-            << Convention{Kind::Sign, {kTheta3}, -1.0} << "theta3: counted clockwise, against the sense of the model."
+            << Convention{Kind::Sign, {kTheta3}, -1.0} << "theta3: measured clockwise, against the sense of the model."
             << "Changes the sign of theta3";
         QTest::newRow("axis") << Convention{Kind::Sign, {kSlider}, -1.0}
                               << "R4_x: along an axis that points the other way."
@@ -60,23 +62,26 @@ private slots:
         QTest::newRow("jumps") << Convention{Kind::WholeTurns, {kTheta3}, 0.0} << "theta3: jumps by whole turns."
                                << "Makes theta3 continuous";
         QTest::newRow("origin to the left") << Convention{Kind::ZeroPoint, {kSlider}, -5.0}
-                                            << "R4_x: counted from another origin, 5 mm to the left of O₂."
+                                            << "R4_x: measured from another origin, 5 mm to the left of O₂."
                                             << "Subtracts 5 mm from R4_x";
         QTest::newRow("origin to the right") << Convention{Kind::ZeroPoint, {kSlider}, 74.5436}
-                                             << "R4_x: counted from another origin, 74.5436 mm to the right of O₂."
+                                             << "R4_x: measured from another origin, 74.5436 mm to the right of O₂."
                                              << "Adds 74.5436 mm to R4_x";
         QTest::newRow("origin below") << Convention{Kind::ZeroPoint, {{R4y, Order::Position}}, -25.0}
-                                      << "R4_y: counted from another origin, 25 mm below O₂."
+                                      << "R4_y: measured from another origin, 25 mm below O₂."
                                       << "Subtracts 25 mm from R4_y";
         QTest::newRow("another direction") << Convention{Kind::ZeroPoint, {kTheta3}, 22.5}
-                                           << "theta3: counted from another direction; θ³ is theta3 + 22.5°."
+                                           << "theta3: measured from another direction; θ³ is theta3 + 22.5°."
                                            << "Adds 22.5° to theta3";
         QTest::newRow("swapped") << Convention{Kind::SwappedColumns, {kTheta3, kSlider}, 1.0}
-                                 << "theta3 and R4_x: each stands under the other's name."
+                                 << "theta3 and R4_x: each has the other's name."
                                  << "Exchanges theta3 and R4_x";
+        QTest::newRow("along y") << Convention{Kind::Axis, {{R4y, Order::Position}}, 1.0}
+                                 << "The slider moves along y and not along x: y is its axis, as in an upright engine."
+                                 << "Turns R4_y by 90°, so that y becomes x";
         QTest::newRow("assembly") << Convention{Kind::Branch, {}, 1.0}
-                                  << "The file moves as the other assembly: the slider on the other side of A."
-                                  << "Takes the other assembly for the model";
+                                  << "The file is of the other assembly: its slider is on the other side of A."
+                                  << "Sets the model to the other assembly";
         QTest::newRow("late") << Convention{Kind::TimeShift, {}, -0.25}
                               << "The file's clock is 0.25 s ahead: what it has at t happens that much earlier."
                               << "Adds -0.25 s to the instants";
@@ -98,12 +103,12 @@ private slots:
         ReferenceData data;
         data.series = {{kSlider, {0.0, -1.5, -3.0}, {}}, {kTheta3, {kNone, 0.0, 1.5}, {}}};
         QCOMPARE(explanationOf({Convention::Kind::ZeroPoint, {kSlider}, 74.5436}, data),
-                 QString("R4_x: counted from where it began, 74.5436 mm to the right of O₂."));
+                 QString("R4_x: measured from where it began, 74.5436 mm to the right of O₂."));
         const Convention angle{Convention::Kind::ZeroPoint, {kTheta3}, -22.5};
         QCOMPARE(explanationOf(angle, data), // a gap is no beginning
-                 QString("theta3: counted from another direction; θ³ is theta3 − 22.5°."));
+                 QString("theta3: measured from another direction; θ³ is theta3 − 22.5°."));
         data.series[1].values.front() = 0.0;
-        QCOMPARE(explanationOf(angle, data), QString("theta3: counted from where it began; θ³ is theta3 − 22.5°."));
+        QCOMPARE(explanationOf(angle, data), QString("theta3: measured from where it began; θ³ is theta3 − 22.5°."));
     }
 
     void leavesOutWhatIsNoDerivative()
@@ -111,6 +116,23 @@ private slots:
         const Convention none{Convention::Kind::NotDerivative, {kSliderSpeed}, 1.0};
         QCOMPARE(explanationOf(none, {}), QString("R4_x_diff: not the time derivative of its position column."));
         QCOMPARE(effectOf({none, 98.25, 0.0}), QString("Leaves R4_x_diff out: its largest error is 98.3 % of peak."));
+
+        // Of differences it says that they are, whether or not they are a finding.
+        ReferenceData data;
+        for (int i = 0; i < 40; ++i) {
+            data.time.push_back(0.01 * i);
+        }
+        data.series = {{kSlider, {}, {}}, {kSliderSpeed, {}, {}}};
+        for (const double t : data.time) {
+            data.series[0].values.push_back(std::sin(9.0 * t));
+            data.series[1].values.push_back((std::sin(9.0 * (t + 0.01)) - std::sin(9.0 * t)) / 0.01);
+        }
+        const QString sentence =
+            "R4_x_diff: forward differences, from each row to the next, and not the time derivative.";
+        QCOMPARE(explanationOf(none, data), sentence);
+        QCOMPARE(differenceSentences(data, {}), QStringList{sentence});
+        const std::vector<ConventionFinding> found{{none, 5.0, 0.0}};
+        QCOMPARE(differenceSentences(data, found), QStringList());
     }
 };
 

@@ -77,8 +77,10 @@ private slots:
         found.standardError = {kNone, kNone, kNone, 3e-7, 2.3e-7};
         const QString text = summaryOf(diagnosis);
         QVERIFY2(text.startsWith("b/a = 3, c/a = 1.25, ω₂ = "), qPrintable(text));
-        QVERIFY2(text.endsWith("open assembly. θ³ alone fixes only b/a and c/a; a = 10 mm is taken as given."),
-                 qPrintable(text));
+        QVERIFY2(
+            text.endsWith(
+                "open assembly. The coupler angle θ³ alone determines only b/a and c/a; a = 10 mm is taken as given."),
+            qPrintable(text));
         QVERIFY(!text.contains("do not fix"));
         found.standardError[indexOf(Parameter::B)] = 2e-5; // with a held
         QVERIFY2(summaryOf(diagnosis).startsWith("b/a = 3.000000 ± 0.000002, c/a = 1.25"),
@@ -127,7 +129,8 @@ private slots:
         found.parameters.omega2 = 2.0;
         found.parameters.theta20 = 0.0;
         const QString text = summaryOf(diagnosis);
-        QVERIFY2(text.endsWith(" The data do not fix ω₂ = 2 rad/s and θ₂₀ = 0°: kept as given."), qPrintable(text));
+        QVERIFY2(text.endsWith(" The data do not determine ω₂ = 2 rad/s and θ₂₀ = 0°: kept as given."),
+                 qPrintable(text));
         QVERIFY(!text.contains("ω₂ = 2 ±"));
     }
 
@@ -135,7 +138,7 @@ private slots:
     {
         Diagnosis found = authorsFile();
         found.identification.noise = {{kTheta3, 0.0512}, {kSlider, 0.1234}};
-        QCOMPARE(caveatsOf(found), QString("What is left looks like noise: θ³ 0.0512° and Rₓ⁴ 0.123 mm (rms)."));
+        QCOMPARE(caveatsOf(found), QString("What remains looks like noise: θ³ 0.0512° and Rₓ⁴ 0.123 mm (rms)."));
     }
 
     void listsEachMechanismThatExplainsTheFile()
@@ -164,8 +167,8 @@ private slots:
         channel.percentOfPeak = 12.345;
         found.identified = {channel};
         QCOMPARE(summaryOf(found),
-                 QString("Nothing found explains this file. What comes nearest: a = 20 mm, b = 61.23 mm, c = 25 mm, ω₂ "
-                         "= 6.283 rad/s, θ₂₀ = 0°, open assembly, off by up to 12.3 % of peak, in Rₓ⁴."));
+                 QString("No mechanism was found that explains this file. The nearest: a = 20 mm, b = 61.23 mm, c = 25 "
+                         "mm, ω₂ = 6.283 rad/s, θ₂₀ = 0°, open assembly, off by up to 12.3 % of peak, in Rₓ⁴."));
         QCOMPARE(roundNumbersText(found), QString());
     }
 
@@ -195,7 +198,7 @@ private slots:
         none.identification.outcome = Outcome::Insufficient;
         none.identification.lack = Lack::OpenParameters;
         none.identification.openParameters = {false, true, true, false, true};
-        QVERIFY2(summaryOf(none).startsWith("These data leave b, c and θ₂₀ open: "), qPrintable(summaryOf(none)));
+        QVERIFY2(summaryOf(none).startsWith("These data do not determine b, c and θ₂₀: "), qPrintable(summaryOf(none)));
     }
 
     void saysThatTheCrankSpeedIsNotConstant()
@@ -204,7 +207,7 @@ private slots:
                                  "at the end.";
         Diagnosis none;
         none.unevenCrank = {2.0 * std::numbers::pi, 9.5};
-        QCOMPARE(summaryOf(none), sentence + " Nothing found explains this file.");
+        QCOMPARE(summaryOf(none), sentence + " No mechanism was found that explains this file.");
         Diagnosis found = authorsFile();
         found.unevenCrank = none.unevenCrank;
         QCOMPARE(caveatsOf(found), sentence);
@@ -221,7 +224,7 @@ private slots:
         const QStringList read = explanationLines(atHand, {}, Mechanism());
         QCOMPARE(read.size(), qsizetype(2));
         QVERIFY(read.first().startsWith("theta3: in radians, but read as degrees. Multiplies theta3"));
-        QCOMPARE(read.last(), QString("Read so, it does not differ from this mechanism."));
+        QCOMPARE(read.last(), QString("Read this way, it does not differ from this mechanism."));
 
         Diagnosis none; // without another reading there is no "read so"
         none.identification.outcome = Outcome::None;

@@ -57,6 +57,19 @@ private slots:
                  QString("a = 20 mm, b = 65 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = -30°, crossed assembly"));
     }
 
+    void namesAKeptMechanismByWhatDiffers()
+    {
+        const Parameters present;
+        Parameters kept;
+        QCOMPARE(keptText(kept, present), QString("kept"));
+        kept.b = 80.0;
+        QCOMPARE(keptText(kept, present), QString("b = 80 mm"));
+        kept.theta20 = 1.0;
+        kept.branch = Branch::Crossed;
+        QCOMPARE(keptText(kept, present), QString("b = 80 mm, θ₂₀ = 57.2958°, crossed assembly"));
+        QCOMPARE(keptText(present, kept), QString("b = 65 mm, θ₂₀ = 0°, open assembly"));
+    }
+
     void writesAsManyDigitsAsTheErrorLeaves_data()
     {
         QTest::addColumn<double>("value");
@@ -128,7 +141,8 @@ private slots:
         QVERIFY(summaryOf(std::vector{close, close}).startsWith("Comes close to this mechanism in every channel"));
         ChannelComparison rounded = close;
         rounded.clockIsRounded = true;
-        QVERIFY(summaryOf(std::vector{rounded, rounded}).contains("if the file's instants, evenly spaced"));
+        QVERIFY(summaryOf(std::vector{rounded, rounded})
+                    .contains("provided that the file's instants, though evenly spaced"));
         ChannelComparison coarse = agrees; // whole millimetres: far off, and yet within its rounding
         coarse.channel = kSlider;
         coarse.percentOfPeak = 50.0;

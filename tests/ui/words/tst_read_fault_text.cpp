@@ -28,6 +28,7 @@ const std::vector<Said> &allFaults()
         {{Kind::Spreadsheet}, "The file is a spreadsheet or an archive, not text: save the table as CSV."},
         {{Kind::Pdf}, "The file is a PDF document, not a table: export the table as CSV."},
         {{Kind::Markup}, "The file is HTML or XML, not a table of text: export the table as CSV."},
+        {{Kind::Json}, "The file is JSON, not a table of text: export the table as CSV."},
         {{Kind::NotText}, "the file holds bytes that are not text: export the table as CSV."},
         {{.kind = Kind::UnitsContradict, .heading = "R4_x [mm]"},
          "the line of units contradicts the heading, R4_x [mm]: correct one of the two."},
@@ -39,6 +40,9 @@ const std::vector<Said> &allFaults()
          "the unit is not known or does not suit the quantity: write for example [mm/s²], m, cm or in in its place, or "
          "none."},
         {{Kind::UnknownTimeUnit}, "the unit of the time is not known: write [s] or [ms], or none for seconds."},
+        {{.kind = Kind::NoSuchColumn, .heading = "x"}, "there is no column \"x\"."},
+        {{.kind = Kind::SeveralColumns, .heading = "x"},
+         "several columns are called \"x\": give the number of the one, as in #3."},
         {{Kind::ChannelTwice}, "there is a column of that name already: keep one of the two."},
         {{Kind::TimeTwice}, "there is a time column already: keep one of the two."},
         {{Kind::ChannelChosenTwice, {R4x, Order::Position}}, "two columns are chosen as R4_x: keep one of the two."},
@@ -48,16 +52,16 @@ const std::vector<Said> &allFaults()
          "no column beside the time has a known name: name them as in theta3, theta3_diff, theta3_diff2, R4_x, "
          "R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "P[1]", .column = ColumnReason::AngleOrLength},
-         "no column beside the time can be told for certain (P[1]: neither its unit nor its values tell an angle from "
-         "a length): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
+         "the columns beside the time are unknown (P[1]: neither its unit nor its values tell an angle from a "
+         "length): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::LikeOther},
-         "no column beside the time can be told for certain (x: another column could be the same quantity): name them "
+         "the columns beside the time are unknown (x: another column could be the same quantity): name them "
          "as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownUnit},
-         "no column beside the time can be told for certain (x: its unit is not known or does not suit the quantity): "
+         "the columns beside the time are unknown (x: its unit is not known or does not suit the quantity): "
          "name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::NotDerivative},
-         "no column beside the time can be told for certain (x: its values are not the derivative that its name says): "
+         "the columns beside the time are unknown (x: its values are not the derivative that its name says): "
          "name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{Kind::NoNumbers}, "there are no numbers below the names of the columns."},
         {{.kind = Kind::NoRow, .row = RowFault::TooManyCells},
@@ -66,6 +70,8 @@ const std::vector<Said> &allFaults()
         {{Kind::NoValues}, "no column beside the time holds a number."},
         {{Kind::TimeNotRising},
          "the time does not increase from the row before: sort the rows by time and keep one of each instant."},
+        {{.kind = Kind::AngleTurnsBack, .heading = "20°"},
+         "the crank's angle turns back behind 20°: sort the rows by it, one row for each angle."},
         {{Kind::LineTooLong}, "the line has more than a million characters: export the table as CSV, a row a line."},
         {{Kind::Stopped}, "Reading was stopped."},
         {{Kind::Unreadable}, "The file became shorter while it was read: open it again."},

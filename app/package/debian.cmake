@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Debian package, by `cpack -G DEB` in the folder of a Release build (app/package/deb does that).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME ${PROJECT_NAME})
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "slidercrank maintainers <slidercrank@slidercrank.invalid>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "motion of a slider-crank, computed and held against a simulation")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Change the lengths, the offset and the crank's speed of a slider-crank, and
+watch it move while positions, velocities and accelerations are plotted. The
+motion is computed as in multibody dynamics, with twelve coordinates and the
+Newton-Raphson method, and held against its closed form.
+.
+The results of another simulation, saved as CSV, are laid over the plots, and
+told in numbers how far they are from the model, and whose motion they are.
+Everything can also be done from the command line.")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core | fonts-noto-core, qt6-translations-l10n, qt6-wayland")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg")
+
+# Manual pages and changelogs are compressed on Debian.
+find_program(GZIP gzip REQUIRED)
+function(install_compressed file destination)
+    get_filename_component(name ${file} NAME)
+    set(compressed ${CMAKE_CURRENT_BINARY_DIR}/${name}.gz)
+    execute_process(COMMAND ${GZIP} --best --no-name --stdout ${file} OUTPUT_FILE ${compressed} COMMAND_ERROR_IS_FATAL ANY)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    install(FILES ${compressed} DESTINATION ${destination})
+endfunction()
+
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${PROJECT_NAME})
+install_compressed(${CMAKE_CURRENT_LIST_DIR}/changelog ${CMAKE_INSTALL_DATADIR}/doc/${PROJECT_NAME})
+install_compressed(${PROJECT_SOURCE_DIR}/resources/slidercrank.1 ${CMAKE_INSTALL_MANDIR}/man1)
+
+include(CPack)

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Files as the field's programs write them: each is read for what it is, or refused with what to do.
+
+#include "core/reading/reference_data.h"
+#include "tests/support/simulation_files.h"
+#include "ui/document/reference_file.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace slidercrank;
+
+namespace
+{
+
+std::string becomes(const FileLayout &layout)
+{
+    std::string text;
+    for (const FileColumn &column : layout.columns) {
+        text += text.empty() ? "" : " ";
+        if (column.role == ColumnRole::Ignored) {
+            text += '-';
+            continue;
+        }
+        text += column.role == ColumnRole::Time ? "time" : std::string(nameOf(column.channel));
+        text += (isGuess(column.reason) ? "?[" : "[") + column.unit + ']';
+    }
+    return text;
+}
+
+QString sentenceFor(const std::variant<ReferenceData, ReadError> &outcome)
+{
+    const ReadError *error = std::get_if<ReadError>(&outcome);
+    return error ? sentenceOf(*error, QStringLiteral("file")) : QStringLiteral("it was read");
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(SimulationFile)
+Q_DECLARE_METATYPE(OtherFile)
+
+class TestSimulationFiles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void isReadForWhatItIs_data()
+    {
+        QTest::addColumn<SimulationFile>("file");
+        std::set<std::string> programs;
+        std::size_t count = 0;
+        for (const SimulationFile &file : simulationFiles()) {
+            QVERIFY(!file.source.empty());
+            programs.insert(file.program.substr(0, file.program.find(',')));
+            ++count;
+            QTest::newRow(file.program.c_str()) << file;
+        }
+        QVERIFY(count >= 40 && programs.size() >= 15);
+    }
+
+    void isReadForWhatItIs()
+    {
+        QFETCH(const SimulationFile, file);
+        const auto outcome = readReferenceData(file.bytes);
+        if (!file.refusal.empty()) {
+            const QString sentence = sentenceFor(outcome);
+            QVERIFY2(sentence.contains(QString::fromStdString(file.refusal)), qPrintable(sentence));
+            return;
+        }
+        QVERIFY2(std::holds_alternative<ReferenceData>(outcome), qPrintable(sentenceFor(outcome)));
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(QString::fromStdString(becomes(data.layout)), QString::fromStdString(file.becomes));
+        QVERIFY(data.skipped.empty());
+        QCOMPARE(data.time.size(), std::size_t{kWrittenRows});
+        for (std::size_t i = 0; i < file.columns.size(); ++i) {
+            const FileColumn &column = data.layout.columns[i];
+            if (column.role == ColumnRole::Ignored) {
+                continue;
+            }
+            const bool isTime = column.role == ColumnRole::Time;
+            const std::vector<double> &values = isTime ? data.time : data.find(column.channel)->values;
+            double peak = 1e-9;
+            double worst = 0.0;
+            for (int row = 0; row < kWrittenRows; ++row) {
+                const double value = writtenValue(file.columns[i].content, row) * file.columns[i].taken;
+                peak = std::max(peak, std::abs(value));
+                worst = std::max(worst, std::abs(values[static_cast<std::size_t>(row)] - value));
+            }
+            QVERIFY2(worst <= 1e-6 * peak, file.columns[i].heading.c_str());
+        }
+    }
+
+    void aPersonIsAskedWhereNothingTells()
+    {
+        const auto isOpen = [](const QByteArray &names) {
+            QByteArray bytes = names + '\n';
+            for (int row = 0; row < 20; ++row) {
+                bytes += QByteArray::number(row);
+                for (int column = 1; column <= names.count(','); ++column) {
+                    bytes += ',' + QByteArray::number(std::sin(row + column));
+                }
+                bytes += '\n';
+            }
+            return layoutOf(bytes).isOpen();
+        };
+        QVERIFY(isOpen("time,J1_x,J1_y,J2_x,J2_y"));
+        QVERIFY(isOpen("time,body 1 velocity,body 2 velocity"));
+        QVERIFY(isOpen("time,Linear Displacement1 (mm),Linear Displacement2 (mm)"));
+        QVERIFY(isOpen("time,theta3,Linear Displacement1 (mm),Linear Displacement2 (mm)"));
+        QVERIFY(!isOpen("time,R4_x,J1_x"));
+        QVERIFY(!isOpen("time,R4_x,Linear Displacement2 (mm)"));
+        QVERIFY(!isOpen("time,x"));
+        QVERIFY(!isOpen("time,temperature,humidity"));
+        QVERIFY(!isOpen("J1_x,J2_x"));
+        for (const OtherFile &file : otherFiles()) {
+            QVERIFY2(!layoutOf(QByteArray::fromStdString(file.bytes)).isOpen(), file.name.c_str());
+        }
+    }
+
+    void isRefusedWhereItIsSomethingElse_data()
+    {
+        QTest::addColumn<OtherFile>("file");
+        for (const OtherFile &file : otherFiles()) {
+            QTest::newRow(file.name.c_str()) << file;
+        }
+        QVERIFY(otherFiles().size() >= 20);
+    }
+
+    void isRefusedWhereItIsSomethingElse()
+    {
+        QFETCH(const OtherFile, file);
+        const QString sentence = sentenceFor(readReferenceData(file.bytes));
+        QVERIFY2(sentence.contains(QString::fromStdString(file.refusal)), qPrintable(sentence));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSimulationFiles)
+
+#include "tst_simulation_files.moc"

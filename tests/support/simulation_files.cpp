@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/simulation_files.h"
+
+#include "tests/support/printed_motion.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+Parameters writtenParameters()
+{
+    Parameters parameters;
+    parameters.b = 60.0;
+    return parameters;
+}
+
+double writtenTime(int row)
+{
+    return static_cast<double>(row) / (kWrittenRows - 1);
+}
+
+const PrintedRow &writtenRow(int row)
+{
+    static const std::vector<PrintedRow> rows = [] {
+        std::vector<PrintedRow> all;
+        for (int i = 0; i < kWrittenRows; ++i) {
+            all.push_back(textbookMotion(writtenParameters(), static_cast<long double>(writtenTime(i))));
+        }
+        return all;
+    }();
+    return rows[static_cast<std::size_t>(row)];
+}
+
+using Columns = std::vector<WrittenColumn>;
+
+struct Style {
+    std::string before{}; ///< lines above the names
+    std::string mark{};   ///< in front of the names
+    std::string cell = ",";
+    std::string nameCell{}; ///< between the names, where it is another
+    std::string below{};    ///< lines between names and numbers
+    std::string rowBegin{};
+    std::string lineEnd = "\n";
+    const char *format = "%.7g";
+    std::string decimal = ".";
+    std::string minus = "-";
+    bool names = true;
+};
+
+std::string written(const Columns &columns, const Style &style = {})
+{
+    std::string bytes = style.before;
+    if (style.names) {
+        bytes += style.mark;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            bytes += (i == 0 ? "" : style.nameCell.empty() ? style.cell : style.nameCell) + columns[i].heading;
+        }
+        bytes += style.lineEnd;
+    }
+    bytes += style.below;
+    std::array<char, 64> text{};
+    for (int row = 0; row < kWrittenRows; ++row) {
+        bytes += style.rowBegin;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            bytes += i == 0 ? "" : style.cell;
+            if (columns[i].content == Written::Word) {
+                bytes += "ok";
+                continue;
+            }
+            const bool isCounted = columns[i].content == Written::RowNumber;
+            std::snprintf(text.data(), text.size(), isCounted ? "%.0f" : style.format,
+                          writtenValue(columns[i].content, row) / columns[i].unit);
+            for (const char *c = text.data(); *c != '\0'; ++c) {
+                bytes += *c == '.' ? style.decimal : *c == '-' && c == text.data() ? style.minus : std::string(1, *c);
+            }
+            bytes += columns[i].behind;
+        }
+        bytes += style.lineEnd;
+    }
+    return bytes;
+}
+
+constexpr double kRad = 180.0 / std::numbers::pi;
+constexpr double kMetre = 1000.0;
+
+} // namespace
+
+double writtenValue(Written content, int row)
+{
+    const Parameters parameters = writtenParameters();
+    const PrintedRow &motion = writtenRow(row);
+    switch (content) {
+    case Written::Time: return writtenTime(row);
+    case Written::RowNumber: return row;
+    case Written::Theta3: return static_cast<double>(motion[0]);
+    case Written::X: return static_cast<double>(motion[1]);
+    case Written::Omega3: return static_cast<double>(motion[2]);
+    case Written::V: return static_cast<double>(motion[3]);
+    case Written::Alpha3: return static_cast<double>(motion[4]);
+    case Written::A: return static_cast<double>(motion[5]);
+    case Written::Theta2: return (parameters.theta20 + parameters.omega2 * writtenTime(row)) * kRad;
+    case Written::Omega2: return parameters.omega2 * kRad;
+    case Written::Zero: return 0.0;
+    case Written::Offset: return parameters.c;
+    case Written::Speed: return std::abs(static_cast<double>(motion[3]));
+    case Written::ForwardV: {
+        const auto rounded = [](int i) { return std::round(writtenValue(Written::X, i) * 1e3) / 1e3; };
+        const int i = std::min(row, kWrittenRows - 2);
+        return (rounded(i + 1) - rounded(i)) * (kWrittenRows - 1);
+    }
+    case Written::Word: break;
+    }
+    return 0.0;
+}
+
+std::vector<SimulationFile> simulationFiles()
+{
+    using enum Written;
+    std::vector<SimulationFile> files;
+    const auto read = [&](const char *program, const char *source, const Columns &columns, const Style &style,
+                          const char *becomes) {
+        files.push_back({program, source, written(columns, style), columns, becomes, {}});
+    };
+    const auto refused = [&](const char *program, const char *source, const Columns &columns, const Style &style,
+                             const char *refusal) {
+        files.push_back({program, source, written(columns, style), columns, {}, refusal});
+    };
+
+    // Autodesk Inventor, Dynamic Simulation.
+    constexpr auto kInventor =
+        "help.autodesk.com/cloudhelp/2014/ENU/Inventor, Output Grapher: \"P for position, … square "
+        "brackets surrounding the joint number and … the number of the degree of freedom\"";
+    constexpr auto kTrace =
+        "help.autodesk.com/cloudhelp/2014/ENU/Inventor, Output Grapher: \"vectors have a second set of "
+        "square brackets surrounding X, Y, or Z\"; the heading as a whole is a plausible form";
+    read("Inventor, Output Grapher", kInventor,
+         {{"Time ( s )", Time},
+          {"\"P[3,1] ( mm )\"", X},
+          {"\"V[3,1] ( mm/s )\"", V},
+          {"\"A[3,1] ( mm/s^2 )\"", A},
+          {"\"P[2,1] ( deg )\"", Theta3}},
+         {}, "time[s] R4_x?[mm] R4_x_diff?[mm/s] R4_x_diff2?[mm/s^2] theta3?[deg]");
+    read("Inventor, Output Grapher, text", kInventor,
+         {{"Time", Time}, {"P[3.1]", X}, {"V[3.1]", V}, {"A[3.1]", A}, {"P[1.1]", Theta2}, {"V[1.1]", Omega2}},
+         {.cell = "\t"}, "time[] R4_x?[] R4_x_diff?[] R4_x_diff2?[] theta2?[] theta2_diff?[]");
+    read("Inventor, a trace", kTrace,
+         {{"Time ( s )", Time},
+          {"Trace:1 P[X] ( mm )", X},
+          {"Trace:1 V[X] ( mm/s )", V},
+          {"Trace:1 A[X] ( mm/s^2 )", A}},
+         {}, "time[s] R4_x?[mm] R4_x_diff?[mm/s] R4_x_diff2?[mm/s^2]");
+    read("Inventor, a trace of a plane", kTrace,
+         {{"Time ( s )", Time},
+          {"Trace:1 P[X] ( mm )", X},
+          {"Trace:1 P[Y] ( mm )", Offset},
+          {"Trace:1 P[Z] ( mm )", Zero}},
+         {.cell = "\t"}, "time[s] R4_x?[mm] R4_y?[mm] -");
+    read("Inventor, a trace, in Spanish", kTrace, {{"Tiempo ( s )", Time}, {"Traza:1 P[X]", X}, {"Traza:1 V[X]", V}},
+         {.cell = ";", .decimal = ","}, "time[s] R4_x?[] R4_x_diff?[]");
+    refused("Inventor, two traces", kTrace,
+            {{"Time ( s )", Time}, {"Trace:1 P[X] ( mm )", X}, {"Trace:2 P[X] ( mm )", Theta3}}, {},
+            "another column could be the same quantity");
+
+    // SolidWorks Motion.
+    constexpr auto kSolidWorks = "\"Linear Displacement1 (mm)\" as public scripts read it from such exports";
+    read("SolidWorks Motion", kSolidWorks,
+         {{"Time (sec)", Time},
+          {"Linear Displacement1 (mm)", X},
+          {"Linear Velocity1 (mm/sec)", V},
+          {"Linear Acceleration1 (mm/sec**2)", A}},
+         {.before = "Plot1\n"}, "time[sec] R4_x?[mm] R4_x_diff?[mm/sec] R4_x_diff2?[mm/sec**2]");
+    read("SolidWorks Motion, angles", kSolidWorks,
+         {{"Time (sec)", Time},
+          {"Angular Displacement1 (deg)", Theta2},
+          {"Angular Displacement2 (deg)", Theta3},
+          {"Linear Displacement3 (meter)", X, kMetre}},
+         {.before = "Plot2\n"}, "time[sec] theta2?[deg] theta3?[deg] R4_x?[meter]");
+
+    // Adams.
+    constexpr auto kAdams =
+        "units \"mm\", \"meter/sec\", \"meter/sec**2\" as in Adams' result files "
+        "(github.com/kiterunner347/3-RPR-parallel--robot RPRAdams/RPR3.res); the table is a plausible form";
+    read("Adams, table between spaces", kAdams,
+         {{"TIME", Time}, {"Slider_Position", X}, {"Slider_Velocity", V}, {"Rod_Angle", Theta3}},
+         {.cell = "   ", .rowBegin = "  ", .format = "%14.7e"}, "time[] R4_x[] R4_x_diff[] theta3[]");
+    read("Adams, table of tabs", kAdams,
+         {{"Time (sec)", Time},
+          {"Slider Position (meter)", X, kMetre},
+          {"Slider Acceleration (meter/sec**2)", A, kMetre}},
+         {.before = "Plot: slider\n\n", .cell = "\t", .lineEnd = "\r\n"},
+         "time[sec] R4_x[meter] R4_x_diff2[meter/sec**2]");
+    files.push_back({"Adams, result file",
+                     "github.com/kiterunner347/3-RPR-parallel--robot RPRAdams/RPR3.res",
+                     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Results "
+                     "xmlns=\"http://www.mscsoftware.com/:xrf10\">\n<Bibliography>\n",
+                     {},
+                     {},
+                     "HTML or XML"});
+
+    // MATLAB and Simulink.
+    constexpr auto kTimetable =
+        "mathworks.com/help/simulink, extractTimetable: the row times are durations, \"0.005 sec\"";
+    read("Simscape, timetable", kTimetable,
+         {{"Time", Time, 1.0, " sec"}, {"slider_position", X}, {"slider_velocity", V}}, {},
+         "time[sec] R4_x[] R4_x_diff[]");
+    read("Simscape, timetable of milliseconds and metres", kTimetable,
+         {{"Time", Time, 1e-3, " ms"}, {"Slider position", X, kMetre, " m"}, {"Rod angle", Theta3, kRad, " rad"}},
+         {.cell = "\t"}, "time[ms] R4_x[m] theta3[rad]");
+    read("Simscape, timetable, in Spanish", kTimetable, {{"Time", Time, 1.0, " s"}, {"posición", X, 1.0, " mm"}},
+         {.cell = ";", .decimal = ","}, "time[s] R4_x?[mm]");
+    read("Simulink, data inspector",
+         "mathworks.com/help/simulink, Simulation Data Inspector: lines of types and units below "
+         "the names",
+         {{"time", Time}, {"slider position", X, kMetre}, {"rod angle", Theta3, kRad}},
+         {.below = ",Type: double,Type: double\n,Unit: m,Unit: rad\n"}, "time[] R4_x[m] theta3[rad]");
+    read("MATLAB, writetable", "mathworks.com/help/matlab, writetable: the names of the table's variables",
+         {{"t", Time}, {"x_slider", X}, {"v_x", V}, {"theta3", Theta3}}, {}, "time[] R4_x[] R4_x_diff?[] theta3[]");
+    read("MATLAB, a mark of its comments", "mathworks.com/help/matlab, writematrix: no names; the line is a person's",
+         {{"time", Time}, {"R4_x", X}}, {.mark = "% ", .cell = "\t"}, "time[] R4_x[]");
+
+    // Python.
+    constexpr auto kNumpy =
+        "numpy.org/doc, numpy.savetxt: \"comments\" is '# ', \"delimiter\" is ' ', \"fmt\" is '%.18e'";
+    read("numpy.savetxt", kNumpy, {{"time", Time}, {"R4_x", X}, {"theta3", Theta3}},
+         {.mark = "# ", .cell = " ", .format = "%.18e"}, "time[] R4_x[] theta3[]");
+    read("numpy.savetxt, names with units", kNumpy,
+         {{"Time (s)", Time}, {"Slider position (mm)", X}, {"Coupler angle (rad)", Theta3, kRad}},
+         {.mark = "# ", .cell = " ", .nameCell = ", ", .format = "%.18e"}, "time[s] R4_x[mm] theta3[rad]");
+    read("numpy.savetxt, a title above the names", kNumpy, {{"t", Time}, {"x", X}, {"v", V}},
+         {.before = "# slider crank, omega = 2*pi\n", .mark = "# ", .cell = "\t", .format = "%.10f"},
+         "time[] R4_x?[] R4_x_diff?[]");
+    refused("numpy.savetxt, without a header", kNumpy, {{"t", Time}, {"x", X}},
+            {.cell = " ", .format = "%.18e", .names = false}, "put a line such as time,theta3,R4_x above them");
+    read("pandas, to_csv", "pandas.pydata.org, DataFrame.to_csv: the index is the first column, its name is empty",
+         {{"", RowNumber}, {"time", Time}, {"R4_x", X}, {"R4_x_diff", V}}, {.format = "%.17g"},
+         "- time[] R4_x[] R4_x_diff[]");
+    read("matplotlib's minus", "matplotlib.org, axes.unicode_minus: U+2212; the table is a plausible form",
+         {{"time", Time}, {"R4_x", X}, {"theta3", Theta3}, {"R4_x_diff", V}}, {.cell = ";", .minus = "\u2212"},
+         "time[] R4_x[] theta3[] R4_x_diff[]");
+
+    // GNU Octave, Scilab, R, gnuplot, Mathematica, Maple, spreadsheets.
+    constexpr auto kOctave =
+        "docs.octave.org, Simple File I/O: \"# name:\", \"# type: matrix\", \"# rows:\", \"# columns:\"";
+    refused("GNU Octave, save -text", kOctave, {{"", Time}, {"", X}},
+            {.before = "# Created by Octave 8.4.0, Sun Mar 10 12:00:00 2024 UTC\n# name: M\n# type: matrix\n# rows: "
+                       "101\n# columns: 2\n",
+             .cell = " ",
+             .rowBegin = " ",
+             .names = false},
+            "time,theta3,R4_x");
+    read("GNU Octave, dlmwrite below a line of names", "docs.octave.org, dlmwrite: the delimiter is a comma",
+         {{"time", Time}, {"theta3_diff [rad/s]", Omega3, kRad}}, {.mark = "%% "}, "time[] theta3_diff[rad/s]");
+    read("Scilab, csvWrite", "help.scilab.org, csvWrite: separator, decimal, comments",
+         {{"t", Time}, {"posicion", X}, {"velocidad", V}}, {.mark = "// ", .cell = ";", .decimal = ","},
+         "time[] R4_x?[] R4_x_diff?[]");
+    read("R, write.csv", "stat.ethz.ch/R-manual, write.table: \"row.names\" and quotes by default",
+         {{"\"\"", RowNumber}, {"\"time\"", Time}, {"\"slider.position\"", X}}, {}, "- time[] R4_x[]");
+    refused("gnuplot, set table", "gnuplot's source, tabulate.c: \"# Curve title:\", \"# x y\"",
+            {{"x", Time}, {"y", X}},
+            {.before = "\n# Curve 0 of 1, 101 points\n# Curve title: \"slider\"\n", .mark = "# ", .cell = "  "},
+            "there is no time column");
+    read("Mathematica, Export", "reference.wolfram.com/language/ref/format/CSV: strings are quoted",
+         {{"\"t\"", Time}, {"\"theta3\"", Theta3}, {"\"R4x\"", X}}, {.lineEnd = "\r\n"}, "time[] theta3[] R4_x[]");
+    read("Maple, ExportMatrix", "maplesoft.com/support/help, ExportMatrix: tabs; the names are a person's",
+         {{"time", Time}, {"theta3", Theta3}, {"theta3_diff2", Alpha3}}, {.cell = "\t", .format = "%.10g"},
+         "time[] theta3[] theta3_diff2[]");
+    read("Excel, in Spanish", "a list separator \";\" and a decimal comma where Windows has them",
+         {{"Tiempo (s)", Time}, {"Posición de la corredera (mm)", X}, {"Velocidad de la corredera (mm/s)", V}},
+         {.before = "sep=;\r\n", .cell = ";", .lineEnd = "\r\n", .decimal = ","}, "time[s] R4_x[mm] R4_x_diff[mm/s]");
+    read("Excel, in German", "a list separator \";\" and a decimal comma where Windows has them",
+         {{"Zeit [s]", Time},
+          {"Pleuel Geschwindigkeit [rad/s]", Omega3, kRad},
+          {"Kurbel Geschwindigkeit [rpm]", Omega2, 6.0}},
+         {.cell = ";", .lineEnd = "\r\n", .decimal = ","}, "time[s] theta3_diff[rad/s] theta2_diff[rpm]");
+    read("LibreOffice, quoted text", "help.libreoffice.org, Export Text File: \"Quote all text cells\"",
+         {{"\"time [min]\"", Time, 60.0}, {"\"R4_x [cm]\"", X, 10.0}}, {.format = "%.12g"}, "time[min] R4_x[cm]");
+    read("GeoGebra, a spreadsheet with names",
+         "geogebra.github.io/docs, Spreadsheet View: cells as they are; the names are a "
+         "person's",
+         {{"t", Time}, {"x", X}}, {}, "time[] R4_x?[]");
+
+    // Linkages in the browser.
+    constexpr auto kPmks = "github.com/PMKS-Web/PMKSWeb, analysis graph, buildCSVContent()";
+    read("PMKS+, position of a joint", kPmks,
+         {{"Time (seconds)", Time}, {"Time (steps)", RowNumber}, {"X (cm)", X, 10.0}, {"Y (cm)", Offset, 10.0}}, {},
+         "time[seconds] - R4_x?[cm] R4_y?[cm]");
+    read("PMKS+, velocity of a joint", kPmks,
+         {{"Time (seconds)", Time},
+          {"Time (steps)", RowNumber},
+          {"Velocity (cm/s)", Speed, 10.0},
+          {" X-comp", V, 10.0},
+          {"Y-comp", Zero, 10.0}},
+         {}, "time[seconds] - - R4_x_diff?[cm/s] R4_y_diff?[cm/s]");
+    read("PMKS+, angle of a link", kPmks,
+         {{"Time (seconds)", Time}, {"Time (steps)", RowNumber}, {"Position (deg)", Theta3}}, {},
+         "time[seconds] - theta3?[deg]");
+    read("PMKS+, angular acceleration of a link", kPmks,
+         {{"Time (seconds)", Time}, {"Time (steps)", RowNumber}, {"Acceleration (rad/s²)", Alpha3, kRad}}, {},
+         "time[seconds] - theta3_diff2?[rad/s²]");
+    refused("MotionGen, curves by frame", "github.com/PMKS-Web/PMKSWeb src/test-data/motiongen/gripper-curves.csv",
+            {{"frame", RowNumber}, {"J1_x", X}, {"J1_y", Offset}, {"J2_x", V}, {"J2_y", Zero}}, {},
+            "there is no time column");
+    refused("MotionGen, curves over the time", "the names as in gripper-curves.csv; the time is a plausible form",
+            {{"time", Time}, {"J1_x", X}, {"J1_y", Offset}, {"J2_x", V}, {"J2_y", Zero}}, {},
+            "its name does not tell what moves so");
+    read("MotionGen, differences", "no header found in public: a plausible form",
+         {{"time", Time}, {"x", X}, {"vx", ForwardV}}, {}, "time[] R4_x?[] R4_x_diff?[]");
+
+    // Multibody programs.
+    constexpr auto kRecurDyn =
+        "public scripts that read such exports: \"X:Pos_TX-Body2(m)\" … \"Y:Pos_TX-Body2(m)\", the X "
+        "columns being the time; \"@Model1\" is a plausible form";
+    read("RecurDyn", kRecurDyn, {{"X:Pos_TX-Slider@Model1(mm)", Time}, {"Y:Pos_TX-Slider@Model1(mm)", X}}, {},
+         "time?[] R4_x[mm]");
+    read("RecurDyn, a body that tells nothing", kRecurDyn,
+         {{"X:Pos_TX-Body2(m)", Time},
+          {"X:Vel_TX-Body2(m/s)", Time},
+          {"X:Acc_TX-Body2(m/s^2)", Time},
+          {"Y:Pos_TX-Body2(m)", X, kMetre},
+          {"Y:Vel_TX-Body2(m/s)", V, kMetre},
+          {"Y:Acc_TX-Body2(m/s^2)", A, kMetre}},
+         {.format = "%.9f"}, "time?[] - - R4_x?[m] R4_x_diff?[m/s] R4_x_diff2?[m/s^2]");
+    read("RecurDyn, curves with instants of their own", kRecurDyn,
+         {{"X:Pos_TX-Slider(mm)", Time},
+          {"Y:Pos_TX-Slider(mm)", X},
+          {"X:Vel_TX-Slider(mm/s)", Time, 0.5},
+          {"Y:Vel_TX-Slider(mm/s)", V}},
+         {}, "time?[] R4_x[mm] - -");
+    read("Chrono, joint data",
+         "Project Chrono's unit tests: \"timeElapsed(s)\\tX_Pos\\tY_Pos\\tZ_Pos\\tLength_Pos\\t…\"",
+         {{"timeElapsed(s)", Time}, {"X_Pos", X}, {"Y_Pos", Offset}, {"Z_Pos", Zero}, {"X_Vel", V}, {"X_Accel", A}},
+         {.cell = "\t"}, "time[s] R4_x?[] R4_y?[] - R4_x_diff?[] R4_x_diff2?[]");
+    refused("MBDyn, .mov", "mbdyn.org, input manual: label, position, orientation, velocity; no names",
+            {{"", RowNumber}, {"", X}, {"", Offset}, {"", Zero}, {"", V}}, {.cell = " ", .names = false},
+            "put a line such as time,theta3,R4_x above them");
+    constexpr auto kModelica =
+        "Modelica Standard Library, Mechanics: Prismatic s, v, a; Revolute phi, w, a; OpenModelica's "
+        "simulation_result_csv.cpp quotes the names";
+    read("OpenModelica", kModelica,
+         {{"\"time\"", Time},
+          {"\"slider.a\"", A, kMetre},
+          {"\"slider.s\"", X, kMetre},
+          {"\"slider.v\"", V, kMetre},
+          {"\"crank.phi\"", Theta2, kRad},
+          {"\"crank.w\"", Omega2, kRad}},
+         {.format = "%.16g"}, "time[] R4_x_diff2?[m/s2] R4_x?[m] R4_x_diff?[m/s] theta2?[rad] theta2_diff?[rad/s]");
+    read("OpenModelica, derivatives by both names", kModelica,
+         {{"\"time\"", Time},
+          {"\"slider.s\"", X, kMetre},
+          {"\"slider.v\"", V, kMetre},
+          {"\"der(slider.s)\"", V, kMetre},
+          {"\"der(slider.v)\"", A, kMetre}},
+         {.format = "%.16g"}, "time[] R4_x?[m] R4_x_diff?[m/s] - R4_x_diff2?[m/s2]");
+    read("OpenModelica, a joint of any name", kModelica,
+         {{"\"time\"", Time}, {"\"prismatic.s\"", X, kMetre}, {"\"prismatic.a\"", A, kMetre}}, {.format = "%.16g"},
+         "time[] R4_x?[m] R4_x_diff2?[m/s2]");
+    read("OMSimulator", "github.com/OpenModelica/OMSimulator 86bee65: \"sep=,\" in quotes, then the names",
+         {{"\"time\"", Time}, {"\"model.root.rod.phi\"", Theta3, kRad}, {"\"model.root.rod.w\"", Omega3, kRad}},
+         {.before = "\"sep=,\"\n", .nameCell = ", "}, "time[] theta3?[rad] theta3_diff?[rad/s]");
+    read("Dymola, with units",
+         "the names as in the Modelica Standard Library; the units in brackets are a plausible form",
+         {{"Time [s]", Time}, {"slider.s [m]", X, kMetre}, {"crank.phi [deg]", Theta2}}, {.cell = ";"},
+         "time[s] R4_x[m] theta2[deg]");
+    read("Working Model, .dta", "no header found in public: a plausible form",
+         {{"t", Time}, {"x", X, kMetre, {}, 1e-3}, {"Vx", V, kMetre, {}, 1e-3}},
+         {.before = "Position of Rectangle 2\n", .cell = "\t", .lineEnd = "\r\n"}, "time[] R4_x?[] R4_x_diff?[]");
+    read("OpenSim, .mot",
+         "\"Coordinates\", \"version=1\", \"nRows=\", \"nColumns=\", \"inDegrees=yes\", \"endheader\", in "
+         "public code that writes it",
+         {{"time", Time}, {"slider_tx", X, kMetre, {}, 1e-3}, {"crank_angle", Theta2}},
+         {.before = "Coordinates\nversion=1\nnRows=101\nnColumns=3\ninDegrees=yes\nendheader\n", .cell = "\t"},
+         "time[] R4_x[] theta2[]");
+    read("Siemens NX, Creo, Fusion 360", "no header found in public: a plausible form",
+         {{"Time (sec)", Time}, {"Displacement X (mm)", X}, {"Velocity X (mm/sec)", V}}, {.cell = "\t"},
+         "time[sec] R4_x?[mm] R4_x_diff?[mm/sec]");
+
+    // Measured.
+    read("Tracker, video analysis", "physics.brocku.ca/Courses/2P20/Tracker, page 21: a title, then t, x, y",
+         {{"t", Time}, {"x", X}, {"y", Offset}}, {.before = "cm_A\n", .cell = "\t", .format = "%.9E"},
+         "time[] R4_x?[] R4_y?[]");
+    read("Tracker, velocities", "physics.brocku.ca/Courses/2P20/Tracker, page 21: v_{x}, v_{y}",
+         {{"t", Time}, {"v_{x}", V}, {"v_{y}", Zero}}, {.before = "cm_A\n", .cell = "\t", .format = "%.9E"},
+         "time[] R4_x_diff?[] R4_y_diff?[]");
+    read("Vernier, Graphical Analysis", "\"Latest: Time (s)\" as public scripts read it from such exports",
+         {{"Latest: Time (s)", Time}, {"Latest: Position (m)", X, kMetre}, {"Latest: Velocity (m/s)", V, kMetre}}, {},
+         "time[s] R4_x?[m] R4_x_diff?[m/s]");
+    read("OptiTrack, Motive", "docs.optitrack.com, data export: CSV; \"Frame\", \"Time (Seconds)\", X, Y, Z",
+         {{"Frame", RowNumber}, {"Time (Seconds)", Time}, {"X", X}, {"Y", Offset}, {"Z", Zero}},
+         {.before = "Format Version,1.23,Take Name,slider\n\n,,Marker,Marker,Marker\n,,Position,Position,Position\n"},
+         "- time[Seconds] R4_x?[] R4_y?[] -");
+    read("LabVIEW, .lvm",
+         "\"***End_of_Header***\" and \"X_Value\" of LabVIEW's measurement files; the other name is a person's",
+         {{"X_Value", Time}, {"Slider position (mm)", X}, {"Comment", Word}},
+         {.before = "LabVIEW Measurement\t\nSeparator\tTab\n***End_of_Header***\t\n", .cell = "\t"},
+         "time?[] R4_x[mm] -");
+    read("a microcontroller's microseconds", "Arduino's micros(); the names are a person's",
+         {{"time (\u03BCs)", Time, 1e-6}, {"position (mm)", X}}, {.format = "%.8g"}, "time[\u03BCs] R4_x?[mm]");
+
+    // A vertical engine.
+    read("a vertical engine", "a person's names", {{"time (s)", Time}, {"piston y (mm)", X}, {"piston vy (mm/s)", V}},
+         {}, "time[s] R4_y[mm] R4_y_diff[mm/s]");
+    return files;
+}
+
+std::vector<OtherFile> otherFiles()
+{
+    using namespace std::string_literals;
+    const char *const kNoTime = "there is no time column";
+    return {
+        {"a bank statement",
+         "Buchungstag;Wertstellung;Auftraggeber;Betrag "
+         "(EUR)\n01.03.2024;01.03.2024;Miete;-850,00\n04.03.2024;04.03.2024;"
+         "Gehalt;2.500,00\n",
+         kNoTime},
+        {"a weather table",
+         "station,date,temperature (C),rain (mm)\nSevilla,2024-03-01,18.5,0\nSevilla,2024-03-02,19.1,2.4\n", kNoTime},
+        {"weather by the hour", "time,temperature (C),humidity (%)\n0,18.5,40\n1,18.1,42\n2,17.8,45\n",
+         "no column beside the time has a known name"},
+        {"a GPS track",
+         "lat,lon,ele,timestamp\n37.389,-5.984,12,2024-03-01T12:00:00Z\n37.390,-5.985,12,2024-03-01T12:00:01Z\n",
+         "no column beside the time has a known name"},
+        {"NMEA sentences",
+         "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\n"
+         "$GPGSA,A,3,04,05,,09,12,,,24,,,,,2.5,1.3,2.1*39\n",
+         kNoTime},
+        {"JSON", "{\n  \"time\": [0, 0.5, 1],\n  \"R4_x\": [85, 60, 35]\n}\n", "JSON"},
+        {"JSON, a list", "[{\"time\":0,\"R4_x\":85},{\"time\":0.5,\"R4_x\":60}]\n", "JSON"},
+        {"XML", "<?xml version=\"1.0\"?>\n<data><row time=\"0\" R4_x=\"85\"/></data>\n", "HTML or XML"},
+        {"HTML", "<!DOCTYPE html>\n<table><tr><th>time</th><th>R4_x</th></tr></table>\n", "HTML or XML"},
+        {"a STEP model",
+         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('slider crank'),'2;1');\nENDSEC;\nDATA;\n#10=CARTESIAN_POINT("
+         "'',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n",
+         kNoTime},
+        {"a DXF drawing",
+         "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0.0\n20\n0.0\n11\n85.0\n21\n0.0\n0\nENDSEC\n0\nEOF\n", kNoTime},
+        {"a log",
+         "2024-03-01 12:00:00 INFO solver started\n2024-03-01 12:00:01 INFO time step 0.005 s, residual 1e-9\n"
+         "2024-03-01 12:00:02 WARN position not converged\n",
+         kNoTime},
+        {"a PDF", "%PDF-1.7\n%\xE2\xE3\xCF\xD3\n1 0 obj\n", "PDF"},
+        {"a PNG", "\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\1\0"s, "not text"},
+        {"a JPEG", "\xFF\xD8\xFF\xE0\0\x10JFIF\0\1"s, "not text"},
+        {"a ZIP", "PK\x03\x04\x14\0\0\0"s, "spreadsheet or an archive"},
+        {"a MAT file",
+         "MATLAB 5.0 MAT-file, Platform: GLNXA64, Created on: Fri Mar  1 12:00:00 2024"s + std::string(40, ' ') +
+             "\0\1IM\x0F\0\0\0"s,
+         "not text"},
+        {"names that are empty", ",,,\n0,85,0,1\n0.5,60,1,2\n1,35,2,3\n",
+         "put a line such as time,theta3,R4_x above them"},
+        {"source code",
+         "import numpy as np\n\ntime = np.linspace(0, 1, 101)\nposition = 25 * np.cos(time)\nprint(time, position)\n",
+         kNoTime},
+        {"a G-code program", "G21\nG90\nG1 X10.0 Y0.0 F100\nG1 X10.5 Y0.2 F100\n", kNoTime},
+        {"Markdown", "# Slider crank\n\n| time | R4_x |\n|---|---|\n| 0 | 85 |\n| 0.5 | 60 |\n", kNoTime},
+        {"a mesh", "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 0.0 1.0 0.0\nf 1 2 3\n", kNoTime},
+        {"a spline table", "# x y\n0 85\n10 80\n20 70\n30 55\n", kNoTime},
+        {"an old spreadsheet", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"s, "spreadsheet or an archive"},
+    };
+}
+
+} // namespace slidercrank
