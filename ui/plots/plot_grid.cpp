@@ -327,10 +327,10 @@ OverlayContent PlotGrid::overlayOf(std::size_t plot)
             sight.lines.push_back(x);
         }
         for (const ReadPoint &read : pointsReadAt(m_figure, plot, time)) {
-            const QPointF at(shown.xAxis->coordToPixel(read.point.t),
-                             shown.valueAxisOf(read.curve)->coordToPixel(read.point.value));
+            const QCPAxis *valueAxis = shown.valueAxisOf(read.ink == Ink::ErrorOther ? 1 : 0);
+            const QPointF at(shown.xAxis->coordToPixel(read.point.t), valueAxis->coordToPixel(read.point.value));
             if (QRectF(content.axes).contains(at)) {
-                content.dots.push_back({at, shown.inkOf(read.curve)});
+                content.dots.push_back({at, read.ink});
                 sight.dots.push_back(at);
             }
         }
