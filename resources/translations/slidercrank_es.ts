@@ -470,16 +470,16 @@
         <translation>%1: estas columnas son desconocidas y no se usaron: %2.</translation>
     </message>
     <message>
-        <source>crank length O2-A, &gt; 0 (20)</source>
-        <translation>longitud de la manivela O2-A, &gt; 0 (20)</translation>
+        <source>crank length O₂-A, &gt; 0 (20)</source>
+        <translation>longitud de la manivela O₂-A, &gt; 0 (20)</translation>
     </message>
     <message>
         <source>coupler length A-B, &gt; 0 (65)</source>
         <translation>longitud de la biela A-B, &gt; 0 (65)</translation>
     </message>
     <message>
-        <source>offset of the slider&apos;s line from O2 (25)</source>
-        <translation>excentricidad: de O2 a la línea de la corredera (25)</translation>
+        <source>offset of the slider&apos;s line from O₂ (25)</source>
+        <translation>excentricidad: de O₂ a la línea de la corredera (25)</translation>
     </message>
     <message>
         <source>crank speed, constant (2π)</source>
@@ -494,12 +494,12 @@
         <translation>configuración: la corredera a la derecha de A, o a la izquierda (open)</translation>
     </message>
     <message>
-        <source>a saved scene that gives these and whatever else it knows; an option beside it wins</source>
-        <translation>una escena guardada que da estos valores y los demás que conozca; una opción escrita junto a ella prevalece</translation>
+        <source>a scene saved by the window: these and all else come from it; an option beside it wins</source>
+        <translation>una escena guardada en la ventana: de ella salen estos valores y todo lo demás; una opción escrita junto a ella prevalece</translation>
     </message>
     <message>
-        <source>intervals; N + 1 instants, both ends (200)</source>
-        <translation>intervalos; N + 1 instantes, con ambos extremos (200)</translation>
+        <source>equal steps of the run; N + 1 instants, both ends (200)</source>
+        <translation>pasos iguales del recorrido; N + 1 instantes, con ambos extremos (200)</translation>
     </message>
     <message>
         <source>length of the run, &gt; 0 (1)</source>
@@ -510,27 +510,27 @@
         <translation>primer instante (0)</translation>
     </message>
     <message>
-        <source>one instant instead of a run: the first from --start at which θ2 is this angle, whole turns apart</source>
-        <translation>un instante en vez de un recorrido: el primero desde --start en que θ2 es este ángulo, salvo vueltas enteras</translation>
+        <source>one instant instead of a run: the first from --start on with the crank at this angle</source>
+        <translation>un instante en vez de un recorrido: el primero desde --start con la manivela en este ángulo</translation>
     </message>
     <message>
         <source>how the motion is computed (newton)</source>
         <translation>cómo se calcula el movimiento (newton)</translation>
     </message>
     <message>
-        <source>of Newton-Raphson, an instant, &gt;= 1 (10)</source>
-        <translation>de Newton-Raphson, por instante, &gt;= 1 (10)</translation>
+        <source>most iterations of Newton-Raphson at an instant, &gt;= 1 (10)</source>
+        <translation>iteraciones máximas de Newton-Raphson por instante, &gt;= 1 (10)</translation>
     </message>
     <message>
         <source>residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)</source>
         <translation>residuo ‖C‖ con el que Newton-Raphson se detiene; 0: cuando deja de disminuir (1e-8)</translation>
     </message>
     <message>
-        <source>relative: the length rows of C divided by a + b + |c| (absolute: mm and rad as they are)</source>
-        <translation>relative: las filas de longitud de C divididas entre a + b + |c| (absolute: mm y rad tal cual)</translation>
+        <source>absolute: ‖C‖ in mm and rad as they are; relative: lengths divided by a + b + |c| (absolute)</source>
+        <translation>absolute: ‖C‖ en mm y rad tal cual; relative: longitudes divididas entre a + b + |c| (absolute)</translation>
     </message>
     <message>
-        <source>all, or names with commas: theta3,R4_x_diff (all)</source>
+        <source>all, or names separated by commas: theta3,R4_x_diff (all)</source>
         <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
     </message>
     <message>
@@ -538,36 +538,36 @@
         <translation>unidad de los ángulos que se escriben (deg)</translation>
     </message>
     <message>
-        <source>what to write (csv)</source>
-        <translation>qué se escribe (csv)</translation>
+        <source>form of the output (csv)</source>
+        <translation>formato de la salida (csv)</translation>
     </message>
     <message>
-        <source>write there, not to standard output</source>
-        <translation>escribe ahí, y no en la salida estándar</translation>
+        <source>write to this file, not to standard output</source>
+        <translation>escribe en este archivo, y no en la salida estándar</translation>
     </message>
     <message>
-        <source>what to write (text: a table)</source>
-        <translation>qué se escribe (text: una tabla)</translation>
+        <source>form of the output (text: a table)</source>
+        <translation>formato de la salida (text: una tabla)</translation>
     </message>
     <message>
         <source>exit status 1 when a channel differs</source>
         <translation>estado de salida 1 cuando un canal difiere</translation>
     </message>
     <message>
-        <source>what to write (text)</source>
-        <translation>qué se escribe (text)</translation>
+        <source>form of the output (text)</source>
+        <translation>formato de la salida (text)</translation>
     </message>
     <message>
-        <source>nominal: the mechanism of these options; hard: the named hard cases, behind the mechanism if one is given; all: the named nominal and hard cases (nominal)</source>
-        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles con nombre, después del mecanismo si se da uno; all: los casos con nombre, nominales y difíciles (nominal)</translation>
+        <source>nominal: the mechanism of these options; hard: the hard cases, after the mechanism if one is given; all: ten ordinary and the hard cases (nominal)</source>
+        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles, después del mecanismo si se da uno; all: diez casos corrientes y los difíciles (nominal)</translation>
     </message>
     <message>
         <source>a simulation&apos;s CSV file to draw beside it</source>
         <translation>un archivo CSV de una simulación, para dibujarlo al lado</translation>
     </message>
     <message>
-        <source>of a PNG&apos;s pixels, 0.1 to 10 (1)</source>
-        <translation>de los píxeles de un PNG, de 0.1 a 10 (1)</translation>
+        <source>pixels of a PNG for each one of --size, 0.1 to 10 (1)</source>
+        <translation>píxeles de un PNG por cada uno de --size, de 0.1 a 10 (1)</translation>
     </message>
     <message>
         <source>colours (light)</source>
@@ -578,8 +578,8 @@
         <translation>instante de la posición dibujada, marcado en las gráficas (--start)</translation>
     </message>
     <message>
-        <source>the same by crank angle: the first instant from --start at which θ2 is this angle</source>
-        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start en que θ2 es este ángulo</translation>
+        <source>the same by crank angle: the first instant from --start on with the crank at this angle</source>
+        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start con la manivela en ese ángulo</translation>
     </message>
     <message>
         <source>a simulation&apos;s CSV file to open</source>
@@ -628,7 +628,7 @@ Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canal
 
 Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
 worst of the six plotted channels, relative to the channel&apos;s peak, over the instants that the method calls
-solved. Beside it the bound κ·u: the error that rounding the given numbers makes by itself. newton-dense is the
+solved. Beside it, what rounding the given numbers may cost by itself. newton-dense is the
 report&apos;s way, with its absolute tolerance; the others measure the residual relative to a + b + |c|.
 finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps N harmonics.
 Times depend on the machine: compare them within one run.
@@ -637,7 +637,7 @@ Times depend on the machine: compare them within one run.
 
 Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
 peor de los seis canales graficados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
-lado, la cota κ·u: el error que causa por sí solo redondear los datos. newton-dense es el procedimiento del informe,
+lado, lo que puede costar por sí solo redondear los datos. newton-dense es el procedimiento del informe,
 con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
 muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
 Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
@@ -844,8 +844,8 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
     <message>
-        <source>%1 of %2 instants, first at t = %3 s (θ2 = %4°)</source>
-        <translation>%1 de %2 instantes, el primero en t = %3 s (θ2 = %4°)</translation>
+        <source>%1 of %2 instants, first at t = %3 s (θ₂ = %4°)</source>
+        <translation>%1 de %2 instantes, el primero en t = %3 s (θ₂ = %4°)</translation>
     </message>
     <message>
         <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to turn round (--b).</source>
@@ -908,8 +908,8 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
     <message>
-        <source>of frames, 30 a second: seconds of the motion in a second of the film (1)</source>
-        <translation>de frames, a 30 por segundo: segundos del movimiento en un segundo de la película (1)</translation>
+        <source>for frames, 30 a second: seconds of motion in a second of film (1)</source>
+        <translation>para frames, a 30 por segundo: segundos de movimiento en un segundo de película (1)</translation>
     </message>
     <message>
         <source>forget what the window remembers: layout, recent files, language, theme, choices of columns</source>
@@ -1033,8 +1033,8 @@ menos; código de salida 4 si no hay ninguna posición.
 </translation>
     </message>
     <message>
-        <source>at θ2 = %1°</source>
-        <translation>en θ2 = %1°</translation>
+        <source>at θ₂ = %1°</source>
+        <translation>en θ₂ = %1°</translation>
     </message>
     <message>
         <source>, t = %1 s</source>
@@ -1090,7 +1090,7 @@ CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el vered
        &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
       in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
       channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      Of the outcome nearest the mechanism is no more than what comes nearest.
+      With the outcome nearest, the mechanism is no more than the nearest one.
       Of several files: {&quot;files&quot;:[…]}.
 </source>
         <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
@@ -1100,7 +1100,7 @@ CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el vered
        &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
       en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
       channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que lo más cercano.
+      Con el resultado nearest, el mecanismo no es más que el más cercano.
       De varios archivos: {&quot;files&quot;:[…]}.
 </translation>
     </message>
@@ -1132,14 +1132,14 @@ informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO pu
 Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
 above all, and how certain each of its parameters is. Where the file means something else by a column than its
 heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O₂,
 angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
 looked at. FILE may be - for standard input.
 
 identified    what is left is rounding, or noise that looks like noise
 ambiguous     several mechanisms explain the file equally: all are listed
 insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
+nearest       no mechanism found explains the file: the nearest, as no more than that
 none          not even that
 </source>
         <translation>Uso: slidercrank identify ARCHIVO… [opciones]
@@ -1147,14 +1147,14 @@ none          not even that
 Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
 y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
 encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O₂ de la manivela, los ángulos
 en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
 examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
 
 identified    lo que queda es redondeo, o ruido que parece ruido
 ambiguous     varios mecanismos explican el archivo por igual: se dan todos
 insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
+nearest       ningún mecanismo hallado explica el archivo: el más cercano, solo como tal
 none          ni siquiera eso
 </translation>
     </message>
@@ -4035,6 +4035,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>textbook&apos;s θ₃ = %1</source>
         <translation>θ₃ de los libros = %1</translation>
+    </message>
+    <message>
+        <source>velocity </source>
+        <translation>velocidad </translation>
+    </message>
+    <message>
+        <source>acceleration </source>
+        <translation>aceleración </translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_figure.h"
 
+#include "ui/words/finding_text.h"
 #include "ui/words/motion_facts.h"
 
 #include <algorithm>
@@ -139,6 +140,18 @@ Interval errorRange(const Interval &extent, bool isLogarithmic)
     const double upper = std::ceil(extent.upper);
     const double lower = std::max(std::floor(extent.lower), upper - kMostDecades);
     return {std::min(lower, upper - 1.0), upper};
+}
+
+/// "coupler angular velocity ", and without the body, which the plot above names.
+std::array<QString, 2> wordsBefore(Channel channel)
+{
+    const QString whole = quantityOf(channel) + u' ';
+    switch (channel.order) {
+    case Order::Position: return {whole, whole};
+    case Order::Velocity: return {whole, PlotFigure::tr("velocity ")};
+    case Order::Acceleration: return {whole, PlotFigure::tr("acceleration ")};
+    }
+    return {};
 }
 
 } // namespace
@@ -377,6 +390,7 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     ShownData &shown = data();
     const ShownChannel &channel = shown.channels[index];
     picture.title = quantity(index);
+    picture.words = wordsBefore(kPlottedChannels[index]);
     picture.curves[0].ink = Ink::Model;
     picture.curves[1].ink = Ink::Reference;
     if (!result) {
