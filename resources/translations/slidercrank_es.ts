@@ -1017,7 +1017,7 @@ where there is no pose at all.
 </source>
         <translation>Uso: slidercrank limits [opciones]
 
-Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, razón de tiempos,
+Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, relación de tiempos,
 ángulo de transmisión, velocidades medias y máximas, aceleraciones máximas, y dónde y cuándo se dan. Si la manivela oscila hay
 menos; código de salida 4 si no hay ninguna posición.
 </translation>
@@ -4043,6 +4043,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>acceleration </source>
         <translation>aceleración </translation>
+    </message>
+    <message>
+        <source>angle </source>
+        <translation>ángulo </translation>
+    </message>
+    <message>
+        <source>position </source>
+        <translation>posición </translation>
     </message>
 </context>
 <context>

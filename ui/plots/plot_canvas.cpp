@@ -256,11 +256,12 @@ void PlotCanvas::Lettering::drawTitle(QCPPainter &painter, const QRect &axes) co
     // Title and remarks over the axes; what is too long for that takes the margins too.
     double left = axes.left();
     double right = axes.right();
+    const double room = picture.remarks.empty() ? m_plot->viewport().width() - kLabelGap - left
+                                                : right - left - widthOf(picture.remarks);
     QString title = picture.title;
     for (const QString &words : picture.words) {
         const QString whole = words + picture.title;
-        const double width = titleMetrics.horizontalAdvance(whole) + 2.0 * kLabelGap;
-        if (!words.isEmpty() && width + widthOf(picture.remarks) <= right - left) {
+        if (titleMetrics.horizontalAdvance(whole) + 2.0 * kLabelGap <= room) {
             title = whole;
             break;
         }
@@ -273,7 +274,7 @@ void PlotCanvas::Lettering::drawTitle(QCPPainter &painter, const QRect &axes) co
     const double excess = titleWidth + widthOf(*remarks) - (right - left);
     if (excess > 0.0) {
         right = m_plot->viewport().width() - kLabelGap;
-        left = std::max<double>(kLabelGap, right - widthOf(*remarks) - titleWidth);
+        left = std::min(left, std::max<double>(kLabelGap, right - widthOf(*remarks) - titleWidth));
     }
     painter.setFont(m_plot->m_titleFont);
     painter.setPen(QPen(m_plot->m_colours.text));

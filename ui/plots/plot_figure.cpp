@@ -147,7 +147,8 @@ std::array<QString, 2> wordsBefore(Channel channel)
 {
     const QString whole = quantityOf(channel) + u' ';
     switch (channel.order) {
-    case Order::Position: return {whole, whole};
+    case Order::Position:
+        return {whole, isAngle(channel.coordinate) ? PlotFigure::tr("angle ") : PlotFigure::tr("position ")};
     case Order::Velocity: return {whole, PlotFigure::tr("velocity ")};
     case Order::Acceleration: return {whole, PlotFigure::tr("acceleration ")};
     }
