@@ -86,7 +86,7 @@ QString textOf(const Compared &compared, const Mechanism &mechanism)
     constexpr int kDigits = 9;
     QString text = headlineOf(compared.file, compared.reference->data);
     text += CommandLine::tr("Model: %1").arg(mechanismText(mechanism, kDigits)) + QStringLiteral("\n\n");
-    text += tableOf(compared.channels) + u'\n' + summaryOf(compared.channels) + u'\n';
+    text += tableOf(compared.channels, compared.reference->data) + u'\n' + summaryOf(compared.channels) + u'\n';
     for (const QString &line : explanationOf(compared, mechanism)) {
         text += line + u'\n';
     }
@@ -156,7 +156,7 @@ ExitStatus compareFiles(const CompareOptions &options)
     PartedOutput output = outputOf(options);
     for (const QString &file : options.files) {
         const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readReference(file, {}, {{}, {}, options.columns});
+            readTimed({file, {}, {}}, options.columns, options.mechanism);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             status = ExitStatus::FileFailed;

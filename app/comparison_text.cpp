@@ -82,7 +82,9 @@ QStringList guessesIn(const FileLayout &layout)
             continue;
         }
         const QString meaning = column.role == ColumnRole::Time ? CommandLine::tr("the time", "a column is taken for")
-                                                                : columnNameOf(column.channel);
+                                : column.role == ColumnRole::CrankAngle
+                                    ? CommandLine::tr("the crank's angle", "a column is taken for")
+                                    : columnNameOf(column.channel);
         guesses +=
             CommandLine::tr("\"%1\" as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
     }
@@ -90,6 +92,14 @@ QStringList guessesIn(const FileLayout &layout)
 }
 
 } // namespace
+
+std::variant<std::shared_ptr<const Reference>, QString>
+readTimed(const ReferenceSource &source, const std::vector<NamedChoice> &columns, const Mechanism &mechanism)
+{
+    const auto outcome = readReference(source, {}, {{}, {}, columns});
+    const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
+    return reference ? timedBy(mechanism, *reference) : outcome;
+}
 
 const char *wordOf(Verdict verdict)
 {
@@ -104,23 +114,36 @@ const char *wordOf(Verdict verdict)
 QString headlineOf(const QString &file, const ReferenceData &data)
 {
     const auto number = [](double value) { return numberText(value, 9); };
+    if (data.crank) {
+        const CrankAngles &crank = *data.crank;
+        return CommandLine::tr("%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°")
+                   .arg(shownNameOf(file), QString::number(data.time.size()), number(crank.degrees.front()),
+                        number(crank.degrees.back()), number(crank.omega2), number(crank.theta20 * kDegreesPerRadian)) +
+               u'\n';
+    }
     return CommandLine::tr("%1: t = %3 s to %4 s, %2 instants")
                .arg(shownNameOf(file), QString::number(data.time.size()), number(data.time.front()),
                     number(data.time.back())) +
            u'\n';
 }
 
-QString tableOf(const std::vector<ChannelComparison> &channels)
+QString tableOf(const std::vector<ChannelComparison> &channels, const ReferenceData &data)
 {
-    std::vector<QStringList> rows{{CommandLine::tr("channel"), CommandLine::tr("unit"),
-                                   CommandLine::tr("largest error"), CommandLine::tr("at t [s]"),
-                                   CommandLine::tr("rms"), CommandLine::tr("largest %"), CommandLine::tr("at t [s]"),
-                                   CommandLine::tr("zeros"), CommandLine::tr("% of peak"),
-                                   CommandLine::tr("rounding step"), CommandLine::tr("verdict")}};
+    const QString where = data.crank ? CommandLine::tr("at θ2 [°]") : CommandLine::tr("at t [s]");
+    const auto placeOf = [&data](std::optional<double> value, double time) {
+        const std::optional<double> place = value && data.crank
+                                                ? (data.crank->omega2 * time + data.crank->theta20) * kDegreesPerRadian
+                                                : timeOf(value, time);
+        return rounded(place, 6);
+    };
+    std::vector<QStringList> rows{
+        {CommandLine::tr("channel"), CommandLine::tr("unit"), CommandLine::tr("largest error"), where,
+         CommandLine::tr("rms"), CommandLine::tr("largest %"), where, CommandLine::tr("zeros"),
+         CommandLine::tr("% of peak"), CommandLine::tr("rounding step"), CommandLine::tr("verdict")}};
     for (const ChannelComparison &channel : channels) {
         rows.push_back({columnNameOf(channel.channel), unitOf(channel.channel), rounded(channel.maxAbs),
-                        rounded(timeOf(channel.maxAbs, channel.timeOfMaxAbs), 6), rounded(channel.rms),
-                        rounded(channel.maxPercent), rounded(timeOf(channel.maxPercent, channel.timeOfMaxPercent), 6),
+                        placeOf(channel.maxAbs, channel.timeOfMaxAbs), rounded(channel.rms),
+                        rounded(channel.maxPercent), placeOf(channel.maxPercent, channel.timeOfMaxPercent),
                         QString::number(channel.zeroReference), rounded(channel.percentOfPeak),
                         rounded(channel.roundingStep), verdictText(channel)});
     }
@@ -181,8 +204,7 @@ void warnOf(const QString &file, const ReferenceData &data)
                 .arg(shownNameOf(file), ignored.join(QStringLiteral(", "))));
     }
     if (const QStringList guesses = guessesIn(data.layout); !guesses.empty()) {
-        say(CommandLine::tr("%1: the names do not tell what these columns are, so they are guessed: %2. Where that is "
-                            "wrong, name them as in theta3, theta3_diff, R4_x.")
+        say(CommandLine::tr("%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.")
                 .arg(shownNameOf(file), guesses.join(QStringLiteral(", "))));
     }
 }

@@ -4,14 +4,21 @@
 // A file's comparison as text, CSV and JSON: what `compare` and `identify` share.
 
 #include "core/comparison/comparison.h"
+#include "ui/document/reference_file.h"
 
 #include <QByteArray>
 #include <QString>
 
+#include <memory>
+#include <variant>
 #include <vector>
 
 namespace slidercrank
 {
+
+/// The file; where it counts by the crank's angle, with the instants of that mechanism.
+std::variant<std::shared_ptr<const Reference>, QString>
+readTimed(const ReferenceSource &source, const std::vector<NamedChoice> &columns, const Mechanism &mechanism);
 
 /// As the contract names it in CSV and JSON.
 const char *wordOf(Verdict verdict);
@@ -19,8 +26,8 @@ const char *wordOf(Verdict verdict);
 /// "file.csv: t = 0 s to 1 s, 201 instants"
 QString headlineOf(const QString &file, const ReferenceData &data);
 
-/// A row a channel, for people.
-QString tableOf(const std::vector<ChannelComparison> &channels);
+/// A row a channel, for people. `data`: what was compared.
+QString tableOf(const std::vector<ChannelComparison> &channels, const ReferenceData &data);
 
 QByteArray csvHeader();
 

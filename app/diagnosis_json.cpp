@@ -28,6 +28,7 @@ const char *wordOf(Convention::Kind kind)
     case Convention::Kind::Branch: return "branch";
     case Convention::Kind::TimeShift: return "time-shift";
     case Convention::Kind::NotDerivative: return "not-derivative";
+    case Convention::Kind::Axis: return "axis";
     }
     return "";
 }
@@ -64,7 +65,8 @@ Amount amountOf(const Convention &convention)
     case Convention::Kind::TimeShift: return {convention.amount, QStringLiteral("s")};
     case Convention::Kind::SwappedColumns:
     case Convention::Kind::Branch:
-    case Convention::Kind::NotDerivative: break;
+    case Convention::Kind::NotDerivative:
+    case Convention::Kind::Axis: break;
     }
     return {};
 }
@@ -89,6 +91,7 @@ QString roleOf(const FileColumn &column)
     switch (column.role) {
     case ColumnRole::Ignored: return {};
     case ColumnRole::Time: return QStringLiteral("time");
+    case ColumnRole::CrankAngle: return QStringLiteral("crank-angle");
     case ColumnRole::Channel: return columnNameOf(column.channel);
     }
     return {};

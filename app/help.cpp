@@ -67,6 +67,10 @@ constexpr OptionEntry kFileOptions[] = {
                        "what a column of the files is, over what its name says, any number of times: \"slider.s=R4_x "
                        "[m]\", \"T=time [ms]\", \"id=ignored\"; #3 is the third column"),
      true},
+    {"abscissa", "time|angle",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "what the first column of the files is: the time, or the crank's angle, of which --omega2 and "
+                       "--theta20 make the time (by its name)")},
 };
 
 constexpr OptionEntry kCompareOptions[] = {
@@ -94,7 +98,7 @@ constexpr OptionEntry kRenderOptions[] = {
     {"what", "WHAT",
      QT_TRANSLATE_NOOP(
          "slidercrank::CommandLine",
-         "figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: "
+         "figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: "
          "theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
          "error_acceleration (figure)")},
     {"output", "FILE",

@@ -6,6 +6,7 @@
 #include "app/json_text.h"
 #include "app/output.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/reading/crank_angles.h"
 #include "ui/document/reference_file.h"
 #include "ui/words/convention_text.h"
 #include "ui/words/diagnosis_text.h"
@@ -81,7 +82,9 @@ QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &
                 .arg(found.iterations)
                 .arg(numberText(found.conditionNumber, 3)) +
             u'\n';
-    text += u'\n' + tableOf(diagnosis.identified) + u'\n';
+    const std::optional<ReferenceData> timed =
+        data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // what it was compared as
+    text += u'\n' + tableOf(diagnosis.identified, timed ? *timed : data) + u'\n';
     if (found.noise.empty()) { // else it was said what is left
         text += summaryOf(diagnosis.identified) + u'\n';
     }
@@ -136,7 +139,7 @@ ExitStatus identifyFiles(const IdentifyOptions &options)
     PartedOutput output(options.output, isJson && several ? "{\"files\":[" : "", isJson ? "," : "\n");
     for (const QString &file : options.files) {
         const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readReference(file, {}, {{}, {}, options.columns});
+            readTimed({file, {}, {}}, options.columns, options.mechanism);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             status = ExitStatus::FileFailed;

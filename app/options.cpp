@@ -161,8 +161,11 @@ NamedChoice readMeaning(OptionReader &reader, const QString &meaning)
     } else if (heading.name == "time") {
         choice.role = ColumnRole::Time;
         wanted = kSecond;
+    } else if (heading.name == "crank-angle") {
+        choice.role = ColumnRole::CrankAngle;
+        wanted = kDegree;
     } else if (meaning != u"ignored") {
-        QStringList names{QStringLiteral("time"), QStringLiteral("ignored")};
+        QStringList names{QStringLiteral("time"), QStringLiteral("crank-angle"), QStringLiteral("ignored")};
         for (std::size_t index = 0; index < kChannelCount; ++index) {
             names += columnNameOf(channelAt(index));
         }
@@ -182,10 +185,15 @@ NamedChoice readMeaning(OptionReader &reader, const QString &meaning)
     return choice;
 }
 
-/// --column, any number of times.
+/// --abscissa, and --column, any number of times.
 std::vector<NamedChoice> readColumns(OptionReader &reader)
 {
     std::vector<NamedChoice> choices;
+    if (reader.has("abscissa")) {
+        const ColumnRole role = reader.choice("abscissa", ColumnRole::Time,
+                                              {{"time", ColumnRole::Time}, {"angle", ColumnRole::CrankAngle}});
+        choices.push_back({"#1", role, {}, {}});
+    }
     for (const QString &text : reader.texts("column")) {
         const qsizetype equals = text.lastIndexOf(u'='); // a heading may hold one, a meaning does not
         if (equals < 1) {
@@ -427,6 +435,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     if (const QString file = reader.file("reference"); !file.isEmpty()) {
         options.reference = ReferenceSource{file, {}, {}};
     }
+    options.kept = reader.scene().kept;
     options.columns = readColumns(reader);
     if (!options.columns.empty() && !options.reference) {
         reader.refuse(CommandLine::tr("--column is of a reference: give its file with --reference."));

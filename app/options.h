@@ -74,6 +74,7 @@ struct RenderOptions {
     SolverSettings solver;
     double poseInstant = 0.0; ///< s
     std::optional<ReferenceSource> reference;
+    std::vector<Parameters> kept;     ///< motions to lie under the model's
     std::vector<NamedChoice> columns; ///< of the reference
     PlotSettings plots;
     PlotZoom zoom;

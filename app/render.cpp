@@ -40,7 +40,7 @@ Sampling runAround(const RenderOptions &options)
     return run;
 }
 
-/// The choices, one after the other; returns when everything is computed. A sentence when that failed.
+/// Returns when everything is computed. A sentence when that failed.
 std::optional<QString> settle(Session &session, const RenderOptions &options,
                               const std::shared_ptr<const Reference> &reference)
 {
@@ -54,14 +54,12 @@ std::optional<QString> settle(Session &session, const RenderOptions &options,
             loop.quit();
         }
     });
-    session.setSolver(options.solver);
-    session.setParameters(options.mechanism.parameters());
-    session.setSampling(runAround(options));
-    session.setReference(reference);
+    session.open({options.mechanism.parameters(), runAround(options), options.solver, reference, options.kept},
+                 options.poseInstant, {});
     if (busy) {
         loop.exec();
+        session.setTime(options.poseInstant);
     }
-    session.setTime(options.poseInstant);
     return problem;
 }
 
@@ -159,7 +157,7 @@ ExitStatus render(const RenderOptions &options)
     std::shared_ptr<const Reference> reference;
     if (options.reference) {
         const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readReference(*options.reference, {}, {{}, {}, options.columns});
+            readTimed(*options.reference, options.columns, options.mechanism);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             return ExitStatus::FileFailed;
@@ -188,7 +186,9 @@ ExitStatus render(const RenderOptions &options)
     ReportContent content{session.result(), {}, false};
     std::optional<Mechanism> ghost;
     const auto showGhost = [&](double instant) {
-        mechanism.setGhost(ghost ? referencePoseAt(reference->data, *ghost, instant) : ReferencePose());
+        mechanism.setGhost(!ghost      ? ReferencePose()
+                           : reference ? referencePoseAt(reference->data, *ghost, instant)
+                                       : referencePoseAt(*ghost, instant));
     };
     if (reference && options.subject != RenderOptions::Subject::Figure &&
         options.subject != RenderOptions::Subject::Plot) {
@@ -197,9 +197,12 @@ ExitStatus render(const RenderOptions &options)
         if (ghost) {
             mechanism.setGhostReach(reachOf(reference->data, *ghost));
         }
-        showGhost(options.poseInstant);
-        content.hasGhost = mechanism.hasGhost();
+    } else if (session.result()->difference && options.kept.back() != options.mechanism.parameters()) {
+        ghost = Mechanism(options.kept.back());
+        mechanism.setGhostReach(reachOf(*ghost, motionLimits(*ghost)));
     }
+    showGhost(options.poseInstant);
+    content.hasGhost = mechanism.hasGhost();
 
     const QPalette palette = paletteFor(options.theme);
     const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {

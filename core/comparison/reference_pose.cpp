@@ -86,7 +86,12 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     double theta3 = 0.0;
     double sliderX = 0.0;
     if (!angle || !slider) {
-        const Motion motion = ClosedForm(mechanism).motionAt(time);
+        Parameters parameters = mechanism.parameters();
+        if (data.crank) { // its angles are those of the file's, whatever else turns the mechanism
+            parameters.omega2 = data.crank->omega2;
+            parameters.theta20 = data.crank->theta20;
+        }
+        const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(time);
         theta3 = motion.theta3;
         sliderX = motion.R4x;
     }
@@ -103,6 +108,16 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     pose.pinX = sliderX - mechanism.b() * std::cos(theta3);
     pose.pinY = mechanism.c() - mechanism.b() * std::sin(theta3);
     return pose;
+}
+
+ReferencePose referencePoseAt(const Mechanism &mechanism, double time)
+{
+    const Motion motion = ClosedForm(mechanism).motionAt(time);
+    return {.exists = motion.status == Status::Solved || motion.status == Status::Singular,
+            .pinX = mechanism.a() * motion.crank.cos,
+            .pinY = mechanism.a() * motion.crank.sin,
+            .sliderX = motion.R4x,
+            .sliderY = mechanism.c()};
 }
 
 } // namespace slidercrank

@@ -23,4 +23,7 @@ struct ReferencePose {
 /// nor R4x.
 ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechanism, double time);
 
+/// Where the reference is another mechanism; it does not exist where that cannot be assembled.
+ReferencePose referencePoseAt(const Mechanism &mechanism, double time);
+
 } // namespace slidercrank

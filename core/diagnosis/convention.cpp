@@ -3,6 +3,7 @@
 
 #include "core/diagnosis/explanation.h"
 #include "core/diagnosis/unit_and_sense.h"
+#include "core/reading/crank_angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +28,7 @@ void multiply(ReferenceSeries &series, double factor)
 /// A column that is to be shifted keeps its decimals, but not its significant digits.
 void keepDecimals(ReferenceSeries &series)
 {
-    Rounding &rounding = series.rounding;
-    if (rounding.rule == Rounding::Rule::SignificantDigits) {
-        const double step = rounding.stepAt(rangeOf(series.values).size()) / rounding.unitFactor;
-        rounding.rule = Rounding::Rule::Decimals;
-        rounding.digits = -static_cast<int>(std::lround(std::log10(step)));
-    }
+    series.rounding = series.rounding.withDecimalsAt(rangeOf(series.values).size());
 }
 
 void shift(ReferenceSeries &series, double amount)
@@ -43,10 +39,67 @@ void shift(ReferenceSeries &series, double amount)
     }
 }
 
+/// A column of one axis becomes that of the other.
+void turn(ReferenceSeries &series)
+{
+    if (series.channel.coordinate == R4x) {
+        series.channel.coordinate = R4y;
+        multiply(series, -1.0);
+    } else {
+        series.channel.coordinate = R4x;
+    }
+}
+
+/// What a file counts by is θ2, too: the instants follow.
+void applyToAngles(const Convention &convention, ReferenceData &data)
+{
+    CrankAngles &crank = *data.crank;
+    for (double &angle : crank.degrees) {
+        angle = convention.kind == Kind::ZeroPoint ? angle + convention.amount : angle * convention.amount;
+    }
+    if (convention.kind == Kind::ZeroPoint) {
+        crank.rounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
+    } else {
+        crank.rounding.unitFactor *= std::abs(convention.amount);
+    }
+    Parameters drive;
+    drive.omega2 = crank.omega2;
+    drive.theta20 = crank.theta20;
+    if (std::optional<ReferenceData> timed = timedBy(Mechanism(drive), data)) {
+        data = *std::move(timed);
+    }
+}
+
 } // namespace
+
+std::optional<Convention> axisAlongY(const ReferenceData &data)
+{
+    constexpr double kStands = 1e-3; // of what moves: rounding, or an axis that is not quite upright
+    Convention axis{Convention::Kind::Axis, {}, 1.0};
+    for (const ReferenceSeries &series : data.series) {
+        if (series.channel.coordinate != R4x && series.channel.coordinate != R4y) {
+            continue;
+        }
+        axis.channels.push_back(series.channel);
+        const ReferenceSeries *const other =
+            data.find({series.channel.coordinate == R4x ? R4y : R4x, series.channel.order});
+        const double width = rangeOf(series.values).width();
+        const double otherWidth = other ? rangeOf(other->values).width() : 0.0;
+        const bool isUpright = series.channel.coordinate == R4y ? width > 0.0 && otherWidth <= kStands * width
+                                                                : width <= kStands * otherWidth;
+        if (!isUpright) {
+            return std::nullopt;
+        }
+    }
+    return axis.channels.empty() ? std::nullopt : std::optional(std::move(axis));
+}
 
 ReferenceData applied(const Convention &convention, ReferenceData data)
 {
+    if (data.crank && concerns(convention, {Theta2, Order::Position})) {
+        applyToAngles(convention, data);
+        return data;
+    }
     for (ReferenceSeries &series : data.series) {
         if (!concerns(convention, series.channel)) {
             continue;
@@ -66,6 +119,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         case Kind::SwappedColumns:
             series.channel = convention.channels[series.channel == convention.channels[0] ? 1 : 0];
             break;
+        case Kind::Axis: turn(series); break;
         case Kind::Branch:
         case Kind::TimeShift:
         case Kind::NotDerivative: break;
@@ -73,6 +127,9 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
     }
     switch (convention.kind) {
     case Kind::TimeUnit:
+        if (data.crank) {
+            break; // its instants are of the model, not of the file
+        }
         for (double &instant : data.time) {
             instant *= convention.amount;
         }
@@ -93,6 +150,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
     case Kind::WholeTurns:
     case Kind::ZeroPoint:
     case Kind::SwappedColumns:
+    case Kind::Axis:
     case Kind::Branch: break;
     }
     return data;

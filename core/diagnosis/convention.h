@@ -28,16 +28,21 @@
 //     one of two columns negated, or the other: the derivative
 //     a crossed mechanism's angles negated, or its mirror image's less a whole turn: the latter
 //
+// A file whose slider moves along y, and not along x, is turned before all this: no reading as it stands could be
+// right. Angles are not turned with it: where they are counted from the file's x, that is found as another origin.
+//
 // What proves a finding stands in hypotheses.h.
 
 #include "core/mechanism/channel.h"
 #include "core/reading/reference_data.h"
 
+#include <optional>
 #include <vector>
 
 namespace slidercrank
 {
 
+/// In a file that counts by the crank's angle, AngleUnit, Sign and ZeroPoint of θ2 are of what it counts by.
 struct Convention {
     enum class Kind {
         AngleUnit,      ///< angles in another unit than the heading says (or the author's): multiplied by amount
@@ -50,17 +55,21 @@ struct Convention {
         SwappedColumns, ///< the two channels stand under each other's names
         Branch,         ///< the motion of the other assembly: the model changes, not the data
         TimeShift,      ///< the clock of the file started early or late: amount (s) is added to its instants
-        NotDerivative   ///< a derivative column is not the derivative of its position column: it is left out
+        NotDerivative,  ///< a derivative column is not the derivative of its position column: it is left out
+        Axis            ///< the slider moves along y: the file is turned by -90°, y becoming x and x becoming -y
     };
     Kind kind = Kind::AngleUnit;
 
-    /// The columns that it changes. Of TimeUnit the derivatives that count in that unit too, maybe none; of Branch and
-    /// TimeShift none.
+    /// The columns that it changes, of Axis by the names that they have before. Of TimeUnit the derivatives that count
+    /// in that unit too, maybe none; of Branch and TimeShift none.
     std::vector<Channel> channels;
     double amount = 1.0;
 
     friend bool operator==(const Convention &, const Convention &) = default;
 };
+
+/// The slider's columns, where it moves along y and not along x.
+std::optional<Convention> axisAlongY(const ReferenceData &data);
 
 /// The data as they read with that convention. Branch changes nothing here.
 ReferenceData applied(const Convention &convention, ReferenceData data);

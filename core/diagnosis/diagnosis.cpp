@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnosis/diagnosis.h"
 
+#include "core/diagnosis/by_crank_angle.h"
 #include "core/diagnosis/explanation.h"
 #include "core/diagnosis/hypotheses.h"
 #include "core/identification/crank_speed.h"
@@ -414,10 +415,36 @@ void inSeconds(double timeUnit, Identification &found)
     }
 }
 
-} // namespace
-
-Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
+/// Whether no column of a length says its unit, and there is one.
+bool isWithoutUnitOfLength(const FileLayout &layout)
 {
+    const auto isLength = [](const FileColumn &column) {
+        return column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
+    };
+    return std::ranges::any_of(layout.columns, isLength) &&
+           std::ranges::none_of(layout.columns,
+                                [&](const FileColumn &column) { return isLength(column) && !column.unit.empty(); });
+}
+
+bool isClaimed(const Diagnosis &diagnosis)
+{
+    return diagnosis.isOfMechanismAtHand || diagnosis.identification.stands();
+}
+
+/// Whether what was found is the motion of the slider, too, and not only of what else is in the file.
+bool isOfSlider(const Diagnosis &diagnosis)
+{
+    return std::ranges::any_of(diagnosis.identified, [](const ChannelComparison &one) {
+        return one.channel.coordinate == R4x && one.verdict != Verdict::Differs;
+    });
+}
+
+/// The data as they stand.
+Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const std::stop_token &stop)
+{
+    if (data.crank) {
+        return diagnoseByCrankAngle(data, mechanism, stop);
+    }
     const Parameters &given = mechanism.parameters();
     Diagnosis result;
     Identification &found = result.identification;
@@ -517,6 +544,34 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
         result.change = changeFor(reading, mechanism, found.parameters, stop);
     }
     found.stopped = stop.stop_requested();
+    return result;
+}
+
+} // namespace
+
+Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
+{
+    Diagnosis result;
+    const std::optional<Convention> axis = axisAlongY(data);
+    if (axis) {
+        result = diagnosed(applied(*axis, data), mechanism, stop);
+    }
+    if (axis && isClaimed(result) && isOfSlider(result)) {
+        std::vector<Convention> conventions{*axis};
+        for (const ConventionFinding &finding : result.conventions) {
+            conventions.push_back(finding.convention);
+        }
+        const Parameters &of = result.isOfMechanismAtHand ? mechanism.parameters() : result.identification.parameters;
+        result.conventions = findingsOf(data, {of, conventions});
+    } else {
+        result = diagnosed(data, mechanism, stop);
+    }
+    constexpr double kShort = 1.0; // mm
+    result.mayBeInMetres = result.identification.stands() && !result.identification.onlyRatios &&
+                           result.identification.parameters.a < kShort && isWithoutUnitOfLength(data.layout) &&
+                           std::ranges::none_of(result.conventions, [](const ConventionFinding &finding) {
+                               return finding.convention.kind == Convention::Kind::LengthUnit;
+                           });
     return result;
 }
 

@@ -35,6 +35,12 @@ struct Diagnosis {
     /// a hundredth and a hundred times the others.
     std::optional<ParameterChange> change;
 
+    /// The file does not say what its lengths are in, and read as mm the crank is shorter than one.
+    bool mayBeInMetres = false;
+
+    /// The file counts by the crank's angle, and ω2 is what its derivatives by the time say.
+    bool isSpeedOfDerivatives = false;
+
     std::optional<CrankSpeedChange> unevenCrank; ///< θ2 is in the file and does not advance evenly
 };
 

@@ -165,19 +165,20 @@ bool explainColumns(const ReferenceData &data, const Trajectory &model, Explanat
 int rankOf(Kind kind)
 {
     switch (kind) {
-    case Kind::Branch: return 0;
-    case Kind::TimeUnit: return 1;
-    case Kind::TimeShift: return 2;
-    case Kind::SwappedColumns: return 3;
-    case Kind::AngleUnit: return 4;
-    case Kind::LengthUnit: return 5;
-    case Kind::Sign: return 6;
-    case Kind::HalfTurn: return 7;
-    case Kind::WholeTurns: return 8;
-    case Kind::ZeroPoint: return 9;
-    case Kind::NotDerivative: return 10;
+    case Kind::Axis: return 0;
+    case Kind::Branch: return 1;
+    case Kind::TimeUnit: return 2;
+    case Kind::TimeShift: return 3;
+    case Kind::SwappedColumns: return 4;
+    case Kind::AngleUnit: return 5;
+    case Kind::LengthUnit: return 6;
+    case Kind::Sign: return 7;
+    case Kind::HalfTurn: return 8;
+    case Kind::WholeTurns: return 9;
+    case Kind::ZeroPoint: return 10;
+    case Kind::NotDerivative: return 11;
     }
-    return 11;
+    return 12;
 }
 
 /// The largest error among these channels (none given: the six), as part of the motion's peak.
@@ -317,6 +318,17 @@ std::vector<ConventionFinding> findingsOf(const ReferenceData &data, const Expla
         const bool ofAll = convention.kind == Kind::TimeUnit;
         const std::vector<Channel> concerned = ofAll ? std::vector<Channel>() : convention.channels;
         const ReadMotion without(data, others);
+        if (convention.kind == Kind::Axis) { // the columns have other names with it
+            std::vector<Channel> turned;
+            for (const ReferenceSeries &series : with.read.series) {
+                if (series.channel.coordinate == R4x || series.channel.coordinate == R4y) {
+                    turned.push_back(series.channel);
+                }
+            }
+            findings.push_back(
+                {convention, 100.0 * largestError(without, concerned), 100.0 * largestError(with, turned)});
+            continue;
+        }
         findings.push_back(
             {convention, 100.0 * largestError(without, concerned), 100.0 * largestError(with, concerned)});
     }

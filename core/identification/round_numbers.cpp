@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/round_numbers.h"
 
+#include "core/reading/crank_angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,7 +65,8 @@ std::optional<RoundNumber> roundNumber(double value, double standardError)
 /// Whether the data are as near to the rounded mechanism as to the fitted one.
 bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
 {
-    const std::vector<ChannelComparison> channels = compareExactly(rounded, data).channels;
+    const std::optional<ReferenceData> timed = data.crank ? timedBy(rounded, data) : std::nullopt;
+    const std::vector<ChannelComparison> channels = compareExactly(rounded, timed ? *timed : data).channels;
     double growth = 0.0;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const double before =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/column_guess.h"
 
+#include "core/reading/crank_angles.h"
 #include "core/reading/reference_data.h"
 #include "core/reading/unit_text.h"
 
@@ -174,6 +175,7 @@ public:
     std::optional<ColumnFault> takeNames();
     void guessTime();
     void settlePairs();
+    void guessCrankAngle();
     void guessChannels();
 
     std::vector<ColumnUse> take() { return std::move(m_uses); }
@@ -207,9 +209,16 @@ private:
         return values;
     }
 
+    /// The time, or the crank's angle in its place.
+    std::optional<std::size_t> abscissa() const
+    {
+        const std::optional<std::size_t> time = columnAs(ColumnRole::Time);
+        return time ? time : columnAs(ColumnRole::CrankAngle);
+    }
+
     std::vector<double> timeSamples()
     {
-        const std::size_t time = *columnAs(ColumnRole::Time);
+        const std::size_t time = *abscissa();
         return scaledSamples(time, 1.0 / m_uses[time].factor);
     }
 
@@ -268,8 +277,17 @@ std::optional<ColumnFault> Assignment::choose(std::span<const ColumnChoice> choi
         case ColumnRole::Ignored: break;
         case ColumnRole::Time: {
             const std::optional<double> factor = unitsPerSecond(unit);
-            if (!factor || columnAs(ColumnRole::Time)) {
+            if (!factor || abscissa()) {
                 return ColumnFault{choice.column, {factor ? Fault::TimeChosenTwice : Fault::UnknownTimeUnit}};
+            }
+            use.factor = *factor;
+            break;
+        }
+        case ColumnRole::CrankAngle: {
+            const std::optional<double> factor = unitsPerDegree(unit);
+            if (!factor || abscissa()) {
+                const Fault kind = factor ? Fault::TimeChosenTwice : Fault::UnknownUnit;
+                return ColumnFault{choice.column, {kind, {Theta2, Order::Position}}};
             }
             use.factor = *factor;
             break;
@@ -291,7 +309,7 @@ std::optional<ColumnFault> Assignment::choose(std::span<const ColumnChoice> choi
 
 std::optional<ColumnFault> Assignment::nameTime(std::size_t i)
 {
-    if (const std::optional<std::size_t> other = columnAs(ColumnRole::Time)) {
+    if (const std::optional<std::size_t> other = abscissa()) {
         if (m_uses[*other].reason == ColumnReason::Chosen) {
             ignore(i, ColumnReason::LikeOther, other);
             return std::nullopt;
@@ -354,6 +372,9 @@ std::optional<ColumnFault> Assignment::takeNames()
                 ignore(i, ColumnReason::NoName);
             } else if (fileNames && meaning.kind == NameMeaning::Kind::RowNumber) {
                 ignore(i, ColumnReason::RowNumber);
+            } else if (fileNames && meaning.kind == NameMeaning::Kind::Nothing &&
+                       m_headings[i].part == Heading::Part::Own && endsInQuantity(m_headings[i])) {
+                ignore(i, ColumnReason::UnknownBody);
             }
             if (fault) {
                 return fault;
@@ -367,15 +388,27 @@ std::optional<ColumnFault> Assignment::takeNames()
 
 void Assignment::guessTime()
 {
-    if (columnAs(ColumnRole::Time)) {
+    if (abscissa()) {
         return;
     }
     for (std::size_t i = 0; i < m_uses.size(); ++i) {
-        const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty();
+        const bool named = m_meanings[i].kind == NameMeaning::Kind::Nothing && !m_headings[i].printed.empty() &&
+                           m_uses[i].reason != ColumnReason::UnknownBody && !isCrankAngle(m_headings[i]);
         const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
         if (isOpen(i) && named && factor && i < samples().size() && onlyRises(samples()[i])) {
             m_uses[i] = ColumnUse{ColumnRole::Time, {}, ColumnReason::RisingValues, std::nullopt, *factor};
             return;
+        }
+    }
+}
+
+/// Where there is no time, the crank's angle tells it.
+void Assignment::guessCrankAngle()
+{
+    for (std::size_t i = 0; i < m_uses.size() && !abscissa(); ++i) {
+        const std::optional<double> factor = unitsPerDegree(m_headings[i].unit);
+        if (m_uses[i].reason != ColumnReason::Chosen && factor && isCrankAngle(m_headings[i])) {
+            m_uses[i] = ColumnUse{ColumnRole::CrankAngle, {}, ColumnReason::AngleForTime, std::nullopt, *factor};
         }
     }
 }
@@ -552,9 +585,11 @@ void Assignment::give(const std::vector<Candidate> &all, Channel channel)
     if (channel.order != Order::Position) {
         const Order before = channel.order == Order::Velocity ? Order::Position : Order::Velocity;
         const std::optional<std::size_t> base = columnAs(ColumnRole::Channel, {channel.coordinate, before});
+        const bool isByTime = columnAs(ColumnRole::Time).has_value(); // by angle, nobody knows per how many seconds
         std::erase_if(left, [&](const Candidate *candidate) {
-            const bool wrong = base && !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
-                                                     scaledSamples(candidate->column, factorIn(candidate->column)));
+            const bool wrong = base && isByTime &&
+                               !isDerivative(timeSamples(), scaledSamples(*base, m_uses[*base].factor),
+                                             scaledSamples(candidate->column, factorIn(candidate->column)));
             if (wrong) {
                 ignore(candidate->column, ColumnReason::NotDerivative, base);
             }
@@ -583,7 +618,7 @@ void Assignment::give(const std::vector<Candidate> &all, Channel channel)
 
 void Assignment::guessChannels()
 {
-    if (!columnAs(ColumnRole::Time)) {
+    if (!abscissa()) {
         return;
     }
     std::vector<Candidate> all = candidates();
@@ -612,6 +647,7 @@ std::variant<std::vector<ColumnUse>, ColumnFault> assignColumns(std::span<const 
         return *std::move(fault);
     }
     assignment.guessTime();
+    assignment.guessCrankAngle();
     assignment.settlePairs();
     assignment.guessChannels();
     return assignment.take();

@@ -11,4 +11,14 @@ bool FileLayout::isGuessed() const
     return std::any_of(columns.begin(), columns.end(), [](const FileColumn &column) { return isGuess(column.reason); });
 }
 
+bool FileLayout::isOpen() const
+{
+    const auto isUsedAs = [this](ColumnRole role) { return std::ranges::count(columns, role, &FileColumn::role) > 0; };
+    return isUsedAs(ColumnRole::Time) && std::ranges::any_of(columns, [&](const FileColumn &column) {
+               return column.reason == ColumnReason::LikeOther
+                          ? columns[*column.otherColumn].role == ColumnRole::Ignored
+                          : leavesOpen(column.reason) && !isUsedAs(ColumnRole::Channel);
+           });
+}
+
 } // namespace slidercrank

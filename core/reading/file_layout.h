@@ -18,7 +18,12 @@ enum class TextEncoding { Utf8, Utf16LittleEndian, Utf16BigEndian, Windows1252 }
 
 enum class DecimalSign { Point, Comma };
 
-enum class ColumnRole { Ignored, Time, Channel };
+enum class ColumnRole {
+    Ignored,
+    Time,
+    CrankAngle, ///< counted by instead of the time, which follows from it
+    Channel
+};
 
 /// Why a column became what it is. `otherColumn` is FileColumn::otherColumn.
 enum class ColumnReason {
@@ -34,9 +39,11 @@ enum class ColumnReason {
     EvenRate,          ///< an angle that grows at an even rate is the crank's
     RisingValues,      ///< no column is named as the time; this is the first that only rises
     ModelicaName,      ///< named as Modelica names it, and so taken to be in m, rad and s
+    AngleForTime,      ///< no column is the time; this is the crank's angle, which goes one way throughout
 
     // Ignored.
     UnknownName,   ///< the name means no channel
+    UnknownBody,   ///< the name says a quantity of something, and nothing of what
     RowNumber,     ///< it counts the rows
     Magnitude,     ///< of a vector whose components are other columns, otherColumn the first
     SameInstants,  ///< the instants of another column's values, the same as the time's
@@ -51,8 +58,22 @@ enum class ColumnReason {
 
 constexpr bool isGuess(ColumnReason reason)
 {
-    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::ModelicaName;
+    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::AngleForTime;
 }
+
+/// Whether the column may well be a channel: which, only a person can say.
+constexpr bool leavesOpen(ColumnReason reason)
+{
+    return reason == ColumnReason::UnknownBody || reason == ColumnReason::LikeOther ||
+           reason == ColumnReason::AngleOrLength;
+}
+
+/// Between the values of two rows, by the time between them.
+enum class Difference {
+    Forward, ///< this row and the next
+    Backward,
+    Central ///< the row before and the next
+};
 
 /// One column of the file, UTF-8 whatever the file's encoding.
 struct FileColumn {
@@ -62,6 +83,7 @@ struct FileColumn {
     Channel channel; ///< where the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
     std::optional<std::size_t> otherColumn; ///< that the reason speaks of
+    std::optional<Difference> difference;   ///< what a column of derivatives is made of
 };
 
 /// What was found of a file's form.
@@ -78,6 +100,10 @@ struct FileLayout {
 
     /// Whether names did not tell all that was taken from the file: a person should look at the columns.
     bool isGuessed() const;
+
+    /// Whether there are columns whose names differ only in what they belong to, and none of them is used: a person
+    /// has to say which of them is what.
+    bool isOpen() const;
 };
 
 /// What a person says of one column, over whatever its name says.

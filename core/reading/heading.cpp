@@ -475,4 +475,17 @@ NameMeaning meaningOf(const Heading &heading)
     return meaning;
 }
 
+bool endsInQuantity(const Heading &heading)
+{
+    std::vector<std::string> words = wordsOf(plainSpelling(heading.name));
+    std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
+    if (words.size() < 2) {
+        return false;
+    }
+    const std::string &last = words.back();
+    return isAmong(last, "x y") || (last.size() > 1 && std::ranges::any_of(kVocabulary, [&](const Vocabulary &each) {
+                                        return !each.body && isAmong(last, each.words);
+                                    }));
+}
+
 } // namespace slidercrank

@@ -58,4 +58,7 @@ struct NameMeaning {
 /// The unit tells angle from length where the name leaves it open.
 NameMeaning meaningOf(const Heading &heading);
 
+/// "J1_x", "part 7 velocity": whether a name that means nothing ends in a quantity.
+bool endsInQuantity(const Heading &heading);
+
 } // namespace slidercrank

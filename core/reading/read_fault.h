@@ -43,7 +43,7 @@ struct ReadFault {
         ChannelTwice,   ///< in the names
         TimeTwice,
         ChannelChosenTwice, ///< `channel`, by a person
-        TimeChosenTwice,
+        TimeChosenTwice, ///< or the crank's angle in its place
         NoTime,
         NoChannel,        ///< no name is known
         NoCertainChannel, ///< the column of `heading` could be one, were it not for `column`
@@ -51,6 +51,7 @@ struct ReadFault {
         NoRow,            ///< that can be read, the first because of `row`
         NoValues,         ///< beside the time
         TimeNotRising,
+        AngleTurnsBack, ///< the crank's, behind the angle `heading`
         Stopped,    ///< whoever wanted it wants it no longer
         Unreadable, ///< there is less of it than there was
         NoMemory

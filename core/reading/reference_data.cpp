@@ -2,12 +2,16 @@
 #include "core/reading/reference_data.h"
 
 #include "core/mechanism/in_parallel.h"
+#include "core/reading/crank_angles.h"
+#include "core/reading/difference.h"
 #include "core/reading/table_columns.h"
 #include "core/reading/table_rows.h"
 #include "core/reading/text_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <mutex>
 #include <new>
@@ -86,7 +90,8 @@ public:
 private:
     void join(ReadLines &next)
     {
-        const bool follows = next.firstRow == 0 || isEmpty() || next.rows.time().front() > m_rows.time().back();
+        const bool follows =
+            next.firstRow == 0 || isEmpty() || m_layout.isByAngle || next.rows.time().front() > m_rows.time().back();
         if (!follows) {
             m_error = timeFault(next.firstRow, m_layout, next.firstTime);
         } else if (next.error) {
@@ -135,6 +140,30 @@ std::optional<ReadError> findWhyUseless(const ReferenceData &data, std::size_t f
     ReadFault fault{ReadFault::Kind::NoRow};
     fault.row = first.fault;
     return ReadError{first.line, first.column, first.text, std::move(fault)};
+}
+
+/// Makes instants of the angles that were read in their place.
+std::optional<ReadError> countByAngle(ReferenceData &data, const TableLayout &layout)
+{
+    data.crank.emplace();
+    data.crank->degrees = goingOn(data.time);
+    data.crank->rounding = data.timeRounding;
+    if (const std::optional<std::size_t> row = turnsBackAt(data.crank->degrees)) {
+        std::array<char, 32> angle{};
+        const std::to_chars_result written =
+            std::to_chars(angle.data(), angle.data() + angle.size(), data.time[*row - 1]);
+        ReadFault fault{ReadFault::Kind::AngleTurnsBack};
+        fault.heading = std::string(angle.data(), written.ptr) + "°";
+        const FileColumn &column = data.layout.columns[layout.timeColumn];
+        return ReadError{data.layout.headerLine, layout.timeColumn + 1, excerpt(column.heading), std::move(fault),
+                         std::move(data.layout)};
+    }
+    std::optional<ReferenceData> timed = timedBy(Mechanism(), std::move(data));
+    if (!timed) {
+        return ReadError{0, 0, {}, {ReadFault::Kind::NoNumbers}};
+    }
+    data = *std::move(timed);
+    return std::nullopt;
 }
 
 /// All of the table's rows, in one list.
@@ -204,9 +233,19 @@ std::variant<ReferenceData, ReadError> read(const ByteSource &source, const std:
     }
     const std::size_t firstDataLine = table.firstDataLine;
     ReferenceData data = rows.take(layout);
+    if (layout.isByAngle && !data.time.empty()) {
+        if (std::optional<ReadError> error = countByAngle(data, layout)) {
+            return *std::move(error);
+        }
+    }
     if (std::optional<ReadError> error = findWhyUseless(data, firstDataLine)) {
         error->layout = std::move(data.layout);
         return *std::move(error);
+    }
+    for (FileColumn &column : data.layout.columns) {
+        if (column.role == ColumnRole::Channel) {
+            column.difference = differenceIn(data, column.channel);
+        }
     }
     return data;
 }

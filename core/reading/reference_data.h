@@ -4,6 +4,9 @@
 // A simulation's exported motion: a file's bytes → named series in the author's units (mm, °, s), with what each column
 // was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
 //
+// A table by the crank's angle instead of the time is read as the motion of a crank that turns once a second, until
+// somebody says otherwise.
+//
 // Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
 // (nameOf(), or words), in any order and case, each with its unit or none for the author's; perhaps a line of units.
 // Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us,
@@ -24,6 +27,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -51,12 +55,23 @@ struct SkippedRow {
     std::size_t rows = 1; ///< that it stands for, itself among them
 };
 
+/// What a file counts by that has no time.
+struct CrankAngles {
+    std::vector<double> degrees; ///< θ2, one a row, rising or falling throughout
+    Rounding rounding;           ///< how the file rounded them
+
+    // Of the crank that ReferenceData::time was made for: see crank_angles.h. As read, one that turns once a second.
+    double omega2 = 2.0 * std::numbers::pi;
+    double theta20 = 0.0;
+};
+
 struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
     Rounding timeRounding;    ///< how the file rounded the instants, already in seconds
     std::vector<ReferenceSeries> series;
-    std::vector<SkippedRow> skipped; ///< at most 1000, and then one more that counts the others
-    FileLayout layout;               ///< how the file is written, and what each column became and why
+    std::vector<SkippedRow> skipped;    ///< at most 1000, and then one more that counts the others
+    FileLayout layout;                  ///< how the file is written, and what each column became and why
+    std::optional<CrankAngles> crank{}; ///< where the file counts by them: the instants follow
 
     const ReferenceSeries *find(Channel channel) const;
 

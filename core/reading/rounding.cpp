@@ -138,6 +138,16 @@ double Rounding::stepAt(double value) const
     return 0.0;
 }
 
+Rounding Rounding::withDecimalsAt(double value) const
+{
+    Rounding rounding = *this;
+    if (rule == Rule::SignificantDigits) {
+        rounding.rule = Rule::Decimals;
+        rounding.digits = -static_cast<int>(std::lround(std::log10(stepAt(value) / unitFactor)));
+    }
+    return rounding;
+}
+
 double Rounding::finestStep() const
 {
     return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(powersOfTen(), finestPlace);

@@ -42,6 +42,10 @@ struct Rounding {
     /// The step at a value, both in the author's unit; 0 when unknown.
     double stepAt(double value) const;
 
+    /// The same to as many decimals everywhere as there are at that value: what is to be shifted keeps its decimals, but
+    /// not its significant digits.
+    Rounding withDecimalsAt(double value) const;
+
     /// Of the last digit printed anywhere, zero or not, in the author's unit: 1e-6 of 0.005000. 0 when nothing is
     /// known.
     double finestStep() const;

@@ -51,9 +51,8 @@ ColumnSamples sampleRows(const Table &table, std::string_view rowText)
 ReadFault faultWithoutChannel(const FileLayout &layout)
 {
     for (const FileColumn &column : layout.columns) {
-        const bool almost = column.reason == ColumnReason::LikeOther || column.reason == ColumnReason::UnknownUnit ||
-                            column.reason == ColumnReason::NotDerivative ||
-                            column.reason == ColumnReason::AngleOrLength;
+        const bool almost = leavesOpen(column.reason) || column.reason == ColumnReason::UnknownUnit ||
+                            column.reason == ColumnReason::NotDerivative;
         if (almost) {
             return {Fault::NoCertainChannel, {}, excerpt(column.heading), column.reason};
         }
@@ -89,10 +88,13 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
         described.channel = use.channel;
         described.reason = use.reason;
         described.otherColumn = use.otherColumn;
-        layout.columns.push_back({use.role, layout.channels.size(), use.factor, table.cellUnits[i]});
-        if (use.role == ColumnRole::Time) {
+        const bool isTime = use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle;
+        layout.columns.push_back(
+            {isTime ? ColumnRole::Time : use.role, layout.channels.size(), use.factor, table.cellUnits[i]});
+        if (isTime) {
             hasTime = true;
             layout.timeColumn = i;
+            layout.isByAngle = use.role == ColumnRole::CrankAngle;
         } else if (use.role == ColumnRole::Channel) {
             layout.channels.push_back(use.channel);
         }

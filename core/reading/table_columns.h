@@ -18,10 +18,11 @@ namespace slidercrank
 
 /// What a column's cells are.
 struct ReadColumn {
-    ColumnRole role = ColumnRole::Ignored;
-    std::size_t series = 0; ///< its place in TableLayout::channels
-    double factor = 1.0;    ///< of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s
-    std::string_view unit;  ///< that stands in the cells themselves, behind the number
+    ColumnRole role = ColumnRole::Ignored; ///< Time: or the crank's angle in its place
+    std::size_t series = 0;                ///< its place in TableLayout::channels
+    /// Of a series: to the author's unit. Of the time: divides, so that 5 ms are 0.005 s; of the angle: to degrees.
+    double factor = 1.0;
+    std::string_view unit; ///< that stands in the cells themselves, behind the number
 };
 
 struct TableLayout {
@@ -29,6 +30,7 @@ struct TableLayout {
     std::vector<ReadColumn> columns;
     std::vector<Channel> channels;
     std::size_t timeColumn = 0;
+    bool isByAngle = false;    ///< that column is the crank's angle
     std::size_t dataBegin = 0; ///< offset of the table's data in the file
 };
 

@@ -32,6 +32,7 @@ bool readPlainRow(CellScanner &scanner, const TableLayout &layout, Row &row)
         bool plain = scanner.hasCell();
         switch (column.role) {
         case ColumnRole::Ignored: plain = plain && scanner.skipPlainCell(); break;
+        case ColumnRole::CrankAngle: // ReadColumn calls it Time
         case ColumnRole::Time: plain = plain && scanner.plainNumber(row.time); break;
         case ColumnRole::Channel:
             plain = plain && scanner.plainNumber(row.numbers[column.series]);
@@ -78,6 +79,7 @@ std::optional<BadCell> readRow(CellScanner &scanner, const TableLayout &layout, 
         blank = blank && cell.text.empty();
         switch (column.role) {
         case ColumnRole::Ignored: break;
+        case ColumnRole::CrankAngle:
         case ColumnRole::Time:
             row.time = {number.value / column.factor, placesOf(number.digits), number.digits};
             if (!number.fault && std::isnan(row.time.value)) {
@@ -232,7 +234,7 @@ void readLines(std::string_view lines, const TableLayout &layout, ReadLines &int
         if (into.firstRow == 0) {
             into.firstRow = line;
             into.firstTime = excerpt(row.time.digits);
-        } else if (!(row.time.value > into.rows.time().back())) {
+        } else if (!layout.isByAngle && !(row.time.value > into.rows.time().back())) {
             into.error = timeFault(line, layout, excerpt(row.time.digits));
             return;
         }

@@ -124,10 +124,6 @@
         <translation>elegido a mano</translation>
     </message>
     <message>
-        <source>t = %1 … %2 s</source>
-        <translation>t = %1 … %2 s</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -138,6 +134,26 @@
     <message>
         <source>%1: %2 from %3 to %4 %5, %6</source>
         <translation>%1: %2 de %3 a %4 %5, %6</translation>
+    </message>
+    <message>
+        <source>Seldom exported</source>
+        <translation>Se exportan rara vez</translation>
+    </message>
+    <message>
+        <source>Crank</source>
+        <translation>Manivela</translation>
+    </message>
+    <message>
+        <source>Coupler</source>
+        <translation>Biela</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Corredera</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>ángulo de la manivela</translation>
     </message>
 </context>
 <context>
@@ -385,6 +401,50 @@
     <message>
         <source>counts the rows</source>
         <translation>numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: its name does not tell what moves so</source>
+        <translation>sin usar: su nombre no dice qué se mueve así</translation>
+    </message>
+    <message>
+        <source>%1; central differences, no derivative</source>
+        <translation>%1; son diferencias centrales, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; backward differences, no derivative</source>
+        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; forward differences, no derivative</source>
+        <translation>%1; son diferencias hacia delante, no una derivada</translation>
+    </message>
+    <message>
+        <source>what moves so?</source>
+        <translation>¿qué se mueve así?</translation>
+    </message>
+    <message>
+        <source>differences from row to row</source>
+        <translation>diferencias de fila a fila</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>guessed: no column is the time, and this is the angle of the crank</source>
+        <translation>supuesto: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>guessed: no time here</source>
+        <translation>supuesto: aquí no hay tiempo</translation>
+    </message>
+    <message>
+        <source>%1 = %2 … %3°</source>
+        <translation>%1 = %2 … %3°</translation>
+    </message>
+    <message>
+        <source>t = %1 … %2 s</source>
+        <translation>t = %1 … %2 s</translation>
     </message>
 </context>
 <context>
@@ -900,10 +960,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>, %1 de ellos erróneos sin aviso</translation>
     </message>
     <message>
-        <source>figure (the nine plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation>figure (las nueve gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
-    </message>
-    <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
@@ -951,10 +1007,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
     <message>
         <source>&quot;%1&quot; as %2 (%3)</source>
         <translation>&quot;%1&quot; como %2 (%3)</translation>
-    </message>
-    <message>
-        <source>%1: the names do not tell what these columns are, so they are guessed: %2. Where that is wrong, name them as in theta3, theta3_diff, R4_x.</source>
-        <translation>%1: los nombres no dicen qué son estas columnas, así que se han deducido: %2. Donde no sea así, póngales nombres como theta3, theta3_diff, R4_x.</translation>
     </message>
     <message>
         <source>Usage: slidercrank render --output FILE.png|.svg|.pdf [options]
@@ -1232,6 +1284,31 @@ Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on
 Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
 </translation>
     </message>
+    <message>
+        <source>the crank&apos;s angle</source>
+        <comment>a column is taken for</comment>
+        <translation>el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>what the first column of the files is: the time, or the crank&apos;s angle, of which --omega2 and --theta20 make the time (by its name)</source>
+        <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
+    </message>
+    <message>
+        <source>%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°</source>
+        <translation>%1: θ2 = %3° a %4°, %2 ángulos; el tiempo, con ω2 = %5 rad/s y θ20 = %6°</translation>
+    </message>
+    <message>
+        <source>%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.</source>
+        <translation>%1: qué son estas columnas se ha supuesto: %2. Donde no sea así, dígalo con --column.</translation>
+    </message>
+    <message>
+        <source>at θ2 [°]</source>
+        <translation>en θ2 [°]</translation>
+    </message>
+    <message>
+        <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
+        <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -1487,6 +1564,30 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <source>%1: largest error %2 % of peak instead of %3 %.</source>
         <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
     </message>
+    <message>
+        <source>Turns %1 by 90°, so that y becomes x</source>
+        <translation>Gira %1 90°, de modo que y pasa a ser x</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>eje</translation>
+    </message>
+    <message>
+        <source>%1: central differences of the rows on both sides, and not the time derivative.</source>
+        <translation>%1: son diferencias centrales, entre la fila anterior y la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: backward differences, from each row to the one before, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia atrás, de cada fila a la anterior, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: forward differences, from each row to the next, and not the time derivative.</source>
+        <translation>%1: son diferencias hacia delante, de cada fila a la siguiente, y no la derivada respecto al tiempo.</translation>
+    </message>
+    <message>
+        <source>The slider moves along y and not along x: y is its axis, as in an upright engine.</source>
+        <translation>La corredera se mueve según y, no según x: su eje es y, como en un motor vertical.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::DiagnosisText</name>
@@ -1626,6 +1727,14 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <source>There are too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler&apos;s centre R³ and their derivatives to find the mechanism: export more instants, or more columns.</source>
         <translation>Hay muy pocos valores del ángulo de la biela θ³, la posición de la corredera Rₓ⁴, el centro de la biela R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
     </message>
+    <message>
+        <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
+        <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
+    </message>
+    <message>
+        <source>The file counts by the crank&apos;s angle: ω₂ is what its derivatives say.</source>
+        <translation>El archivo se rige por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EditCommandText</name>
@@ -1660,6 +1769,14 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
     <message>
         <source>change of the method</source>
         <translation>cambio del método</translation>
+    </message>
+    <message>
+        <source>forgetting the kept motions</source>
+        <translation>olvido de los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>keeping the motion</source>
+        <translation>conservación del movimiento</translation>
     </message>
 </context>
 <context>
@@ -1876,6 +1993,50 @@ differs: anything else, and what lies beyond the rounding by 1 % of half the mot
         <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
 próximo: ninguno más allá de cien veces
 difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
+    </message>
+    <message>
+        <source>Without bounds where one of the two ends its stroke</source>
+        <translation>Sin límite donde uno de los dos acaba su carrera</translation>
+    </message>
+    <message>
+        <source>Click to go to the instant of the largest difference</source>
+        <translation>Clic para ir al instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>Differences from the kept motion, a row a channel</source>
+        <translation>Diferencias con el movimiento conservado, una fila por canal</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>max |this − kept|, in the channel&apos;s unit</source>
+        <translation>máx |este − conservado|, en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>Instant of the largest difference</source>
+        <translation>Instante de la mayor diferencia</translation>
+    </message>
+    <message>
+        <source>√( mean of (this − kept)² ), in the channel&apos;s unit</source>
+        <translation>√( media de (este − conservado)² ), en la unidad del canal</translation>
+    </message>
+    <message>
+        <source>max |this − kept| / max |kept| · 100</source>
+        <translation>máx |este − conservado| / máx |conservado| · 100</translation>
+    </message>
+    <message>
+        <source>This mechanism is the one that was kept: change it to see what differs.</source>
+        <translation>Este mecanismo es el conservado: cámbielo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
+    <message>
+        <source>. Where one of the two cannot be assembled there is nothing to compare.</source>
+        <translation>. Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
     </message>
 </context>
 <context>
@@ -2256,6 +2417,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 centre&apos;s acceleration in y</source>
         <translation>aceleración en y del centro de la %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
     </message>
 </context>
 <context>
@@ -2818,12 +2983,24 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>G₃</source>
         <translation>G₃</translation>
     </message>
+    <message>
+        <source>outer dead centre</source>
+        <translation>punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>inner dead centre</source>
+        <translation>punto muerto interior</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismLinkage</name>
     <message>
         <source>file</source>
         <translation>archivo</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>conservado</translation>
     </message>
 </context>
 <context>
@@ -2874,6 +3051,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up tell about its parts one after the other.</source>
         <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y las casillas de abajo cambian sus longitudes. Más, menos y 0 amplían y reducen, Control con las flechas mueve el dibujo, Av Pág y Re Pág hablan de sus piezas una tras otra.</translation>
+    </message>
+    <message>
+        <source>An&amp;gles θ₂ and θ³</source>
+        <translation>Án&amp;gulos θ₂ y θ³</translation>
+    </message>
+    <message>
+        <source>Instant &amp;centre of the coupler</source>
+        <translation>Centro &amp;instantáneo de la biela</translation>
     </message>
 </context>
 <context>
@@ -3114,10 +3299,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Mostrar los &amp;paneles de abajo</translation>
     </message>
     <message>
-        <source>Show the file&apos;s &amp;motion</source>
-        <translation>Mostrar el &amp;movimiento del archivo</translation>
-    </message>
-    <message>
         <source>Lan&amp;guage</source>
         <translation>&amp;Idioma</translation>
     </message>
@@ -3212,6 +3393,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>&amp;Run and speed…</source>
         <translation>Re&amp;corrido y velocidad…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>For&amp;get kept motions</source>
+        <translation>&amp;Olvidar los movimientos conservados</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s or the kept &amp;motion</source>
+        <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
     </message>
 </context>
 <context>
@@ -4052,6 +4245,27 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>position </source>
         <translation>posición </translation>
     </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1</source>
+        <translation>diferencia de %1</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>ninguna diferencia</translation>
+    </message>
+    <message>
+        <source>difference of %1: %2</source>
+        <translation>diferencia de %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept motion, its value</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -4094,10 +4308,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Error of the accelerations over time</source>
         <translation>Error de las aceleraciones en el tiempo</translation>
-    </message>
-    <message>
-        <source>Show all &amp;nine plots</source>
-        <translation>Mostrar las &amp;nueve gráficas</translation>
     </message>
     <message>
         <source>&amp;Maximize this plot</source>
@@ -4146,6 +4356,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
         <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this motion</source>
+        <translation>Co&amp;nservar este movimiento</translation>
+    </message>
+    <message>
+        <source>Show all plots agai&amp;n</source>
+        <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
     </message>
 </context>
 <context>
@@ -4314,6 +4532,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>The file is JSON, not a table of text: export the table as CSV.</source>
         <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
+    <message>
+        <source>its name does not tell what moves so</source>
+        <translation>su nombre no dice qué se mueve así</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s angle turns back behind %1: sort the rows by it, one row for each angle.</source>
+        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
@@ -4344,6 +4570,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>There are: %1.</source>
         <translation>Están: %1.</translation>
+    </message>
+    <message>
+        <source>%1 counts by the crank&apos;s angle, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
+        <translation>%1 se rige por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
     </message>
 </context>
 <context>
@@ -4433,10 +4663,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 filas leídas</translation>
     </message>
     <message>
-        <source>, t = %1 … %2 s</source>
-        <translation>, t = %1 … %2 s</translation>
-    </message>
-    <message>
         <source>%1. %2.</source>
         <translation>%1. %2.</translation>
     </message>
@@ -4491,6 +4717,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Use the first</source>
         <translation>Usar el primero</translation>
+    </message>
+    <message>
+        <source>What the first column is</source>
+        <translation>Qué es la primera columna</translation>
+    </message>
+    <message>
+        <source>First column: time</source>
+        <translation>Primera columna: tiempo</translation>
+    </message>
+    <message>
+        <source>First column: crank angle</source>
+        <translation>Primera columna: ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ make the time</source>
+        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
     </message>
 </context>
 <context>
@@ -4705,6 +4947,22 @@ SHA-256: %2</translation>
         <source>Columns guessed: %1.</source>
         <translation>Columnas deducidas: %1.</translation>
     </message>
+    <message>
+        <source>Thin: the mechanism that was kept.</source>
+        <translation>Fino: el mecanismo conservado.</translation>
+    </message>
+    <message>
+        <source>Thin curves: motions that were kept, %1.</source>
+        <translation>Curvas finas: movimientos conservados, %1.</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>This mechanism − kept %1</source>
+        <translation>Este mecanismo − conservado: %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4815,10 +5073,6 @@ SHA-256: %2</translation>
         <translation>dos números entre corchetes, primero el menor</translation>
     </message>
     <message>
-        <source>&quot;time&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
-        <translation>&quot;time&quot;, &quot;ignored&quot; o un canal como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
-    </message>
-    <message>
         <source>a list of channels such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
         <translation>una lista de canales como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
     </message>
@@ -4866,6 +5120,14 @@ SHA-256: %2</translation>
         <source>four numbers in brackets, left, lower, right and upper, the smaller ones first</source>
         <translation>cuatro números entre corchetes, izquierda, abajo, derecha y arriba, los menores primero</translation>
     </message>
+    <message>
+        <source>a list of at most %1 mechanisms</source>
+        <translation>una lista de %1 mecanismos como máximo</translation>
+    </message>
+    <message>
+        <source>&quot;time&quot;, &quot;crank-angle&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
+        <translation>«time», «crank-angle», «ignored» o un canal como «theta3» o «R4_x_diff»</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
@@ -4892,6 +5154,14 @@ SHA-256: %2</translation>
     <message>
         <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
         <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
+    </message>
+    <message>
+        <source>This motion is kept already: change the mechanism to see what differs.</source>
+        <translation>Este movimiento ya está conservado: cambie el mecanismo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>%1 motions are kept already: forget them before you keep another one.</source>
+        <translation>Ya hay %1 movimientos conservados: olvídelos antes de conservar otro.</translation>
     </message>
 </context>
 <context>
@@ -5813,6 +6083,30 @@ SHA-256: %2</translation>
     <message>
         <source>Seconds of the clock for one turn of the crank</source>
         <translation>Segundos de reloj para una vuelta de la manivela</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismCentre</name>
+    <message>
+        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>P at infinity: the coupler does not turn,</source>
+        <translation>P en el infinito: la biela no gira,</translation>
+    </message>
+    <message>
+        <source>A and B move alike, at %1 mm/s</source>
+        <translation>A y B se mueven igual, a %1 mm/s</translation>
+    </message>
+    <message>
+        <source>P: the coupler turns about it at %1 rad/s</source>
+        <translation>P: la biela gira en torno a él a %1 rad/s</translation>
+    </message>
+    <message>
+        <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
+        <comment>of a point: |ω₃| times its distance</comment>
+        <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
     </message>
 </context>
 </TS>

@@ -259,6 +259,11 @@ private slots:
     void identifiesSeveralFiles();
     void readsStandardInput();
     void takesColumnsForWhatIsSaid();
+    void readsATableByTheCranksAngle_data();
+    void readsATableByTheCranksAngle();
+    void knowsNoSpeedOfATableWithoutDerivatives();
+    void takesTheSpeedFromTheDerivatives();
+    void saysWhereTheAnglesAreCountedFrom();
     void saysWhatIsWrongWithAFile();
     void warnsOfSkippedRowsAndIgnoredColumns();
     void saysWhichColumnsWereGuessed();
@@ -665,6 +670,9 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("--reference -", "save what comes from standard input");
     row("compare a.csv --column x", "--column must be a heading, = and what it is");
     row("compare a.csv --column =time", "--column must be a heading, = and what it is");
+    row("compare a.csv --abscissa theta2", "--abscissa must be time or angle");
+    row("solve --abscissa angle", "no option --abscissa");
+    row("compare a.csv --column \"x=crank-angle [mm]\"", "\"mm\" is no unit of crank-angle");
     row("compare a.csv --column x=R4x", "did you mean R4_x?");
     row("compare a.csv --column x=whatever", "there is no channel \"whatever\"");
     row("compare a.csv --column \"x=R4_x [furlong]\"", "\"furlong\" is no unit of R4_x");
@@ -1507,6 +1515,164 @@ void TestCommandLine::takesColumnsForWhatIsSaid()
     QVERIFY(refusal(QStringLiteral("x = y=R4_x")).contains("several columns are called \"x = y\""));
 }
 
+void TestCommandLine::readsATableByTheCranksAngle_data()
+{
+    QTest::addColumn<QByteArray>("heading");
+    QTest::addColumn<double>("first"); // °
+    QTest::addColumn<double>("step");
+    QTest::addColumn<double>("unit"); // in a degree
+    QTest::addColumn<QString>("options");
+    const double radian = 180.0 / std::numbers::pi;
+    QTest::newRow("textbook, every 15°") << QByteArray("Crank angle (deg)") << 0.0 << 15.0 << 1.0 << QString();
+    QTest::newRow("engine, two turns") << QByteArray("CAD") << -360.0 << 30.0 << 1.0 << QString();
+    QTest::newRow("backwards") << QByteArray("theta2") << 360.0 << -15.0 << 1.0 << QString();
+    QTest::newRow("radians") << QByteArray("theta2 (rad)") << 0.0 << 15.0 << 1.0 / radian << QString();
+    QTest::newRow("said so") << QByteArray("phi") << 0.0 << 15.0 << 1.0 << "--abscissa angle";
+    QTest::newRow("said so of the column")
+        << QByteArray("phi") << 0.0 << 15.0 << 1.0 / radian << "--column \"phi=crank-angle [rad]\"";
+}
+
+void TestCommandLine::readsATableByTheCranksAngle()
+{
+    QFETCH(const QByteArray, heading);
+    QFETCH(const double, first);
+    QFETCH(const double, step);
+    QFETCH(const double, unit);
+    QFETCH(const QString, options);
+    QByteArray table = heading + ",Slider position (mm),Coupler angle (deg)\n";
+    for (int row = 0; row <= 24; ++row) {
+        const double angle = first + step * row;
+        const Textbook at = textbook(20, 60, 25, 1.0, angle * kDegree, false);
+        table += QByteArray::number(angle * unit, 'g', 9) + ',' + QByteArray::number(at.R4x, 'f', 5) + ',' +
+                 QByteArray::number(at.theta3 / kDegree, 'f', 5) + '\n';
+    }
+    QTemporaryDir folder;
+    const QString path = writeFile(folder.filePath(QStringLiteral("table.csv")), table);
+    const QStringList compare =
+        QStringList{"compare", path, "--fail-on-difference", "--format", "json"} + QProcess::splitCommand(options);
+
+    // Whatever the drive: positions by angle do not depend on it.
+    for (const QStringList &drive :
+         {QStringList{}, QStringList{"--omega2", "-157"}, QStringList{"--omega2", "1e-3", "--theta20", "2rad"}}) {
+        const Outcome same = run(compare + QStringList{"--b", "60"} + drive);
+        QVERIFY2(same.status == 0, same.out.constData());
+        const QJsonObject entry = QJsonDocument::fromJson(same.out).object()["files"].toArray().first().toObject();
+        QCOMPARE(entry["columns"].toArray().first().toObject()["channel"].toString(), QStringLiteral("crank-angle"));
+        QCOMPARE(entry["columns"].toArray().first().toObject()["guessed"].toBool(), options.isEmpty());
+        const QJsonObject slider = entry["channels"].toArray().first().toObject();
+        QCOMPARE(slider["count"].toInt(), 25);
+        QVERIFY(slider["maxAbs"].toDouble() <= 0.51e-5 + 20 * 1e-8 * 10);
+    }
+    // And it is not the motion of another mechanism, nor said of a wrong angle.
+    QCOMPARE(run(compare + QStringList{"--b", "60.01"}).status, 1);
+    const Outcome text = run(QStringList{"compare", path} + QProcess::splitCommand(options));
+    QVERIFY2(text.out.contains("b = 60 instead of 65 mm"), text.out.constData());
+    QVERIFY2(text.out.contains("25 angles, timed by ω2 = 6.28318531 rad/s") && text.out.contains("at θ2 [°]"),
+             text.out.constData());
+
+    const Outcome still = run(compare + QStringList{"--omega2", "0"});
+    QCOMPARE(still.status, 3);
+    QVERIFY2(isOneLine(still.err) && still.err.contains("choose another ω₂"), still.err.constData());
+}
+
+void TestCommandLine::knowsNoSpeedOfATableWithoutDerivatives()
+{
+    QByteArray table = "Crank angle (deg),R4_x\n";
+    for (int angle = 0; angle <= 360; angle += 15) {
+        const Textbook at = textbook(20, 60, 25, 1.0, angle * kDegree, false);
+        table += QByteArray::number(angle) + ',' + QByteArray::number(at.R4x, 'f', 5) + '\n';
+    }
+    QTemporaryDir folder;
+    const QString path = writeFile(folder.filePath(QStringLiteral("table.csv")), table);
+    const QStringList identify{"identify", path, "--omega2", "3", "--theta20", "30deg"};
+    const Outcome json = run(identify + QStringList{"--format", "json"});
+    QCOMPARE(json.status, 0);
+    const QJsonObject found = QJsonDocument::fromJson(json.out).object();
+    const QJsonObject mechanism = found["mechanism"].toObject();
+    const QJsonObject error = found["standardError"].toObject();
+    const QJsonObject identifiable = found["identifiable"].toObject();
+    for (const auto &[name, value] : {std::pair{"a", 20.0}, std::pair{"b", 60.0}, std::pair{"c", 25.0}}) {
+        QVERIFY(identifiable[QLatin1String(name)].toBool());
+        QVERIFY(error[QLatin1String(name)].toDouble() < 1e-4);
+        QVERIFY(std::abs(mechanism[QLatin1String(name)].toDouble() - value) <
+                5.0 * error[QLatin1String(name)].toDouble());
+    }
+    for (const auto &[name, value] : {std::pair{"omega2", 3.0}, std::pair{"theta20", 30.0 * kDegree}}) {
+        QCOMPARE(identifiable[QLatin1String(name)], QJsonValue(false));
+        QCOMPARE(error[QLatin1String(name)], QJsonValue(QJsonValue::Null));
+        QCOMPARE(mechanism[QLatin1String(name)].toDouble(), value);
+    }
+    const Outcome text = run(identify);
+    QVERIFY2(text.out.contains("The data do not fix ω₂ = 3 rad/s and θ₂₀ = 30°: kept as given."), text.out.constData());
+    QVERIFY2(text.out.contains("--a 20 --b 60 --c 25 --omega2 3 "), text.out.constData());
+}
+
+void TestCommandLine::takesTheSpeedFromTheDerivatives()
+{
+    const auto tableOfSpeed = [](double omega2) {
+        QByteArray table =
+            "Crank angle (deg),Slider position (mm),Slider velocity (mm/s),Slider acceleration (m/s^2)\n";
+        for (int angle = 0; angle <= 360; angle += 15) {
+            const Textbook at = textbook(20, 60, 25, omega2, angle * kDegree, false);
+            table += QByteArray::number(angle) + ',' + QByteArray::number(at.R4x, 'f', 4) + ',' +
+                     QByteArray::number(at.R4xDot, 'f', 1) + ',' + QByteArray::number(at.R4xDDot / 1000.0, 'f', 3) +
+                     '\n';
+        }
+        return table;
+    };
+    QTemporaryDir folder;
+    for (const double omega2 : {157.0, -42.0}) {
+        const QString path = writeFile(folder.filePath(QStringLiteral("table.csv")), tableOfSpeed(omega2));
+        const Outcome json = run({"identify", path, "--format", "json"});
+        const QJsonObject found = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(found["outcome"].toString(), QStringLiteral("identified"));
+        QCOMPARE(found["identifiable"].toObject()["omega2"], QJsonValue(true));
+        QCOMPARE(found["identifiable"].toObject()["theta20"], QJsonValue(false));
+        const double error = found["standardError"].toObject()["omega2"].toDouble();
+        QVERIFY(error > 0.0 && error < 1e-4 * std::abs(omega2));
+        QVERIFY(std::abs(found["mechanism"].toObject()["omega2"].toDouble() - omega2) < 4.0 * error);
+        QCOMPARE(found["rounded"].toObject()["omega2"].toDouble(), omega2);
+        QVERIFY(found["summary"].toString().contains(QStringLiteral("ω₂ is what its derivatives say")));
+
+        // Against the model's speed only the derivatives differ; against the file's nothing.
+        const Outcome other = run({"compare", path, "--b", "60"});
+        QVERIFY2(other.out.contains("Differs from this mechanism in 2 of 3 channels"), other.out.constData());
+        QVERIFY2(other.out.contains("This error looks like ω₂ = " + QByteArray::number(omega2)), other.out.constData());
+        QCOMPARE(
+            run({"compare", path, "--b", "60", "--omega2", QString::number(omega2), "--fail-on-difference"}).status, 0);
+    }
+}
+
+void TestCommandLine::saysWhereTheAnglesAreCountedFrom()
+{
+    // From the outer dead centre, as engines do, and clockwise.
+    const double dead = std::asin(25.0 / 80.0) / kDegree;
+    for (const double sign : {1.0, -1.0}) {
+        QByteArray table = "CAD,theta3,R4_x\n";
+        for (int angle = 0; angle < 720; angle += 15) {
+            const Textbook at = textbook(20, 60, 25, 1.0, (sign * angle + dead) * kDegree, false);
+            table += QByteArray::number(angle) + ',' + QByteArray::number(at.theta3 / kDegree, 'f', 5) + ',' +
+                     QByteArray::number(at.R4x, 'f', 5) + '\n';
+        }
+        QTemporaryDir folder;
+        const QString path = writeFile(folder.filePath(QStringLiteral("engine.csv")), table);
+        const Outcome json = run({"compare", path, "--b", "60", "--format", "json"});
+        const QJsonObject entry = QJsonDocument::fromJson(json.out).object()["files"].toArray().first().toObject();
+        const QJsonArray conventions = entry["explanation"].toObject()["conventions"].toArray();
+        QCOMPARE(conventions.size(), qsizetype(sign > 0.0 ? 1 : 2));
+        const QJsonObject zero = conventions.last().toObject();
+        QCOMPARE(zero["name"].toString(), QStringLiteral("zero-point"));
+        QCOMPARE(zero["channel"].toString(), QStringLiteral("theta2"));
+        QVERIFY(std::abs(zero["amount"].toDouble() - dead) < 1e-4);
+        QVERIFY(zero["after"].toDouble() < 1e-3 && zero["before"].toDouble() > 1.0);
+        if (sign < 0.0) {
+            QCOMPARE(conventions.first().toObject()["name"].toString(), QStringLiteral("sign"));
+        }
+        QVERIFY(entry["explanation"].toObject()["sentence"].toString().contains(
+            QStringLiteral("Read so, it does not differ from this mechanism.")));
+    }
+}
+
 void TestCommandLine::saysWhatIsWrongWithAFile()
 {
     QTemporaryDir folder;
@@ -2206,7 +2372,7 @@ void TestCommandLine::reportsTheSameNumbersAsItCompares()
     QVERIFY2(different.contains(QStringLiteral("inventor_sample.csv")), qPrintable(different));
     QVERIFY2(different.contains(QStringLiteral("looks like b = 60 instead of 65 mm, which explains 99.9999 % of it.")),
              qPrintable(different));
-    QVERIFY(different.contains(QStringLiteral("until ‖C‖ ≤ 1e-8")));
+    QVERIFY(different.contains(QStringLiteral("until ‖C‖ ≤ 10⁻⁸")));
     const QString same = textOf({QStringLiteral("--b"), QStringLiteral("60")});
     QCOMPARE(same.count(QStringLiteral("agrees within the file's rounding")), qsizetype(6));
 

@@ -94,6 +94,33 @@ private slots:
         }
     }
 
+    void aPersonIsAskedWhereNothingTells()
+    {
+        const auto isOpen = [](const QByteArray &names) {
+            QByteArray bytes = names + '\n';
+            for (int row = 0; row < 20; ++row) {
+                bytes += QByteArray::number(row);
+                for (int column = 1; column <= names.count(','); ++column) {
+                    bytes += ',' + QByteArray::number(std::sin(row + column));
+                }
+                bytes += '\n';
+            }
+            return layoutOf(bytes).isOpen();
+        };
+        QVERIFY(isOpen("time,J1_x,J1_y,J2_x,J2_y"));
+        QVERIFY(isOpen("time,body 1 velocity,body 2 velocity"));
+        QVERIFY(isOpen("time,Linear Displacement1 (mm),Linear Displacement2 (mm)"));
+        QVERIFY(isOpen("time,theta3,Linear Displacement1 (mm),Linear Displacement2 (mm)"));
+        QVERIFY(!isOpen("time,R4_x,J1_x"));
+        QVERIFY(!isOpen("time,R4_x,Linear Displacement2 (mm)"));
+        QVERIFY(!isOpen("time,x"));
+        QVERIFY(!isOpen("time,temperature,humidity"));
+        QVERIFY(!isOpen("J1_x,J2_x"));
+        for (const OtherFile &file : otherFiles()) {
+            QVERIFY2(!layoutOf(QByteArray::fromStdString(file.bytes)).isOpen(), file.name.c_str());
+        }
+    }
+
     void isRefusedWhereItIsSomethingElse_data()
     {
         QTest::addColumn<OtherFile>("file");

@@ -244,7 +244,7 @@ QString NumberBox::textFor(double value) const
         return localeWithoutGroups().toString(nothing ? 0.0 : value, 'f', m_fixedDecimals);
     }
     if (m_editing) {
-        return numberText(value, QLocale::FloatingPointShortest);
+        return typedNumberText(value);
     }
     // As many digits as there is room for: with its end cut off -2.17724e-5 would read as -2.1772.
     constexpr int kMostDigits = 6;

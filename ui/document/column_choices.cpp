@@ -40,6 +40,7 @@ QString roleName(const ColumnChoice &choice)
     switch (choice.role) {
     case ColumnRole::Ignored: return QStringLiteral("ignored");
     case ColumnRole::Time: return QStringLiteral("time");
+    case ColumnRole::CrankAngle: return QStringLiteral("crank-angle");
     case ColumnRole::Channel: return QString::fromUtf8(nameOf(choice.channel));
     }
     return {};
@@ -61,6 +62,8 @@ std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStr
             choice.channel = *channel;
         } else if (role == QLatin1String("time")) {
             choice.role = ColumnRole::Time;
+        } else if (role == QLatin1String("crank-angle")) {
+            choice.role = ColumnRole::CrankAngle;
         }
         if (choice.column < layout.columns.size()) {
             choices.push_back(choice);

@@ -46,13 +46,15 @@ QString changeName(const Choices &before, const Choices &after)
         return (sameFile ? EditCommandText::tr("other reading of %1") : EditCommandText::tr("opening of %1"))
             .arg(after.reference->name);
     }
-    if (before.sampling != after.sampling) {
-        return EditCommandText::tr("change of the run");
+    if (before.kept != after.kept) {
+        return after.kept.empty() ? EditCommandText::tr("forgetting the kept motions")
+                                  : EditCommandText::tr("keeping the motion");
     }
-    if (before.solver != after.solver) {
-        return EditCommandText::tr("change of the method");
+    if (before.parameters != after.parameters) { // whatever follows from it
+        return changeName(before.parameters, after.parameters);
     }
-    return changeName(before.parameters, after.parameters);
+    return before.sampling != after.sampling ? EditCommandText::tr("change of the run")
+                                             : EditCommandText::tr("change of the method");
 }
 
 /// One edit: all that was chosen before it and after it. Edits in a row become one where `step` is the same.

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace slidercrank
 {
@@ -23,6 +24,7 @@ struct Choices {
     Sampling sampling;
     SolverSettings solver;
     std::shared_ptr<const Reference> reference; ///< may be null
+    std::vector<Parameters> kept = {};          ///< motions to stay under what follows, the first kept first
 
     friend bool operator==(const Choices &, const Choices &) = default;
 };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/reference_file.h"
 
+#include "core/reading/crank_angles.h"
 #include "ui/document/byte_stream.h"
 #include "ui/words/column_text.h"
+#include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
 
 #include <QCoreApplication>
@@ -52,6 +54,9 @@ bool isOfTheSame(const Convention &convention, const ReferenceData &x, const Ref
     const bool concernsTime =
         convention.kind == Convention::Kind::TimeUnit || convention.kind == Convention::Kind::TimeShift;
     return (!concernsTime || isSame(x.time, y.time)) && std::ranges::all_of(convention.channels, [&](Channel channel) {
+               if (x.crank && y.crank && channel == Channel{Theta2, Order::Position}) {
+                   return isSame(x.crank->degrees, y.crank->degrees);
+               }
                const ReferenceSeries *of = x.find(channel);
                const ReferenceSeries *other = y.find(channel);
                return of && other && isSame(of->values, other->values);
@@ -150,6 +155,40 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const Refe
         }
     }
     return outcome;
+}
+
+std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism &mechanism,
+                                                                const std::shared_ptr<const Reference> &reference)
+{
+    if (!reference || !reference->data.crank) {
+        return reference;
+    }
+    std::optional<ReferenceData> data = timedBy(mechanism, reference->data);
+    if (!data) {
+        return ReferenceFileText::tr("%1 counts by the crank's angle, and with ω₂ = %2 the crank does not come to its "
+                                     "angles one after the other: choose another ω₂.")
+            .arg(shownNameOf(reference->path), parameterText(Parameter::Omega2, mechanism.omega2()));
+    }
+    auto timed = std::make_shared<Reference>(*reference);
+    timed->data = *std::move(data);
+    return timed;
+}
+
+std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &reference)
+{
+    const std::vector<FileColumn> &columns = reference.data.layout.columns;
+    const auto found = std::ranges::find_if(columns, [](const FileColumn &column) {
+        return column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle;
+    });
+    const auto abscissa = static_cast<std::size_t>(found - columns.begin());
+    const std::string &printed = columns[abscissa].unit;
+    const std::optional<Unit> unit = unitOf(printed);
+    const bool suits = printed.empty() || (role == ColumnRole::CrankAngle ? unitsPerDegree(printed).has_value()
+                                                                          : unit && unit->dimension == Dimension::Time);
+    std::vector<ColumnChoice> choices = reference.columns;
+    std::erase_if(choices, [abscissa](const ColumnChoice &choice) { return choice.column == abscissa; });
+    choices.push_back({abscissa, role, {}, suits ? "" : role == ColumnRole::CrankAngle ? "deg" : "s"});
+    return choices;
 }
 
 ReferenceSource sourceOf(const Reference &reference)

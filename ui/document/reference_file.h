@@ -56,6 +56,14 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
 std::variant<std::shared_ptr<const Reference>, QString>
 readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
 
+/// Its choices of columns, but with its instants, or what stands in their place, taken for that: Time or CrankAngle.
+std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &reference);
+
+/// The same with the instants at which that mechanism's crank comes to the angles that the file counts by; a file with
+/// instants of its own as it is. Or a sentence, where there are no such instants.
+std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism &mechanism,
+                                                                const std::shared_ptr<const Reference> &reference);
+
 /// The same as they read with that convention; Branch changes nothing here.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 

@@ -69,7 +69,20 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
     result->sampling = request.sampling;
     result->solver = request.solver;
     result->reference = request.reference;
+    result->kept = request.kept;
+    if (request.reference && request.reference->data.crank) {
+        const auto timed = timedBy(request.mechanism, request.reference);
+        if (const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&timed)) {
+            result->reference = *reference;
+            result->untimed = request.reference;
+        }
+    }
     result->limits = motionLimits(request.mechanism);
+    if (!request.reference && !request.kept.empty()) {
+        const Sampling &run = request.sampling;
+        result->difference =
+            differenceOf(request.mechanism, Mechanism(request.kept.back()), run.start, run.start + run.duration);
+    }
     if (request.solver.method == Method::ClosedForm && request.sampling.steps >= kMostStepsKept) {
         result->summary = summaryOf(request, stop);
         result->trajectory.complete = !stop.stop_requested();
@@ -84,7 +97,7 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
         result->summary.add(result->trajectory);
     }
     if (request.reference && result->trajectory.complete) {
-        const ReferenceData &data = request.reference->data;
+        const ReferenceData &data = result->reference->data;
         result->atReference = sample(request.mechanism, data.time, channelsOf(data), request.solver, stop);
         if (result->atReference.complete) {
             result->comparison = compare(request.mechanism, result->atReference, data);

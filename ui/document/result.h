@@ -4,6 +4,7 @@
 // What the views draw: of one moment, as plain data. Session publishes it.
 
 #include "core/comparison/comparison.h"
+#include "core/comparison/motion_difference.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/limits/mobility.h"
 #include "core/run/trajectory.h"
@@ -30,6 +31,8 @@ struct Pose {
 
 Pose poseAt(const Parameters &parameters, double seconds);
 
+inline constexpr std::size_t kMostKept = 4; ///< motions; more could not be told apart
+
 /// Everything the views draw, of one moment; immutable once published.
 struct Result {
     Mechanism mechanism;
@@ -38,7 +41,19 @@ struct Result {
     RunSummary summary;
     Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
     MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null
+    std::shared_ptr<const Reference> reference; ///< may be null; timed for this mechanism
+
+    /// What it was before that, where it counts by the crank's angle.
+    std::shared_ptr<const Reference> untimed;
+    const std::shared_ptr<const Reference> &chosenReference() const { return untimed ? untimed : reference; }
+
+    std::vector<Parameters> kept; ///< motions to stay under the model's, the first kept first
+
+    /// Where there is no reference: how far the model is from the motion kept last.
+    std::optional<MotionDifference> difference;
+
+    /// With a file, or with a motion that was kept.
+    bool isCompared() const { return reference || difference; }
 
     // Filled when there is a reference: the model at the file's own instants, one comparison per series of the file.
     Trajectory atReference;
@@ -65,6 +80,7 @@ struct Request {
     Sampling sampling;
     SolverSettings solver;
     std::shared_ptr<const Reference> reference;
+    std::vector<Parameters> kept = {};
 };
 
 /// Null when stopped. May run in any thread.

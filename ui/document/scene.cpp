@@ -2,6 +2,7 @@
 #include "ui/document/scene.h"
 
 #include "ui/document/byte_stream.h"
+#include "ui/document/result.h"
 #include "ui/document/scene_part.h"
 #include "ui/document/whole_file.h"
 
@@ -39,7 +40,9 @@ constexpr std::array<Word<Elimination>, 2> kEliminations{
 constexpr std::array<Word<ErrorMeasure>, 3> kErrorMeasures{
     {{ErrorMeasure::Percent, "percent"}, {ErrorMeasure::Absolute, "absolute"}, {ErrorMeasure::OfPeak, "of-peak"}}};
 constexpr std::array<Word<Abscissa>, 2> kAbscissae{{{Abscissa::Time, "time"}, {Abscissa::CrankAngle, "crank-angle"}}};
-constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
+constexpr std::array<Word<ColumnRole>, 3> kRoles{
+    {{ColumnRole::Ignored, "ignored"}, {ColumnRole::Time, "time"}, {ColumnRole::CrankAngle, "crank-angle"}}};
+constexpr std::array<Word<Convention::Kind>, 12> kConventions{{
     {Convention::Kind::AngleUnit, "angle-unit"},
     {Convention::Kind::LengthUnit, "length-unit"},
     {Convention::Kind::TimeUnit, "time-unit"},
@@ -51,6 +54,7 @@ constexpr std::array<Word<Convention::Kind>, 11> kConventions{{
     {Convention::Kind::Branch, "branch"},
     {Convention::Kind::TimeShift, "time-shift"},
     {Convention::Kind::NotDerivative, "not-derivative"},
+    {Convention::Kind::Axis, "axis"},
 }};
 
 template <typename Value, std::size_t count>
@@ -83,10 +87,8 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
 {
     QJsonArray columns;
     for (const ColumnChoice &choice : reference.columns) {
-        QString use = QString::fromUtf8(nameOf(choice.channel));
-        if (choice.role != ColumnRole::Channel) {
-            use = choice.role == ColumnRole::Time ? QStringLiteral("time") : QStringLiteral("ignored");
-        }
+        const QString use = choice.role == ColumnRole::Channel ? QString::fromUtf8(nameOf(choice.channel))
+                                                               : wordOf(kRoles, choice.role);
         columns += QJsonObject{{QStringLiteral("column"), static_cast<qint64>(choice.column) + 1},
                                {QStringLiteral("use"), use},
                                {QStringLiteral("unit"), QString::fromStdString(choice.unit)}};
@@ -106,6 +108,25 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
             {QStringLiteral("conventions"), conventions}};
 }
 
+QJsonObject jsonOf(const Parameters &parameters)
+{
+    return {{QStringLiteral("a"), parameters.a},
+            {QStringLiteral("b"), parameters.b},
+            {QStringLiteral("c"), parameters.c},
+            {QStringLiteral("omega2"), parameters.omega2},
+            {QStringLiteral("theta20"), parameters.theta20},
+            {QStringLiteral("branch"), wordOf(kBranches, parameters.branch)}};
+}
+
+QJsonArray jsonOf(const std::vector<Parameters> &kept)
+{
+    QJsonArray motions;
+    for (const Parameters &parameters : kept) {
+        motions += jsonOf(parameters);
+    }
+    return motions;
+}
+
 QJsonObject mechanismJsonOf(const Scene &scene)
 {
     const MechanismSettings &settings = scene.mechanism;
@@ -116,6 +137,8 @@ QJsonObject mechanismJsonOf(const Scene &scene)
         {QStringLiteral("path"), settings.path},
         {QStringLiteral("names"), settings.names},
         {QStringLiteral("dimensions"), settings.dimensions},
+        {QStringLiteral("angles"), settings.angles},
+        {QStringLiteral("instantCentre"), settings.instantCentre},
         {QStringLiteral("frame"),
          frame ? QJsonValue(QJsonArray{frame->left(), frame->top(), frame->right(), frame->bottom()}) : QJsonValue()}};
 }
@@ -189,8 +212,11 @@ ColumnChoice columnChoiceOf(const ScenePart &part)
         choice.channel = *channel;
     } else if (use == u"time") {
         choice.role = ColumnRole::Time;
+    } else if (use == u"crank-angle") {
+        choice.role = ColumnRole::CrankAngle;
     } else if (use != u"ignored") {
-        part.refuse("use", SceneText::tr("\"time\", \"ignored\" or a channel such as \"theta3\" or \"R4_x_diff\""));
+        part.refuse("use", SceneText::tr("\"time\", \"crank-angle\", \"ignored\" or a channel such as \"theta3\" or "
+                                         "\"R4_x_diff\""));
     }
     return choice;
 }
@@ -253,6 +279,8 @@ void readView(const ScenePart &view, Scene &scene)
     scene.mechanism.path = mechanism.flag("path", false);
     scene.mechanism.names = mechanism.flag("names", false);
     scene.mechanism.dimensions = mechanism.flag("dimensions", false);
+    scene.mechanism.angles = mechanism.flag("angles", false);
+    scene.mechanism.instantCentre = mechanism.flag("instantCentre", false);
     scene.mechanismFrame = mechanism.frame("frame");
 }
 
@@ -270,13 +298,7 @@ QByteArray jsonOf(const Scene &scene, const QString &path)
     const QDir folder = QFileInfo(path).absoluteDir();
     const QJsonObject object{
         {QStringLiteral("version"), kVersion},
-        {QStringLiteral("mechanism"),
-         QJsonObject{{QStringLiteral("a"), scene.parameters.a},
-                     {QStringLiteral("b"), scene.parameters.b},
-                     {QStringLiteral("c"), scene.parameters.c},
-                     {QStringLiteral("omega2"), scene.parameters.omega2},
-                     {QStringLiteral("theta20"), scene.parameters.theta20},
-                     {QStringLiteral("branch"), wordOf(kBranches, scene.parameters.branch)}}},
+        {QStringLiteral("mechanism"), jsonOf(scene.parameters)},
         {QStringLiteral("sampling"), QJsonObject{{QStringLiteral("start"), scene.sampling.start},
                                                  {QStringLiteral("duration"), scene.sampling.duration},
                                                  {QStringLiteral("steps"), scene.sampling.steps}}},
@@ -288,6 +310,7 @@ QByteArray jsonOf(const Scene &scene, const QString &path)
                      {QStringLiteral("warmStart"), wordOf(kWarmStarts, newton.warmStart)},
                      {QStringLiteral("elimination"), wordOf(kEliminations, newton.elimination)}}},
         {QStringLiteral("reference"), scene.reference ? QJsonValue(jsonOf(*scene.reference, folder)) : QJsonValue()},
+        {QStringLiteral("kept"), jsonOf(scene.kept)},
         {QStringLiteral("view"), viewJsonOf(scene)}};
     return QJsonDocument(merged(scene.asRead, object)).toJson();
 }
@@ -325,6 +348,12 @@ std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path
     const ScenePart extras(fault, scene.asRead, QString(), true);
     if (extras.value("reference")) {
         scene.reference = referenceOf(whole.part("reference"), QFileInfo(path).absoluteDir());
+    }
+    for (const ScenePart &kept : extras.parts("kept")) {
+        scene.kept.push_back(parametersOf(kept));
+    }
+    if (scene.kept.size() > kMostKept) {
+        extras.refuse("kept", SceneText::tr("a list of at most %1 mechanisms").arg(kMostKept));
     }
     readView(extras.part("view", true), scene);
     if (fault.sentence) {

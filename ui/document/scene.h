@@ -10,8 +10,10 @@
 //       "solver":    {"method": "newton"|"closed-form", "maxIterations", "tolerance",
 //                     "toleranceKind": "absolute"|"relative", "warmStart": "previous"|"taylor",
 //                     "elimination": "dense"|"structured"},
-//       "reference": null or {"file", "columns": [{"column", "use": "time"|"ignored"|"theta3"|…, "unit"}],
+//       "reference": null or {"file", "columns": [{"column", "use": "time"|"crank-angle"|"ignored"|"theta3"|…,
+//       "unit"}],
 //                             "conventions": [{"kind", "channels": […], "amount"}]},
+//       "kept":      [{as "mechanism"}, …],                                                             at most 4
 //       "view":      {"time", "error": "percent"|"absolute"|"of-peak", "logarithmicError", "roundingBand",
 //                     "abscissa": "time"|"crank-angle",
 //                     "zoom": {"time": null or [from, to], "plot_theta3": null or [from, to], …},
@@ -19,8 +21,8 @@
 //                                   "frame": null or [left, lower, right, upper]}} }                   mm
 //
 // Columns count from 1. The reference's file is relative to the scene's folder where it lies in or below it. What
-// decides the motion has to be there; the reference and anything in the view may be missing. Keys that are not known
-// are kept, and written back.
+// decides the motion has to be there; the reference, what is kept and anything in the view may be missing. Keys that
+// are not known are kept, and written back.
 
 #include "core/mechanism/mechanism.h"
 #include "core/run/trajectory.h"
@@ -34,6 +36,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace slidercrank
 {
@@ -43,7 +46,8 @@ struct Scene {
     Sampling sampling;
     SolverSettings solver;
     std::optional<ReferenceSource> reference;
-    double time = 0.0; ///< s, the instant on show
+    std::vector<Parameters> kept; ///< motions to stay under the model's
+    double time = 0.0;            ///< s, the instant on show
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanism;

@@ -19,10 +19,15 @@ namespace
 
 constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner than this are on the move
 
+Request requestOf(const Choices &choices)
+{
+    return {Mechanism(choices.parameters), choices.sampling, choices.solver, choices.reference, choices.kept};
+}
+
 /// What the result was computed from.
 Choices choicesOf(const Result &result)
 {
-    return {result.mechanism.parameters(), result.sampling, result.solver, result.reference};
+    return {result.mechanism.parameters(), result.sampling, result.solver, result.chosenReference(), result.kept};
 }
 
 /// From the first of these instants to the last; the same run where that is none.
@@ -45,13 +50,16 @@ bool holds(const Sampling &run, const std::vector<double> &instants)
            (instants.front() >= std::min(run.start, end) - room && instants.back() <= std::max(run.start, end) + room);
 }
 
+bool isRunOf(const std::vector<double> &instants, const Sampling &run)
+{
+    const Sampling whole = runOf(instants, run);
+    return holds(run, instants) && holds(whole, {run.start, run.start + run.duration});
+}
+
 /// As much of them as can be shown at once.
 Choices soonShown(Choices choices)
 {
-    const auto takesLong = [&choices] {
-        return slidercrank::takesLong(
-            {Mechanism(choices.parameters), choices.sampling, choices.solver, choices.reference});
-    };
+    const auto takesLong = [&choices] { return slidercrank::takesLong(requestOf(choices)); };
     choices.solver.method = Method::ClosedForm;
     if (takesLong()) {
         choices.sampling.steps = std::min(choices.sampling.steps, Sampling().steps);
@@ -78,7 +86,7 @@ Session::Session(QObject *parent)
     SolverSettings &solver = m_choices.solver;
     solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
     solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
-    m_result = compute({Mechanism(m_choices.parameters), m_choices.sampling, solver, nullptr}, {});
+    m_result = compute(requestOf(m_choices), {});
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
     connect(&m_reading, &WorkAside::progressed, this, &Session::readingProgressed);
@@ -141,11 +149,46 @@ void Session::setSolver(const SolverSettings &solver)
     edit(with(m_choices, &Choices::solver, solver));
 }
 
+void Session::keep()
+{
+    std::vector<Parameters> kept = m_choices.kept;
+    if (std::ranges::count(kept, m_choices.parameters) > 0) {
+        emit problemFound(tr("This motion is kept already: change the mechanism to see what differs."));
+    } else if (kept.size() == kMostKept) {
+        emit problemFound(tr("%1 motions are kept already: forget them before you keep another one.").arg(kMostKept));
+    } else {
+        kept.push_back(m_choices.parameters);
+        m_edits.beginStep();
+        edit(with(m_choices, &Choices::kept, kept));
+    }
+}
+
+void Session::forgetKept()
+{
+    m_edits.beginStep();
+    edit(with(m_choices, &Choices::kept, {}));
+}
+
 void Session::edit(const Choices &choices, const EditName &name)
 {
-    if (choices != m_choices) {
-        m_edits.edit(m_choices, choices, name);
+    if (choices == m_choices) {
+        return;
     }
+    const Reading timed = timedBy(Mechanism(choices.parameters), choices.reference);
+    if (const QString *sentence = std::get_if<QString>(&timed)) {
+        emit problemFound(*sentence);
+        emit parametersChanged(m_choices.parameters);
+        return;
+    }
+    const std::shared_ptr<const Reference> &shown = m_result->reference;
+    const bool isOtherDrive = choices.reference && choices.reference->data.crank &&
+                              choices.reference == m_choices.reference && choices.parameters != m_choices.parameters;
+    if (isOtherDrive && shown && isRunOf(shown->data.time, choices.sampling)) { // the run that was the file's still is
+        const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
+        m_edits.edit(m_choices, with(choices, &Choices::sampling, runOf(instants, choices.sampling)), name);
+        return;
+    }
+    m_edits.edit(m_choices, choices, name);
 }
 
 void Session::putInForce(const Choices &choices)
@@ -178,7 +221,7 @@ void Session::setTime(double seconds)
 
 void Session::recompute()
 {
-    Request request{Mechanism(m_choices.parameters), m_choices.sampling, m_choices.solver, m_choices.reference};
+    Request request = requestOf(m_choices);
     const bool isOnShow = m_choices == choicesOf(*m_result);
     if (isOnShow || !takesLong(request)) {
         m_computation.drop(); // what is still under way is out of date
@@ -193,7 +236,7 @@ void Session::recompute()
 
 void Session::publish(std::shared_ptr<const Result> result)
 {
-    const bool newReference = result->reference != m_result->reference;
+    const bool newReference = result->chosenReference() != m_result->chosenReference();
     m_result = std::move(result);
     emit resultChanged(m_result);
     emit timeChanged(pose());
@@ -205,7 +248,8 @@ void Session::publish(std::shared_ptr<const Result> result)
 void Session::diagnoseAside()
 {
     const std::shared_ptr<const Reference> &reference = m_choices.reference;
-    const bool upToDate = m_result->reference == reference && m_result->mechanism.parameters() == m_choices.parameters;
+    const bool upToDate =
+        m_result->chosenReference() == reference && m_result->mechanism.parameters() == m_choices.parameters;
     const bool known = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
     if (!reference || !upToDate || known) {
         return; // nothing to say, or not yet: the next result asks again
@@ -284,6 +328,31 @@ void Session::loadReference(const QString &path, const std::shared_ptr<const Ref
     });
 }
 
+void Session::readAbscissaAs(ColumnRole role)
+{
+    const std::shared_ptr<const Reference> before = m_choices.reference;
+    if (!before) {
+        return;
+    }
+    const ReferenceSource source{before->path, withAbscissaAs(role, *before), {}};
+    const auto read = [source, before](std::stop_token stop, const ReadOptions &options) {
+        Reading outcome = readReference(source, stop, options);
+        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
+            *reference = withConventionsOf(*before, *reference);
+        }
+        return outcome;
+    };
+    readAside(read, [this, source](const Reading &outcome) {
+        if (const QString *sentence = std::get_if<QString>(&outcome)) {
+            emit referenceRefused(source.path, *sentence);
+            return;
+        }
+        const auto &reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        rememberChoices(reference->data.layout, source.path, source.columns);
+        follow(reference);
+    });
+}
+
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
     if (!source) {
@@ -294,10 +363,12 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
     }
     readAside([source = *source](std::stop_token stop,
                                  const ReadOptions &options) { return readReference(source, stop, options); },
-              [this, choices, seconds, before = m_choices](const Reading &outcome) {
+              [this, choices, seconds, before = m_choices](const Reading &read) {
+                  const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&read);
+                  const Reading outcome = reference ? timedBy(Mechanism(choices.parameters), *reference) : read;
                   const QString *problem = std::get_if<QString>(&outcome);
                   Choices complete = choices;
-                  complete.reference = problem ? nullptr : std::get<std::shared_ptr<const Reference>>(outcome);
+                  complete.reference = problem ? nullptr : *reference;
                   const auto start = [this, complete, seconds, sentence = problem ? *problem : QString()] {
                       startWith(complete, seconds);
                       emit opened(sentence);
@@ -327,12 +398,20 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
 
 void Session::follow(const std::shared_ptr<const Reference> &reference)
 {
+    const Mechanism model(m_choices.parameters);
+    const Reading timed = timedBy(model, reference);
+    const Reading timedBefore = timedBy(model, m_choices.reference);
+    if (const QString *sentence = std::get_if<QString>(&timed)) {
+        emit referenceRefused(reference->path, *sentence);
+        return;
+    }
+    const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
     Choices choices = with(m_choices, &Choices::reference, reference);
-    const std::shared_ptr<const Reference> &before = m_choices.reference;
+    const std::shared_ptr<const Reference> &before = std::get<std::shared_ptr<const Reference>>(timedBefore);
     const bool hasFollowed =
         before && before->path == reference->path && m_choices.sampling == runOf(before->data.time, m_choices.sampling);
-    if (hasFollowed || !holds(m_choices.sampling, reference->data.time)) {
-        choices.sampling = runOf(reference->data.time, m_choices.sampling);
+    if (hasFollowed || !holds(m_choices.sampling, instants)) {
+        choices.sampling = runOf(instants, m_choices.sampling);
     }
     if (choices.sampling != m_choices.sampling) {
         emit runFollows(reference, choices.sampling);

@@ -19,6 +19,7 @@
 #include <optional>
 #include <stop_token>
 #include <variant>
+#include <vector>
 
 namespace slidercrank
 {
@@ -38,6 +39,7 @@ public:
     Pose pose() const;
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
+    const std::vector<Parameters> &kept() const { return m_choices.kept; }
 
     /// Null without a reference, and until it is known. Of a reference's diagnoses the last stays until the parameters
     /// have rested and the next is there: it may be of other parameters than the ones on show
@@ -60,6 +62,10 @@ public slots:
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
 
+    /// The motion of the present parameters stays under all that follows; up to kMostKept do.
+    void keep();
+    void forgetKept();
+
     /// Brought into the sampled range.
     void setTime(double seconds);
 
@@ -70,6 +76,10 @@ public slots:
     /// The same for the file on show, whose columns a person chose anew; conventions applied stay as far as their
     /// columns do.
     void readColumnsAnew(const QString &path);
+
+    /// The same as it reads with its instants, or what stands in their place, taken for that: Time or CrankAngle. The
+    /// choice is remembered as those of columns are.
+    void readAbscissaAs(slidercrank::ColumnRole role);
 
     /// Takes one that is already read, at once; null: none. The run stays as it is.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);

@@ -72,6 +72,10 @@ struct MechanismSettings {
     bool path = false; ///< of the coupler's centre of mass
     bool names = false;
     bool dimensions = false;
+    bool angles = false;        ///< θ₂ and θ³
+    bool instantCentre = false; ///< of the coupler, with the velocities of A and B
+
+    bool showsVelocity() const { return velocity || instantCentre; } ///< of whatever points
 
     friend bool operator==(const MechanismSettings &, const MechanismSettings &) = default;
 };

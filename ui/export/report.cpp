@@ -15,6 +15,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -69,7 +70,8 @@ ReportBlock mechanismBlock(const ReportContent &content)
     const Identification &found = content.diagnosis.identification;
     ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
     if (content.hasGhost) {
-        block.text = Report::tr("Thin: the mechanism as the file has it.");
+        block.text = content.result->reference ? Report::tr("Thin: the mechanism as the file has it.")
+                                               : Report::tr("Thin: the mechanism that was kept.");
     }
     if (isFound(content)) {
         block.table.header << (found.outcome == Identification::Outcome::Identified ? Report::tr("the file's own")
@@ -90,6 +92,35 @@ ReportBlock mechanismBlock(const ReportContent &content)
     }
     block.table.rows.push_back(assembly);
     return block;
+}
+
+/// What the thin curves are; empty where there are none.
+QString keptText(const Result &result)
+{
+    QStringList motions;
+    for (const Parameters &kept : result.kept) {
+        motions << keptText(kept, result.mechanism.parameters());
+    }
+    return motions.isEmpty()
+               ? QString()
+               : Report::tr("Thin curves: motions that were kept, %1.").arg(motions.join(Report::tr("; ")));
+}
+
+ReportTable differenceTable(const MotionDifference &difference)
+{
+    ReportTable table{{Report::tr("channel"), Report::tr("largest difference"), Report::tr("at [s]"), Report::tr("rms"),
+                       Report::tr("% of peak")},
+                      {},
+                      QStringLiteral("tnnnn")};
+    for (const ChannelDifference &channel : difference.channels) {
+        const bool isInfinite = channel.maxAbs && std::isinf(*channel.maxAbs);
+        table.rows.push_back({QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
+                              isInfinite ? QStringLiteral("∞") : shortNumber(channel.maxAbs, kErrorDigits),
+                              channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
+                              shortNumber(channel.rms, kErrorDigits),
+                              shortNumber(channel.percentOfPeak, kErrorDigits)});
+    }
+    return table;
 }
 
 QString fileText(const Reference &reference)
@@ -290,9 +321,17 @@ std::vector<ReportBlock> reportOf(const ReportContent &content)
         addIdentification(blocks, content);
         addErrors(blocks, result);
     }
+    if (result.difference) {
+        blocks.push_back(heading(
+            Report::tr("This mechanism − kept %1").arg(keptText(result.kept.back(), result.mechanism.parameters()))));
+        blocks.push_back({Kind::Table, {}, differenceTable(*result.difference)});
+    }
     blocks.push_back(heading(Report::tr("Method")));
     blocks.push_back(paragraph(methodText(result)));
-    blocks.push_back(heading(result.reference ? Report::tr("Motion and errors") : Report::tr("Motion")));
+    blocks.push_back(heading(result.isCompared() ? Report::tr("Motion and errors") : Report::tr("Motion")));
+    if (const QString kept = keptText(result); !kept.isEmpty()) {
+        blocks.push_back(paragraph(kept));
+    }
     blocks.push_back({Kind::Figure, {}, {}});
     return blocks;
 }

@@ -32,6 +32,8 @@ inline constexpr double kBlockHalfWidth = 19.0;
 inline constexpr double kBlockHalfHeight = 12.0;
 inline constexpr double kRailBelowLine = kBlockHalfHeight + 1.0;
 inline constexpr double kHatchLength = 7.0;
+inline constexpr double kGroundHalfWidth = 17.0; ///< below O₂
+inline constexpr double kGroundDepth = 17.0 + kHatchLength;
 inline constexpr double kDeadCentreMark = kBlockHalfHeight + 8.0; ///< how far it rises above the slider's line
 
 /// `share` of the colour on the background.

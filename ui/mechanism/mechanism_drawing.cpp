@@ -29,7 +29,7 @@ bool MechanismDrawing::hasCentre() const
 void MechanismDrawing::refreshCycle(const QRectF &frame)
 {
     cycle.clear();
-    if (!result || !(settings.velocity || settings.acceleration || settings.path)) {
+    if (!result || !(settings.showsVelocity() || settings.acceleration || settings.path)) {
         return;
     }
     constexpr double kLongest = 0.4; // of the mechanism's extent

@@ -114,9 +114,14 @@ void MechanismFrame::include(const QRectF &reach)
     }
 }
 
-void MechanismFrame::fit(const QRectF &reach)
+void MechanismFrame::refit(const QRectF &reach)
 {
     m_fitted = frameAround(reach, kRoom);
+}
+
+void MechanismFrame::fit(const QRectF &reach)
+{
+    refit(reach);
     m_zoomed.reset();
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 // What part of the plane a drawing of the mechanism shows, and where its points are then. The frame stands still while
-// the mechanism moves, and follows its lengths in coarse steps; where a person has zoomed, it stays as they left it.
+// the mechanism moves, follows its lengths in coarse steps while they change, and fits them once they rest; where a
+// person has zoomed, it stays as they left it.
 //
 // Model coordinates: mm, x to the right, y upwards, O2 in the origin. A rectangle of the model has its least y at
 // top().
@@ -50,7 +51,10 @@ public:
     /// Widens the view where the reach is beyond it, and never brings it closer.
     void include(const QRectF &reach);
 
-    /// The reach with room around it, whatever was in view; no longer zoomed.
+    /// The reach with room around it, whatever was in view.
+    void refit(const QRectF &reach);
+
+    /// The same, no longer zoomed.
     void fit(const QRectF &reach);
 
     /// With all of the frame in the drawing, in the middle.

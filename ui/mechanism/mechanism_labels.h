@@ -1,30 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Names of the points and letters of the lengths, beside the drawing of the mechanism. What the lengths are stands in a
-// corner: beside short links that move there is no room for it.
+// Names of points, dead centres and angles, and letters of the lengths, in the drawing of the mechanism: off its links
+// and off each other. What the lengths are stands in a corner: beside short links that move there is no room for it.
 
+#include "ui/mechanism/label_room.h"
 #include "ui/mechanism/mechanism_canvas.h"
 #include "ui/mechanism/mechanism_drawing.h"
 
 namespace slidercrank
 {
 
-inline constexpr double kLabelReach = 42.0; ///< px around a joint that its name may touch
+/// Between links, slider, ground, the slider's line and the offset's dimension.
+LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing);
 
-/// O₂.
-void paintPivotName(QPainter &painter, const MechanismCanvas &on);
+/// All that are on show and may have to give way to what moves, in that ink.
+void paintLabels(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing, const QColor &ink,
+                 LabelRoom &room);
 
-/// A, B and G₃, in that ink.
-void paintNames(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing, const QColor &ink);
-
-/// c, from O₂ to the slider's line, left of the crank's circle.
+/// c, from O₂ to the slider's line, beside the crank's circle where the coupler does not come.
 void paintOffset(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism);
-
-/// a and b, beside their links: there, px, and no farther from it than letterReach().
-void paintLengths(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing);
-QPointF placeOfLetter(QPointF from, QPointF to);
-double letterReach(const MechanismCanvas &on);
 
 /// How long a, b and c are, in the upper left corner.
 QStringList valueLines(const MechanismCanvas &on, const Mechanism &mechanism);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_linkage.h"
 
+#include "ui/mechanism/mechanism_instant_centre.h"
 #include "ui/mechanism/mechanism_labels.h"
 #include "ui/mechanism/mechanism_words.h"
 
@@ -23,6 +24,7 @@ struct MechanismLinkage {
 
 constexpr double kGhostWidth = 2.0;
 constexpr double kGhostJointRadius = 2.5;
+constexpr double kAroundFile = 42.0; ///< px that the ghost's word reaches around its slider
 constexpr double kAroundPins = 27.0; ///< px that slider, joint and highlight reach around a pin
 
 QRectF blockAt(QPointF slider)
@@ -60,24 +62,34 @@ struct KindOfArrow {
     MotionArrow arrow;
     MotionKind kind;
 };
+bool hasLabels(const MechanismSettings &settings)
+{
+    return settings.names || settings.dimensions || settings.angles || settings.instantCentre;
+}
+
 std::vector<KindOfArrow> arrowsOf(const MechanismDrawing &drawing)
 {
     std::vector<KindOfArrow> arrows;
-    if (!drawing.pose.exists() || !(drawing.settings.velocity || drawing.settings.acceleration)) {
+    const MechanismSettings &settings = drawing.settings;
+    if (!drawing.pose.exists() || !(settings.showsVelocity() || settings.acceleration)) {
         return arrows;
     }
     const LinkageMotion motion = drawing.motion();
     const auto add = [&](MotionKind kind, const ArrowScale &scale) {
-        for (const PointMotion &point : motion) {
+        for (const LinkagePoint which : kLinkagePoints) {
+            if (which == LinkagePoint::G3 && kind == MotionKind::Velocity && !settings.velocity) {
+                continue; // the instant centre is told by A and B
+            }
+            const PointMotion &point = motion[static_cast<std::size_t>(which)];
             if (const std::optional<MotionArrow> arrow = arrowOf(point, kind, scale)) {
                 arrows.push_back({*arrow, kind});
             }
         }
     };
-    if (drawing.settings.acceleration) {
+    if (settings.acceleration) {
         add(MotionKind::Acceleration, drawing.acceleration);
     }
-    if (drawing.settings.velocity) {
+    if (settings.showsVelocity()) {
         add(MotionKind::Velocity, drawing.velocity);
     }
     return arrows;
@@ -106,38 +118,54 @@ void paintModel(QPainter &painter, const MechanismCanvas &on, const MechanismDra
     if (drawing.hasCentre()) {
         paintCentre(painter, 0.5 * (crank + slider), ink, paper);
     }
-    for (const KindOfArrow &shown : arrowsOf(drawing)) {
-        paintArrow(painter, on, shown.arrow, shown.kind);
-    }
-    if (drawing.settings.dimensions && exists) {
-        paintLengths(painter, on, drawing);
-    }
-    if (drawing.settings.names) {
-        paintNames(painter, on, drawing, edge);
-    }
 }
 
-void paintGhost(QPainter &painter, const MechanismCanvas &on, const ReferencePose &ghost)
+/// What is written beside the linkage, and what tells how it moves.
+void paintExplanations(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
 {
+    const std::vector<KindOfArrow> arrows = arrowsOf(drawing);
+    for (const KindOfArrow &shown : arrows) {
+        paintArrow(painter, on, shown.arrow, shown.kind);
+    }
+    if (!hasLabels(drawing.settings)) {
+        return;
+    }
+    LabelRoom room = labelRoomOf(on, drawing);
+    for (const KindOfArrow &shown : arrows) {
+        room.ratherKeepOff({on.toPixels(shown.arrow.tail), on.toPixels(shown.arrow.tip)});
+    }
+    const bool exists = drawing.pose.exists();
+    if (drawing.settings.instantCentre && exists && drawing.pins) {
+        paintInstantCentre(painter, on, drawing, room);
+    }
+    const QColor &ink = on.colours.text;
+    paintLabels(painter, on, drawing, exists ? ink : mixed(ink, on.colours.background, 0.35), room);
+}
+
+void paintGhost(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
+{
+    const ReferencePose &ghost = drawing.ghost;
+    const bool isOfFile = !drawing.result->difference;
+    const QColor colour = isOfFile ? on.colours.reference : on.colours.kept;
     const QPointF crank = on.toPixels({ghost.pinX, ghost.pinY});
     const QPointF slider = on.toPixels({ghost.sliderX, ghost.sliderY});
-    painter.setPen(QPen(on.colours.reference, kGhostWidth, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(colour, kGhostWidth, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(on.toPixels({0.0, 0.0}), crank);
     painter.drawLine(crank, slider);
     painter.setBrush(Qt::NoBrush);
     painter.setRenderHint(QPainter::Antialiasing, false); // upright edges need none, and cost less without
-    painter.setPen(on.colours.reference);
+    painter.setPen(colour);
     painter.drawRect(blockAt(slider));
     const double side = 2.0 * kGhostJointRadius;
     for (const QPointF &joint : {crank, slider}) {
-        painter.fillRect(QRectF(joint.x() - kGhostJointRadius, joint.y() - kGhostJointRadius, side, side),
-                         on.colours.reference);
+        painter.fillRect(QRectF(joint.x() - kGhostJointRadius, joint.y() - kGhostJointRadius, side, side), colour);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(on.smallFont);
-    painter.drawText(QRectF(slider.x() - kLabelReach, slider.y() + kRailBelowLine + kHatchLength, 2.0 * kLabelReach,
+    painter.drawText(QRectF(slider.x() - kAroundFile, slider.y() + kRailBelowLine + kHatchLength, 2.0 * kAroundFile,
                             QFontMetricsF(on.smallFont).height()),
-                     Qt::AlignHCenter | Qt::AlignTop, MechanismLinkage::tr("file"));
+                     Qt::AlignHCenter | Qt::AlignTop,
+                     isOfFile ? MechanismLinkage::tr("file") : MechanismLinkage::tr("kept"));
 }
 
 /// Where the crank should be, and why it cannot be there.
@@ -196,8 +224,9 @@ void paintLinkage(QPainter &painter, const MechanismCanvas &on, const MechanismD
     if (drawing.pins) {
         paintModel(painter, on, drawing);
     }
+    paintExplanations(painter, on, drawing);
     if (drawing.ghost.exists) {
-        paintGhost(painter, on, drawing.ghost);
+        paintGhost(painter, on, drawing);
     }
     if (!drawing.pose.exists()) {
         paintMissingPose(painter, on, drawing);
@@ -252,11 +281,10 @@ QRectF linkageArea(const MechanismCanvas &on, const MechanismDrawing &drawing)
         return {};
     }
     const QPolygonF joints{on.toPixels({0.0, 0.0}), on.toPixels(drawing.pins->A), on.toPixels(drawing.pins->B)};
-    QRectF area = around(joints, drawing.settings.names ? kLabelReach : kAroundPins);
-    if (drawing.settings.dimensions) {
-        const QPolygonF letters{placeOfLetter(joints[0], joints[1]), placeOfLetter(joints[1], joints[2])};
-        area = area.united(around(letters, letterReach(on)));
+    if (hasLabels(drawing.settings)) {
+        return QRectF(QPointF(), on.size); // labels give way to each other, wherever that is
     }
+    QRectF area = around(joints, kAroundPins);
     QPolygonF tips;
     for (const KindOfArrow &shown : arrowsOf(drawing)) {
         tips << on.toPixels(shown.arrow.tip);
@@ -276,7 +304,7 @@ QRectF ghostArea(const MechanismCanvas &on, const MechanismDrawing &drawing)
     }
     return around(
         {on.toPixels({0.0, 0.0}), on.toPixels({ghost.pinX, ghost.pinY}), on.toPixels({ghost.sliderX, ghost.sliderY})},
-        kLabelReach);
+        kAroundFile);
 }
 
 } // namespace slidercrank

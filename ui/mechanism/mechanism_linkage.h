@@ -2,7 +2,8 @@
 #pragma once
 
 // What moves in the drawing of a mechanism: crank, coupler and slider with what is on show of their names, lengths and
-// motion; over them the reference's linkage, thin, in its colour, where the two differ: the ghost.
+// motion; over them the linkage of the reference, or of what was kept, thin, in its colour, where the two differ: the
+// ghost.
 
 #include "ui/mechanism/mechanism_canvas.h"
 #include "ui/mechanism/mechanism_drawing.h"

@@ -103,9 +103,9 @@ void paintGuide(QPainter &painter, const MechanismCanvas &on, const MechanismDra
 void paintPivot(QPainter &painter, const MechanismCanvas &on)
 {
     const QPointF pivot = on.toPixels({0.0, 0.0});
-    const QPointF foot = pivot + QPointF(0.0, 17.0);
+    const QPointF foot = pivot + QPointF(0.0, kGroundDepth - kHatchLength);
     painter.setPen(QPen(on.muted, 1.2));
-    paintGround(painter, foot + QPointF(-17.0, 0.0), foot + QPointF(17.0, 0.0));
+    paintGround(painter, foot + QPointF(-kGroundHalfWidth, 0.0), foot + QPointF(kGroundHalfWidth, 0.0));
     painter.setPen(QPen(on.colours.text, 1.4));
     painter.setBrush(mixed(on.colours.text, on.colours.background, 0.15));
     painter.drawPolygon(QPolygonF{pivot, foot + QPointF(-11.0, 0.0), foot + QPointF(11.0, 0.0)});
@@ -127,6 +127,12 @@ void paintPath(QPainter &painter, const MechanismCanvas &on, const Cycle &cycle)
 }
 
 } // namespace
+
+int cornerLineCount(const MechanismCanvas &on, const MechanismDrawing &drawing)
+{
+    const MechanismSettings &settings = drawing.settings;
+    return valueLineCount(on, drawing) + (settings.showsVelocity() ? 1 : 0) + (settings.acceleration ? 1 : 0);
+}
 
 Rail railOf(const MechanismDrawing &drawing)
 {
@@ -176,8 +182,7 @@ void paintGrid(QPainter &painter, const MechanismCanvas &on, const MechanismDraw
             painter.drawText(QPointF(left, on.size.height() - 4.0), text);
         }
     });
-    const int lines =
-        valueLineCount(on, drawing) + (drawing.settings.velocity ? 1 : 0) + (drawing.settings.acceleration ? 1 : 0);
+    const int lines = cornerLineCount(on, drawing);
     const double highest = lines > 0 ? cornerLine(on, lines, 0.0).top() : 0.0;
     forEachLine(visible.top(), visible.bottom(), [&](double y) {
         const double baseline = on.toPixels({0.0, y}).y() - 3.0;
@@ -200,15 +205,12 @@ void paintScenery(QPainter &painter, const MechanismCanvas &on, const MechanismD
         paintPath(painter, on, drawing.cycle);
     }
     paintPivot(painter, on);
-    if (settings.names) {
-        paintPivotName(painter, on);
-    }
     int line = valueLineCount(on, drawing);
     if (settings.dimensions) {
         paintOffset(painter, on, drawing.mechanism());
         paintValues(painter, on, drawing.mechanism());
     }
-    if (settings.velocity) {
+    if (settings.showsVelocity()) {
         paintScale(painter, on, drawing.velocity, MotionKind::Velocity, line++);
     }
     if (settings.acceleration) {

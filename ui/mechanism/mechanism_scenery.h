@@ -17,6 +17,9 @@ struct Rail {
 };
 Rail railOf(const MechanismDrawing &drawing);
 
+/// Lines of text that it has in the upper left corner.
+int cornerLineCount(const MechanismCanvas &on, const MechanismDrawing &drawing);
+
 inline constexpr double kRailOverhang = kBlockHalfWidth + 4.0; ///< px beyond it at either end
 
 /// The background with the grid, labelled along the lower and the left edge.

@@ -11,6 +11,7 @@
 #include "ui/words/written_number.h"
 
 #include <QAction>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -32,6 +33,7 @@ constexpr double kZoomStep = 1.25;
 constexpr double kPanStep = 40.0;    // px
 constexpr double kStillAClick = 3.0; // px that a hand shakes
 constexpr int kNoteDelay = 250;      // ms: a pointer that only passes by is told nothing
+constexpr int kRest = 400;           // ms without a change: then lengths and pose are at rest
 
 } // namespace
 
@@ -39,6 +41,7 @@ MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
     , m_note(new MechanismNote(this))
     , m_noteDelay(new QTimer(this))
+    , m_refitDelay(new QTimer(this))
 {
     setObjectName(QStringLiteral("mechanismView"));
     setAccessibleName(tr("Mechanism"));
@@ -50,6 +53,10 @@ MechanismView::MechanismView(QWidget *parent)
     m_noteDelay->setSingleShot(true);
     m_noteDelay->setInterval(kNoteDelay);
     connect(m_noteDelay, &QTimer::timeout, this, &MechanismView::updateNote);
+    m_refitDelay->setObjectName(QStringLiteral("refitDelay"));
+    m_refitDelay->setSingleShot(true);
+    m_refitDelay->setInterval(kRest);
+    connect(m_refitDelay, &QTimer::timeout, this, &MechanismView::refitAtRest);
     makeChoices();
 }
 
@@ -78,6 +85,9 @@ void MechanismView::makeChoices()
     addSwitch(tr("&Path of the coupler's centre"), QStringLiteral("showPath"), &MechanismSettings::path);
     addSwitch(tr("&Names of the points"), QStringLiteral("showNames"), &MechanismSettings::names);
     addSwitch(tr("&Dimensions"), QStringLiteral("showDimensions"), &MechanismSettings::dimensions);
+    addSwitch(tr("An&gles θ₂ and θ³"), QStringLiteral("showAngles"), &MechanismSettings::angles);
+    addSwitch(tr("Instant &centre of the coupler"), QStringLiteral("showInstantCentre"),
+              &MechanismSettings::instantCentre);
     m_choices << new QAction(this);
     m_choices.back()->setSeparator(true);
     addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [zoomBy] { zoomBy(kZoomStep); });
@@ -102,8 +112,8 @@ void MechanismView::setSettings(const MechanismSettings &settings)
         return;
     }
     m_drawing.settings = settings;
-    const std::array<bool, 5> on{settings.velocity, settings.acceleration, settings.path, settings.names,
-                                 settings.dimensions};
+    const std::array<bool, 7> on{settings.velocity,   settings.acceleration, settings.path,         settings.names,
+                                 settings.dimensions, settings.angles,       settings.instantCentre};
     for (std::size_t i = 0; i < on.size(); ++i) {
         m_choices[static_cast<qsizetype>(i)]->setChecked(on[i]);
     }
@@ -145,6 +155,7 @@ void MechanismView::setResult(const std::shared_ptr<const Result> &result)
     if (!isPulled) { // else what is under the hand would move away from it
         changeFrame([this] { m_frame.follow(reach()); });
     }
+    m_refitDelay->start();
     m_drawing.refreshCycle(m_frame.fitted());
     m_scenery = QPixmap();
     update();
@@ -161,6 +172,9 @@ void MechanismView::setPose(const Pose &pose)
     const bool existed = m_drawing.pose.exists();
     const QRectF before = movingArea();
     m_drawing.pose = pose;
+    if (m_refitDelay->isActive()) {
+        m_refitDelay->start();
+    }
     if (pose.exists() && m_drawing.result) {
         m_drawing.pins = MechanismDrawing::Pins{{pose.pinX, pose.pinY}, {pose.sliderX, m_drawing.mechanism().c()}};
     }
@@ -245,6 +259,15 @@ void MechanismView::changeFrame(const std::function<void()> &change)
     }
     if (projection() != before) {
         refreshScenery();
+    }
+}
+
+void MechanismView::refitAtRest()
+{
+    if (m_hold || QGuiApplication::mouseButtons() != Qt::NoButton) { // maybe on a slider, between two pulls
+        m_refitDelay->start();
+    } else if (m_drawing.result) {
+        changeFrame([this] { m_frame.refit(reach()); });
     }
 }
 

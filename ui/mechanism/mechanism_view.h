@@ -113,6 +113,7 @@ private:
     QRectF visibleGhostReach() const;
     void makeChoices();
     void changeFrame(const std::function<void()> &change);
+    void refitAtRest();
     void refreshScenery();
     void updateArea(const QRectF &area);
     QRectF movingArea() const;
@@ -134,6 +135,7 @@ private:
     DrawnPart m_pointed = DrawnPart::Background; ///< at
     MechanismNote *m_note;
     QTimer *m_noteDelay;
+    QTimer *m_refitDelay; ///< runs while another mechanism has not come to rest
     QList<QAction *> m_choices;
     bool m_showsFocus = false; ///< it came by the keyboard
 };

@@ -222,7 +222,6 @@ std::vector<TableRow> jacobianRows(const Mechanism &mechanism, const InstantEqua
 {
     constexpr double kUnity = 0.4; // the tint of ±1, beside that of lengths, which are coloured by their size
     constexpr double kFaintest = 0.1;
-    const QLocale locale = localeWithoutGroups();
     const double largest = 0.5 * std::max(mechanism.a(), mechanism.b());
     std::vector<TableRow> rows;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {

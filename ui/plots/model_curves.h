@@ -12,6 +12,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace slidercrank
@@ -27,6 +28,11 @@ public:
     ModelCurves() = default; ///< nothing
     /// `result` must outlive it.
     explicit ModelCurves(const Result &result);
+    /// The motion itself, during that run (s).
+    ModelCurves(const Mechanism &mechanism, const Interval &run)
+        : m_motion(std::in_place, mechanism, run)
+    {
+    }
 
     ModelCurves(ModelCurves &&) = default; // a copy would look into the memory of the other
     ModelCurves &operator=(ModelCurves &&) = default;

@@ -24,6 +24,7 @@ double lineWidth(Ink ink)
     case Ink::Text:
     case Ink::Model:
     case Ink::Reference: return 2.0;
+    case Ink::Kept: return 1.0;
     case Ink::Error:
     case Ink::ErrorOther: return 1.6; // they are noise where all is well, yet to be seen from the last row
     }
@@ -108,6 +109,7 @@ QColor colourOf(Ink ink, const SeriesColours &colours)
     case Ink::Text: return colours.text;
     case Ink::Model: return colours.model;
     case Ink::Reference: return colours.reference;
+    case Ink::Kept: return colours.kept;
     case Ink::Error: return colours.error;
     case Ink::ErrorOther: return colours.errorOther;
     }
@@ -217,8 +219,9 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
             break;
         case LegendEntry::Sample::Dashed:
             painter.setPen(penOf(entry.ink, colours));
-            for (double start = 0.0; start < lineSample; start += kDash + kDashGap) {
-                painter.drawLine(QPointF(x + start, middle), QPointF(x + start + kDash, middle));
+            for (double start = 0.0; start < lineSample; start += entry.dashes.length + entry.dashes.gap) {
+                const double end = std::min<double>(start + entry.dashes.length, lineSample);
+                painter.drawLine(QPointF(x + start, middle), QPointF(x + end, middle));
             }
             break;
         }

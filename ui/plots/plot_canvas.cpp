@@ -34,12 +34,18 @@ PlotCanvas::PlotCanvas(QWidget *parent)
         axis->setTickLabelPadding(kLabelGap);
     }
     for (std::size_t curve = 0; curve < m_picture.curves.size(); ++curve) {
-        QCPGraph *graph = addGraph();
-        graph->setAdaptiveSampling(false);
-        graph->setSelectable(QCP::stNone);
+        addCurve();
     }
     new Bands(this);
     new Lettering(this);
+}
+
+QCPGraph *PlotCanvas::addCurve()
+{
+    QCPGraph *curve = addGraph();
+    curve->setAdaptiveSampling(false);
+    curve->setSelectable(QCP::stNone);
+    return curve;
 }
 
 void PlotCanvas::setStyle(const PlotTypography &typography, const SeriesColours &colours)
@@ -91,17 +97,26 @@ void PlotCanvas::display(const PlotPicture &picture, const QMargins &margins)
     setAccessibleDescription(description);
     xAxis->setTickLabels(picture.hasTimeLabels);
     yAxis->setTickLabels(picture.hasValues);
-    for (std::size_t i = 0; i < picture.curves.size(); ++i) {
-        const PlotPicture::Curve &curve = picture.curves[i];
+    const auto show = [this](QCPGraph *line, const PlotPicture::Curve &curve) {
         QVector<QCPGraphData> points;
         points.reserve(static_cast<qsizetype>(curve.points.size()));
         for (const CurvePoint &point : curve.points) {
             points.append(QCPGraphData(point.t, point.value));
         }
-        QCPGraph *line = graph(static_cast<int>(i));
         line->data()->set(points, true);
         line->setPen(penOf(curve.ink, m_colours));
+    };
+    for (std::size_t i = 0; i < picture.curves.size(); ++i) {
+        QCPGraph *line = graph(static_cast<int>(i));
+        show(line, picture.curves[i]);
         line->setValueAxis(i == 1 && picture.rightValues ? yAxis2 : yAxis);
+    }
+    while (m_kept.size() < picture.kept.size()) {
+        m_kept.push_back(addCurve());
+        m_kept.back()->setLayer(QStringLiteral("grid"));
+    }
+    for (std::size_t i = 0; i < m_kept.size(); ++i) {
+        show(m_kept[i], i < picture.kept.size() ? picture.kept[i] : PlotPicture::Curve());
     }
 }
 

@@ -34,6 +34,8 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    QCPGraph *addCurve();
+
     /// The picture with its background in it: shown by copying, where QCustomPlot's own, transparent one is blended.
     class OpaqueBuffer : public QCPAbstractPaintBuffer
     {
@@ -107,6 +109,7 @@ private:
     };
 
     PlotPicture m_picture;
+    std::vector<QCPGraph *> m_kept; ///< lines under the others; made when one is kept
     QFont m_titleFont;
     QFont m_tickFont;
     SeriesColours m_colours;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_figure.h"
 
+#include "ui/document/with.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/motion_facts.h"
 
@@ -97,6 +98,40 @@ void setMeasure(ShownChannel &channel, ErrorMeasure measure, const ChannelCompar
     }
 }
 
+/// Of a difference from a motion that was kept.
+void setMeasure(ShownChannel &channel, ErrorMeasure measure, const ChannelDifference &difference)
+{
+    const bool isOfPeak = measure == ErrorMeasure::OfPeak;
+    constexpr double kPercent = 100.0;
+    if (isOfPeak) {
+        channel.perDifference = difference.percentOfPeak ? kPercent / difference.peak : kNoValue;
+    }
+    channel.largestError = isOfPeak ? difference.percentOfPeak : difference.maxAbs;
+    if (channel.largestError && !std::isfinite(*channel.largestError)) {
+        channel.largestError.reset();
+    }
+}
+
+/// What an axis holds of differences: where they grow beyond all bounds, nine tenths of them.
+std::optional<Interval> extentOf(const std::vector<CurvePoint> &points, bool isBounded, bool isLogarithmic)
+{
+    std::vector<double> values;
+    for (const CurvePoint &point : points) {
+        if (std::isfinite(point.value)) {
+            values.push_back(point.value);
+        }
+    }
+    if (values.empty()) {
+        return std::nullopt;
+    }
+    constexpr std::size_t kOneInSoMany = 10;
+    const auto last = values.end() - 1 - (isBounded ? 0 : static_cast<std::ptrdiff_t>(values.size() / kOneInSoMany));
+    std::ranges::nth_element(values, last);
+    const double largest = *last;
+    constexpr double kDecades = 4.0; // down to where the motions cross it goes for ever
+    return Interval{isLogarithmic ? largest - kDecades : 0.0, largest};
+}
+
 /// The part of `whole` that lies as `part` lies in `of`.
 Interval correspondingRange(const Interval &part, const Interval &of, const Interval &whole)
 {
@@ -107,7 +142,8 @@ Interval correspondingRange(const Interval &part, const Interval &of, const Inte
 /// Cuts it off at the axes and makes of it what is drawn.
 void finishCurve(PlotPicture::Curve &curve, const Interval &time, const Interval &values, const QSize &axes)
 {
-    const DashPattern pattern{kDash, kDashGap, axes.width() / time.length(), axes.height() / values.length()};
+    const DashPattern pattern{curve.dashes.length, curve.dashes.gap, axes.width() / time.length(),
+                              axes.height() / values.length()};
     constexpr double kInvisible = 0.1; // px
     constexpr double kPixelsPerDot = 12.0;
     const bool areFew = static_cast<double>(curve.points.size()) * kPixelsPerDot < axes.width();
@@ -125,7 +161,7 @@ void finishCurve(PlotPicture::Curve &curve, const Interval &time, const Interval
         curve.dots = isolatedPoints(curve.points);
     }
     curve.points = withoutNeedlessPoints(curve.points, kInvisible / pattern.perValue);
-    if (curve.ink == Ink::Reference) {
+    if (curve.dashes.gap > 0.0) {
         curve.points = cutIntoDashes(curve.points, pattern);
     }
 }
@@ -175,6 +211,9 @@ ShownData::ShownData(const Result &result, const PlotSettings &shown)
     : settings(shown)
     , model(result)
 {
+    for (std::size_t i = 0; result.difference && i < channels.size(); ++i) {
+        setMeasure(channels[i], settings.error, result.difference->channels[i]);
+    }
     if (!result.reference) {
         return;
     }
@@ -215,9 +254,57 @@ std::vector<CurvePoint> ShownData::roundingBand(std::size_t index, const PixelCo
 ShownData &PlotFigure::data()
 {
     if (!m_data) {
-        m_data = result ? ShownData(*result, m_settings) : ShownData();
+        m_data = result ? ShownData(*result, with(m_settings, &PlotSettings::error, measure())) : ShownData();
     }
     return *m_data;
+}
+
+std::vector<PlotFigure::KeptMotion> &PlotFigure::kept()
+{
+    const std::size_t count = result ? result->kept.size() : 0;
+    m_kept.erase(m_kept.begin() + static_cast<std::ptrdiff_t>(std::min(count, m_kept.size())), m_kept.end());
+    const Interval run = wholeRange();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Parameters &parameters = result->kept[i];
+        if (i < m_kept.size() && m_kept[i].parameters == parameters && m_kept[i].run == run) {
+            continue; // with what it has computed for the pixels
+        }
+        KeptMotion motion{parameters, run, ModelCurves(Mechanism(parameters), run)};
+        if (i < m_kept.size()) {
+            m_kept[i] = std::move(motion);
+        } else {
+            m_kept.push_back(std::move(motion));
+        }
+    }
+    return m_kept;
+}
+
+const DifferenceCurves &PlotFigure::differences()
+{
+    if (!m_differences) {
+        m_differences.emplace(result->mechanism, Mechanism(result->kept.back()), wholeRange());
+    }
+    return *m_differences;
+}
+
+double PlotFigure::differenceAt(std::size_t channel, double t)
+{
+    const ShownData &shown = data();
+    return shownError(shown.channels[channel], shown.settings, differences().value(channel, t), 0.0);
+}
+
+/// In the chosen measure, as the axis has them.
+std::vector<CurvePoint> PlotFigure::differencePoints(std::size_t channel, const Interval &range, std::size_t columns)
+{
+    if (!m_differenceView || m_differenceView->range != range || m_differenceView->columns != columns) {
+        m_differenceView = {range, columns, differences().curves(range, columns)};
+    }
+    const ShownData &shown = data();
+    std::vector<CurvePoint> points = m_differenceView->curves[channel];
+    for (CurvePoint &point : points) {
+        point.value = shownError(shown.channels[channel], shown.settings, point.value, 0.0);
+    }
+    return points;
 }
 
 double PlotFigure::nearestInstant(double t)
@@ -241,6 +328,8 @@ void PlotFigure::setResult(const std::shared_ptr<const Result> &newResult)
     }
     result = newResult;
     m_data.reset();
+    m_differences.reset();
+    m_differenceView.reset();
 }
 
 void PlotFigure::setSettings(const PlotSettings &settings)
@@ -259,9 +348,15 @@ bool PlotFigure::hasRightAxis(std::size_t plot) const
     return isErrorPlot(plot) && m_settings.error == ErrorMeasure::Absolute && hasErrors();
 }
 
+ErrorMeasure PlotFigure::measure() const
+{
+    const bool isOfFile = !result || !result->difference;
+    return isOfFile || m_settings.error == ErrorMeasure::Absolute ? m_settings.error : ErrorMeasure::OfPeak;
+}
+
 QString PlotFigure::errorUnit(std::size_t channel) const
 {
-    switch (m_settings.error) {
+    switch (measure()) {
     case ErrorMeasure::Percent: return QStringLiteral("%");
     case ErrorMeasure::Absolute: return channelUnit(channel);
     case ErrorMeasure::OfPeak: return tr("% of peak");
@@ -383,6 +478,9 @@ PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digi
         const bool isRight = picture.rightValues && i == 1;
         finishCurve(picture.curves[i], picture.time, isRight ? *picture.rightValues : picture.values, axes);
     }
+    for (PlotPicture::Curve &curve : picture.kept) {
+        finishCurve(curve, picture.time, picture.values, axes);
+    }
     return picture;
 }
 
@@ -394,6 +492,7 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     picture.words = wordsBefore(kPlottedChannels[index]);
     picture.curves[0].ink = Ink::Model;
     picture.curves[1].ink = Ink::Reference;
+    picture.curves[1].dashes = kReferenceDashes;
     if (!result) {
         return;
     }
@@ -409,9 +508,19 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     } else if (result->reference) {
         picture.remarks = picture.shortRemarks = {{tr("not in the file"), Ink::Reference}};
     }
+    for (KeptMotion &motion : kept()) {
+        PlotPicture::Curve &curve = picture.kept.emplace_back();
+        curve.points = motion.curves.points(index, picture.time, columns);
+        curve.ink = Ink::Kept;
+        curve.dashes = kKeptDashes[picture.kept.size() - 1];
+    }
     const std::optional<Interval> values = valuesSeen([&](const Interval &range) {
-        return united(shown.model.extremes(index, range),
-                      extremesWithin(shown.referenceTime, channel.reference, range));
+        std::optional<Interval> seen =
+            united(shown.model.extremes(index, range), extremesWithin(shown.referenceTime, channel.reference, range));
+        for (const KeptMotion &motion : kept()) {
+            seen = united(seen, motion.curves.extremes(index, range));
+        }
+        return seen;
     });
     picture.hasValues = values.has_value();
     if (values) {
@@ -423,10 +532,10 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
 
 void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns)
 {
-    picture.title = tr("error");
+    picture.title = result && result->difference ? tr("difference") : tr("error");
     picture.curves[0].ink = Ink::Error;
     picture.curves[1].ink = Ink::ErrorOther;
-    if (!result || !result->reference) {
+    if (!hasErrors()) {
         constexpr std::size_t kMiddleRow = 1;
         if (row == kMiddleRow) {
             picture.note = tr("no reference data");
@@ -441,18 +550,26 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
     for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
         const std::size_t index = row * kChannelsPerRow + i;
         const ShownChannel &channel = shown.channels[index];
-        if (channel.reference.empty()) {
+        if (channel.reference.empty() && !(result->difference && result->difference->channels[index].maxAbs)) {
             continue;
         }
         isCompared = true;
-        PlotPicture::Curve &curve = picture.curves[i];
-        curve.points = decimate(shown.referenceTime, channel.errors, pixels);
-        if (m_settings.roundingBand) {
-            curve.band = shown.roundingBand(index, pixels);
+        if (result->difference && channel.largestError == 0.0) {
+            continue;
         }
-        curve.marks = channel.zeroReference;
-        extents[i] = valuesSeen(
-            [&](const Interval &range) { return extremesWithin(shown.referenceTime, channel.errors, range); });
+        PlotPicture::Curve &curve = picture.curves[i];
+        if (result->difference) {
+            curve.points = differencePoints(index, picture.time, columns);
+            extents[i] = extentOf(curve.points, channel.largestError.has_value(), m_settings.logarithmicError);
+        } else {
+            curve.points = decimate(shown.referenceTime, channel.errors, pixels);
+            if (m_settings.roundingBand) {
+                curve.band = shown.roundingBand(index, pixels);
+            }
+            curve.marks = channel.zeroReference;
+            extents[i] = valuesSeen(
+                [&](const Interval &range) { return extremesWithin(shown.referenceTime, channel.errors, range); });
+        }
         if (channel.largestError) {
             constexpr int kFewDigits = 2;
             const double largest = *channel.largestError;
@@ -478,7 +595,9 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
     const std::optional<Interval> both = united(extents[0], extents[1]);
     picture.hasValues = both.has_value();
     if (!both) {
-        picture.note = isCompared ? tr("nothing to compare") : tr("not in the file");
+        picture.note = result->difference ? tr("no difference")
+                       : isCompared       ? tr("nothing to compare")
+                                          : tr("not in the file");
         return;
     }
     picture.values = errorRange(isSplit ? extents[0].value_or(*both) : *both, m_settings.logarithmicError);
@@ -496,7 +615,7 @@ QString PlotFigure::fewSamples() const
 std::vector<LegendEntry> PlotFigure::legend(std::optional<std::size_t> only) const
 {
     const bool hasModel = !only || !isErrorPlot(*only);
-    const bool hasErrors = !only || isErrorPlot(*only);
+    const bool showsErrors = !only || isErrorPlot(*only);
     using Sample = LegendEntry::Sample;
     std::vector<LegendEntry> entries;
     if (hasModel) {
@@ -504,13 +623,22 @@ std::vector<LegendEntry> PlotFigure::legend(std::optional<std::size_t> only) con
         entries.push_back(few.isEmpty() ? LegendEntry{Sample::Solid, Ink::Model, tr("model")}
                                         : LegendEntry{Sample::Dots, Ink::Model, few});
     }
+    for (std::size_t i = 0; hasModel && result && i < result->kept.size(); ++i) {
+        const QString name = keptText(result->kept[i], result->mechanism.parameters());
+        const Dashes &dashes = kKeptDashes[i];
+        entries.push_back({dashes.gap > 0.0 ? Sample::Dashed : Sample::Solid, Ink::Kept, name, true, false, dashes});
+    }
+    if (showsErrors && result && result->difference) {
+        entries.push_back({Sample::Solid, Ink::Error, tr("difference of %1").arg(quantity(0)), false, true});
+        entries.push_back({Sample::Solid, Ink::ErrorOther, tr("difference of %1").arg(quantity(1)), false, true});
+    }
     if (!result || !result->reference) {
         return entries;
     }
     if (hasModel) {
         entries.push_back({Sample::Dashed, Ink::Reference, result->reference->name, true});
     }
-    if (hasErrors) {
+    if (showsErrors) {
         entries.push_back({Sample::Solid, Ink::Error, tr("error of %1").arg(quantity(0)), false, true});
         entries.push_back({Sample::Solid, Ink::ErrorOther, tr("error of %1").arg(quantity(1)), false, true});
         if (m_settings.roundingBand) {

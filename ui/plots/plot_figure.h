@@ -8,6 +8,7 @@
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"
 #include "ui/plots/curve_sampling.h"
+#include "ui/plots/difference_curves.h"
 #include "ui/plots/model_curves.h"
 #include "ui/words/axis_scale.h"
 
@@ -24,8 +25,15 @@
 namespace slidercrank
 {
 
-inline constexpr double kDash = 7.0;    // px, of the reference
-inline constexpr double kDashGap = 6.0; // px
+/// px; without a gap a line is solid.
+struct Dashes {
+    double length = 0.0;
+    double gap = 0.0;
+};
+inline constexpr Dashes kReferenceDashes{7.0, 6.0};
+
+/// Of motions that were kept, the first kept first.
+inline constexpr std::array<Dashes, kMostKept> kKeptDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {1.5, 3.0}}};
 
 inline constexpr std::size_t kChannelsPerRow = 2;
 inline constexpr int kErrorDigits = 3;
@@ -35,7 +43,7 @@ QString quantity(std::size_t channel);
 QString channelUnit(std::size_t channel);
 
 /// Which of seriesColours() a part of a picture takes: pictures know no palette.
-enum class Ink { Text, Model, Reference, Error, ErrorOther };
+enum class Ink { Text, Model, Reference, Kept, Error, ErrorOther };
 
 struct InkedText {
     QString text;
@@ -51,15 +59,17 @@ struct PlotPicture {
     QString note;                        ///< in the middle, where there is no curve
 
     struct Curve {
-        std::vector<CurvePoint> points; ///< within the axes; the reference cut into dashes
+        std::vector<CurvePoint> points; ///< within the axes, cut into dashes
         bool isOfSamples = false;       ///< with nothing between them
         bool isJoined = true;           ///< by lines
         std::vector<double> marks;      ///< instants where the curve has no value because it is infinite
         Ink ink = Ink::Model;
+        Dashes dashes;
         std::vector<CurvePoint> dots; ///< points to be seen each: no line reaches them, or there are few
         std::vector<CurvePoint> band; ///< upper edge of what the file's rounding alone may make
     };
     std::array<Curve, 2> curves;
+    std::vector<Curve> kept; ///< under them
 
     /// The horizontal axis is one of time (s), labelled in seconds or with the crank angle, which is linear in time.
     struct TimeLabels {
@@ -88,6 +98,7 @@ struct LegendEntry {
     QString text;
     bool mayBeElided = false;
     bool mayBeLeftOut = false; ///< where there is no room for all; the last such entry first
+    Dashes dashes = kReferenceDashes;
 };
 
 /// A column of the file, beside the model.
@@ -133,7 +144,7 @@ public:
     const PlotSettings &settings() const { return m_settings; }
 
     /// Whether there is something that the model could be in error of.
-    bool hasErrors() const { return result && result->reference; }
+    bool hasErrors() const { return result && result->isCompared(); }
 
     /// Whether lengths have an axis of their own there.
     bool hasRightAxis(std::size_t plot) const;
@@ -161,7 +172,21 @@ public:
     /// What the figure shows of the result; computed when somebody looks.
     ShownData &data();
 
-    /// Of one of kPlottedChannels, in the chosen measure.
+    /// A motion that was kept, of the run on show.
+    struct KeptMotion {
+        Parameters parameters;
+        Interval run;
+        ModelCurves curves;
+    };
+    std::vector<KeptMotion> &kept();
+
+    /// From the motion kept last, as the axis has it; there must be a difference.
+    double differenceAt(std::size_t channel, double t);
+
+    /// The one chosen; from a motion that was kept, which passes through zero, percentages are of the peak.
+    ErrorMeasure measure() const;
+
+    /// Of one of kPlottedChannels, in that measure.
     QString errorUnit(std::size_t channel) const;
 
     Interval wholeRange() const; ///< the sampled one
@@ -174,11 +199,22 @@ private:
     QString fewSamples() const; ///< empty where no samples are on show, or enough
     void fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns);
 
+    const DifferenceCurves &differences();
+    std::vector<CurvePoint> differencePoints(std::size_t channel, const Interval &range, std::size_t columns);
     template <class ExtremesIn>
     std::optional<Interval> valuesSeen(const ExtremesIn &extremesIn) const;
 
     PlotSettings m_settings;
     std::optional<ShownData> m_data;
+    std::vector<KeptMotion> m_kept;
+    std::optional<DifferenceCurves> m_differences;
+
+    struct DifferenceView {
+        Interval range;
+        std::size_t columns = 0;
+        DifferenceCurves::Curves curves;
+    };
+    std::optional<DifferenceView> m_differenceView;
 };
 
 } // namespace slidercrank

@@ -246,7 +246,7 @@ void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
 {
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    connect(menu->addAction(m_maximized ? tr("Show all &nine plots") : tr("&Maximize this plot")), &QAction::triggered,
+    connect(menu->addAction(m_maximized ? tr("Show all plots agai&n") : tr("&Maximize this plot")), &QAction::triggered,
             this, [this, plot] { toggleMaximized(plot); });
     connect(menu->addAction(tr("Show the &whole run")), &QAction::triggered, this, &PlotGrid::showAll);
     menu->addSeparator();
@@ -254,6 +254,7 @@ void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
             [this, plot] { emit copyPlotRequested(plotName(plot)); });
     connect(menu->addAction(tr("&Export this plot…")), &QAction::triggered, this,
             [this, plot] { emit exportPlotRequested(plotName(plot)); });
+    connect(menu->addAction(tr("&Keep this motion")), &QAction::triggered, this, &PlotGrid::keepRequested);
     menu->addSeparator();
     menu->addActions(m_choices);
     menu->popup(globalPosition);

@@ -85,6 +85,7 @@ signals:
     void openReferenceRequested();
     void exportPlotRequested(const QString &plotName);
     void copyPlotRequested(const QString &plotName);
+    void keepRequested(); ///< the motion on show
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:

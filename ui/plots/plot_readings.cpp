@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_readings.h"
 
+#include "ui/words/finding_text.h"
 #include "ui/words/written_number.h"
 
 #include <QFontMetrics>
@@ -60,6 +61,14 @@ QString errorText(const PlotFigure &figure, const ShownData &data, std::size_t i
     return valueText(error, figure.errorUnit(index), kErrorDigits);
 }
 
+QString differenceText(PlotFigure &figure, std::size_t index, double t)
+{
+    const double shown = figure.differenceAt(index, t);
+    const double difference =
+        figure.settings().logarithmicError && std::isfinite(shown) ? std::pow(10.0, shown) : shown;
+    return valueText(difference, figure.errorUnit(index), kErrorDigits);
+}
+
 /// Next to time t (s): model and reference, or the two errors; empty where it shows nothing.
 std::vector<InkedText> valuesAt(PlotFigure &figure, std::size_t plot, double t, Wording wording)
 {
@@ -80,9 +89,11 @@ std::vector<InkedText> valuesAt(PlotFigure &figure, std::size_t plot, double t, 
     }
     for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
         const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
+        const Ink ink = i == 0 ? Ink::Error : Ink::ErrorOther;
         if (!data.channels[index].reference.empty()) {
-            values.push_back({errorText(figure, data, index, nearestIndex(data.referenceTime, t)),
-                              i == 0 ? Ink::Error : Ink::ErrorOther});
+            values.push_back({errorText(figure, data, index, nearestIndex(data.referenceTime, t)), ink});
+        } else if (figure.result->difference) {
+            values.push_back({differenceText(figure, index, data.model.instantNear(t)), ink});
         }
     }
     return values;
@@ -114,10 +125,20 @@ std::vector<InkedRow> readout(PlotFigure &figure, std::size_t plot, double t, Wo
 {
     const ShownData &data = figure.data();
     std::vector<InkedRow> rows;
-    if (data.model.empty() || (isErrorPlot(plot) && data.referenceTime.empty())) {
+    if (data.model.empty() || (isErrorPlot(plot) && !figure.hasErrors())) {
         return rows;
     }
     const auto addRow = [&rows](const QString &text, Ink ink = Ink::Text) { rows.push_back({{text, ink}}); };
+    if (isErrorPlot(plot) && figure.result->difference) {
+        const double now = data.model.instantNear(t);
+        addRow(instantText(figure, now));
+        for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
+            const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
+            addRow(PlotFigure::tr("difference of %1: %2").arg(quantity(index), differenceText(figure, index, now)),
+                   i == 0 ? Ink::Error : Ink::ErrorOther);
+        }
+        return rows;
+    }
     if (isErrorPlot(plot)) {
         const std::size_t k = nearestIndex(data.referenceTime, t);
         addRow(instantText(figure, data.referenceTime[k]));
@@ -156,6 +177,12 @@ std::vector<InkedRow> readout(PlotFigure &figure, std::size_t plot, double t, Wo
             addRow(PlotFigure::tr("reference: %1 at %2").arg(channelText(inFile, index, wording), when),
                    Ink::Reference);
         }
+    }
+    for (const PlotFigure::KeptMotion &motion : figure.kept()) {
+        const QString name = keptText(motion.parameters, figure.result->mechanism.parameters());
+        addRow(PlotFigure::tr("%1: %2", "kept motion, its value")
+                   .arg(name, channelText(motion.curves.value(index, now), index, wording)),
+               Ink::Kept);
     }
     return rows;
 }
@@ -206,6 +233,9 @@ std::vector<ReadPoint> pointsReadAt(PlotFigure &figure, std::size_t plot, double
             const ShownChannel &channel = data.channels[plot / kPlotColumns * kChannelsPerRow + i];
             if (!channel.errors.empty()) {
                 addUnlessMissing(i, data.referenceTime[k], channel.errors[k]);
+            } else if (figure.result->difference) {
+                const double now = data.model.instantNear(t);
+                addUnlessMissing(i, now, figure.differenceAt(plot / kPlotColumns * kChannelsPerRow + i, now));
             }
         }
         return points;

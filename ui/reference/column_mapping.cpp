@@ -21,9 +21,11 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -105,12 +107,14 @@ namespace
 // What an entry of the combo of meanings stands for: the index of a channel, or
 constexpr int kIgnored = -2;
 constexpr int kTime = -1;
+constexpr int kCrankAngle = -3;
 
 int meaningOf(ColumnRole role, Channel channel)
 {
     switch (role) {
     case ColumnRole::Ignored: return kIgnored;
     case ColumnRole::Time: return kTime;
+    case ColumnRole::CrankAngle: return kCrankAngle;
     case ColumnRole::Channel: return static_cast<int>(indexOf(channel));
     }
     return kIgnored;
@@ -129,23 +133,42 @@ FileLayout layoutIn(const std::variant<ReferenceData, ReadError> &outcome)
 
 QString channelText(Channel channel)
 {
-    return QStringLiteral("%1  (%2)").arg(symbolOf(channel), columnNameOf(channel));
+    return QStringLiteral("%1  %2  (%3)").arg(quantityOf(channel), symbolOf(channel), columnNameOf(channel));
+}
+
+/// A line among the entries that cannot be chosen.
+void addTitle(QComboBox &combo, const QString &title)
+{
+    combo.addItem(title);
+    QFont bold = combo.font();
+    bold.setBold(true);
+    combo.setItemData(combo.count() - 1, bold, Qt::FontRole);
+    qobject_cast<QStandardItemModel *>(combo.model())->item(combo.count() - 1)->setFlags(Qt::NoItemFlags);
 }
 
 void fillMeanings(QComboBox &combo)
 {
     combo.addItem(ColumnMapping::tr("ignored"), kIgnored);
     combo.addItem(ColumnMapping::tr("time"), kTime);
-    for (const Channel channel : kPlottedChannels) {
-        combo.addItem(channelText(channel), static_cast<int>(indexOf(channel)));
-    }
-    combo.insertSeparator(combo.count());
-    const ChannelSet plotted = plottedChannels();
-    for (std::size_t i = 0; i < kChannelCount; ++i) {
-        if (!plotted.test(i)) {
-            combo.addItem(channelText(channelAt(i)), static_cast<int>(i));
+    combo.addItem(ColumnMapping::tr("crank angle"), kCrankAngle);
+    struct Group {
+        QString title;
+        std::vector<Coordinate> coordinates;
+    };
+    const std::array groups{
+        Group{ColumnMapping::tr("Slider"), {R4x}}, Group{ColumnMapping::tr("Coupler"), {Theta3}},
+        Group{ColumnMapping::tr("Crank"), {Theta2}},
+        Group{ColumnMapping::tr("Seldom exported"), {R4y, Theta4, R3x, R3y, R2x, R2y, R1x, R1y, Theta1}}};
+    for (const Group &group : groups) {
+        addTitle(combo, group.title);
+        for (const Coordinate coordinate : group.coordinates) {
+            for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+                const Channel channel{coordinate, order};
+                combo.addItem(channelText(channel), static_cast<int>(indexOf(channel)));
+            }
         }
     }
+    combo.setMaxVisibleItems(16);
 }
 
 /// The units that a column of that meaning may have; the first entry is the file's own.
@@ -160,7 +183,8 @@ void fillUnits(QComboBox &combo, int meaning, const FileColumn &column)
     QStringList units{QStringLiteral("s"), QStringLiteral("ms")};
     QString author = QStringLiteral("s");
     if (meaning != kTime) {
-        const Channel channel = channelAt(static_cast<std::size_t>(meaning));
+        const Channel channel = meaning == kCrankAngle ? Channel{Theta2, Order::Position}
+                                                       : channelAt(static_cast<std::size_t>(meaning));
         author = unitOf(channel);
         units = isAngle(channel.coordinate) ? QStringList{QStringLiteral("°"), QStringLiteral("rad")}
                                             : QStringList{QStringLiteral("mm"), QStringLiteral("cm"),
@@ -233,7 +257,7 @@ ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, Q
     rows->addWidget(m_preview);
     rows->addWidget(m_problem);
     rows->addWidget(buttons);
-    resize(900, 560);
+    resize(1000, 600);
 
     for (const ColumnChoice &choice : rememberedChoices(m_layout, path)) {
         Row &row = m_rows[choice.column];
@@ -245,12 +269,13 @@ ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, Q
         row.unit->setCurrentIndex(std::max(0, row.unit->findData(QString::fromStdString(choice.unit))));
         row.chosen = true;
     }
-    // The first column that was guessed is what brings a person here.
-    const auto guessed = std::find_if(m_layout.columns.begin(), m_layout.columns.end(), [](const FileColumn &column) {
-        return column.role == ColumnRole::Channel && isGuess(column.reason);
+    // The first column that is open, or was guessed, is what brings a person here.
+    const auto open = std::ranges::find_if(m_layout.columns, [this](const FileColumn &column) {
+        return m_layout.isOpen() ? leavesOpen(column.reason)
+                                 : column.role == ColumnRole::Channel && isGuess(column.reason);
     });
-    if (guessed != m_layout.columns.end()) {
-        m_current = static_cast<std::size_t>(guessed - m_layout.columns.begin());
+    if (open != m_layout.columns.end()) {
+        m_current = static_cast<std::size_t>(open - m_layout.columns.begin());
     }
     readAgain();
     if (m_current < m_rows.size()) {
@@ -317,6 +342,8 @@ std::vector<ColumnChoice> ColumnMapping::choices() const
         const int meaning = row.meaning->currentData().toInt();
         if (meaning == kTime) {
             choice.role = ColumnRole::Time;
+        } else if (meaning == kCrankAngle) {
+            choice.role = ColumnRole::CrankAngle;
         } else if (meaning != kIgnored) {
             choice.role = ColumnRole::Channel;
             choice.channel = channelAt(static_cast<std::size_t>(meaning));
@@ -390,11 +417,14 @@ void ColumnMapping::showPreview()
     const ReferenceData &read = std::get<ReferenceData>(m_outcome);
     const FileColumn &column = m_layout.columns[m_current];
     const QString heading = headingText(m_layout, m_current);
-    const QString span = tr("t = %1 … %2 s").arg(numberText(read.time.front()), numberText(read.time.back()));
+    const QString span = abscissaText(read);
     const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
     if (column.role == ColumnRole::Time) {
         m_caption->setText(tr("%1: %2").arg(heading, span));
         m_preview->setCurve(read.time, read.time);
+    } else if (column.role == ColumnRole::CrankAngle) {
+        m_caption->setText(tr("%1: %2").arg(heading, span));
+        m_preview->setCurve(read.time, read.crank->degrees);
     } else if (!series) {
         m_caption->setText(tr("%1 is ignored").arg(heading));
     } else {

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -173,6 +174,29 @@ TableRow errorRowOf(const ChannelComparison &channel, const SeriesColours &colou
     return row;
 }
 
+TableRow differenceRowOf(const ChannelDifference &channel)
+{
+    const QString unit = unitOf(channel.channel);
+    const auto cell = [](std::optional<double> number) {
+        const bool isInfinite = number && std::isinf(*number);
+        return TableCell{.text = isInfinite ? QStringLiteral("∞") : shortNumber(number, kErrorDigits),
+                         .number = isInfinite ? std::nullopt : number};
+    };
+    const std::optional<double> instant = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
+    TableCell largest = cell(channel.maxAbs);
+    largest.explanation = channel.maxAbs && std::isinf(*channel.maxAbs)
+                              ? ErrorPanel::tr("Without bounds where one of the two ends its stroke")
+                              : ErrorPanel::tr("Click to go to the instant of the largest difference");
+    TableCell at = cell(instant);
+    at.text = instant ? numberText(*instant) : dash();
+    TableRow row{MechanismPart::None,
+                 {TableCell{.text = ErrorPanel::tr("%1 [%2]").arg(symbolOf(channel.channel), unit)}, largest, at,
+                  cell(channel.rms), cell(channel.percentOfPeak)},
+                 instant};
+    row.cells[0].csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel.channel), unit);
+    return row;
+}
+
 } // namespace
 
 ErrorPanel::ErrorPanel(QWidget *parent)
@@ -185,6 +209,7 @@ ErrorPanel::ErrorPanel(QWidget *parent)
                            "largest error of each channel, where it is, and whether it is more than the file's own "
                            "rounding.")));
     m_pages->addWidget(createTablePage());
+    m_pages->addWidget(createKeptPage());
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_pages);
@@ -245,6 +270,29 @@ QWidget *ErrorPanel::createTablePage()
     return page;
 }
 
+QWidget *ErrorPanel::createKeptPage()
+{
+    m_kept = named("keptLabel", plainText());
+    m_keptTable = new NumberTable(
+        QStringLiteral("differenceTable"), tr("Differences from the kept motion, a row a channel"),
+        {{tr("channel"), tr("What is compared, and its unit"), QStringLiteral("channel"), false},
+         {tr("largest difference"), tr("max |this − kept|, in the channel's unit"), QStringLiteral("max_difference")},
+         {tr("at [s]"), tr("Instant of the largest difference"), QStringLiteral("max_difference_at [s]")},
+         {tr("rms"), tr("√( mean of (this − kept)² ), in the channel's unit"), QStringLiteral("rms")},
+         {tr("% of peak"), tr("max |this − kept| / max |kept| · 100"), QStringLiteral("percent_of_peak")}},
+        TableLook::Striped);
+    connect(m_keptTable, &NumberTable::instantRequested, this, &ErrorPanel::timeRequested);
+    connect(m_keptTable, &NumberTable::copied, this, &ErrorPanel::rowsCopied);
+
+    auto *page = new QWidget;
+    auto *rows = new QVBoxLayout(page);
+    rows->setContentsMargins(6, 6, 6, 4);
+    rows->setSpacing(4);
+    rows->addWidget(m_kept);
+    rows->addWidget(m_keptTable, 1);
+    return page;
+}
+
 void ErrorPanel::setResult(const std::shared_ptr<const Result> &result)
 {
     m_result = result;
@@ -260,7 +308,7 @@ void ErrorPanel::setDiagnosis(const std::shared_ptr<const ReferenceDiagnosis> &d
 void ErrorPanel::refresh()
 {
     m_stale = true;
-    const bool tooSoon = m_pause.isActive() && isOnTheMove();
+    const bool tooSoon = m_pause.isActive() && (isOnTheMove() || (m_result && m_result->difference));
     if (isVisible() && !tooSoon) {
         fill();
     }
@@ -287,9 +335,13 @@ void ErrorPanel::fill()
 {
     m_stale = false;
     m_pause.start();
-    const bool compared = m_result && m_result->reference;
-    m_pages->setCurrentIndex(compared ? 1 : 0);
-    if (!compared) {
+    enum Page { Empty, OfFile, OfKept };
+    const Page page = m_result && m_result->reference ? OfFile : m_result && m_result->difference ? OfKept : Empty;
+    m_pages->setCurrentIndex(page);
+    if (page == OfKept) {
+        fillKept();
+    }
+    if (page != OfFile) {
         return;
     }
     const Verdict worst = worstOf(m_result->comparison);
@@ -306,7 +358,7 @@ void ErrorPanel::fill()
 
 bool ErrorPanel::isOnTheMove() const
 {
-    const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->reference;
+    const bool ofThisFile = m_diagnosis && m_diagnosis->reference == m_result->chosenReference();
     return ofThisFile && m_diagnosis->parameters != m_result->mechanism.parameters();
 }
 
@@ -315,10 +367,29 @@ void ErrorPanel::fillFindings()
     // What was found for others stays, dimmed, lest the panel jump under the hand.
     const bool outOfDate = isOnTheMove() && worstOf(m_result->comparison) != Verdict::Agrees;
     if (!outOfDate) {
-        const bool ofThese = m_diagnosis && m_diagnosis->reference == m_result->reference && !isOnTheMove();
+        const bool ofThese = m_diagnosis && m_diagnosis->reference == m_result->chosenReference() && !isOnTheMove();
         m_findings->setFindings(findingsOf(*m_result, ofThese ? m_diagnosis.get() : nullptr));
     }
     m_findings->setUpToDate(!outOfDate);
+}
+
+void ErrorPanel::fillKept()
+{
+    const Parameters &present = m_result->mechanism.parameters();
+    const Parameters &kept = m_result->kept.back();
+    QString title = present == kept ? tr("This mechanism is the one that was kept: change it to see what differs.")
+                                    : tr("This mechanism − kept %1").arg(keptText(kept, present));
+    if (m_result->difference->hasGaps) {
+        title += tr(". Where one of the two cannot be assembled there is nothing to compare.");
+    }
+    m_kept->setText(title);
+    std::vector<TableRow> rows;
+    for (const ChannelDifference &channel : m_result->difference->channels) {
+        rows.push_back(differenceRowOf(channel));
+    }
+    constexpr int kMostAir = 28; // px
+    m_keptTable->setRows(std::move(rows));
+    m_keptTable->fitToContents(0, kMostAir);
 }
 
 void ErrorPanel::fillTable()

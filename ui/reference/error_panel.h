@@ -2,7 +2,8 @@
 #pragma once
 
 // How far the reference data are from the model: a sentence that says whether they belong together, what explains the
-// difference and how to remedy it, and a row a channel.
+// difference and how to remedy it, and a row a channel. Where there is no file, the same of a motion that was kept, in
+// numbers alone.
 
 #include "ui/document/result.h"
 #include "ui/reference/findings.h"
@@ -47,11 +48,13 @@ protected:
 
 private:
     QWidget *createTablePage();
+    QWidget *createKeptPage();
     void refresh(); ///< fills in, now or when the panel comes on show
     void fill();
     bool isOnTheMove() const; ///< the parameters are, and nothing was found out for these yet
     void fillFindings();
     void fillTable();
+    void fillKept();
 
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const ReferenceDiagnosis> m_diagnosis;
@@ -62,6 +65,8 @@ private:
     FindingList *m_findings = nullptr;
     QLabel *m_leftOut = nullptr;
     NumberTable *m_table = nullptr;
+    QLabel *m_kept = nullptr;
+    NumberTable *m_keptTable = nullptr;
 };
 
 } // namespace slidercrank

@@ -127,6 +127,9 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
                                 conventionSentence(found, result.reference->data), FindingList::tr("Apply"),
                                 effectOf(found)});
         }
+        for (const QString &sentence : differenceSentences(result.reference->data, diagnosis->found.conventions)) {
+            findings.push_back({Finding::Remedy::None, {}, sentence, {}, {}});
+        }
         const Finding mechanism = mechanismFinding(result, *diagnosis);
         const bool isExplained = !differs || !findings.empty();
         if (!mechanism.sentence.isEmpty() && (mechanism.remedy != Finding::Remedy::None || !isExplained)) {

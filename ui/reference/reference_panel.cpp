@@ -14,6 +14,7 @@
 #include "ui/words/written_number.h"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QDir>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -105,6 +106,15 @@ QWidget *ReferencePanel::createFilePage()
     columns->setToolTip(tr("Say what the columns of the file are"));
     connect(columns, &QPushButton::clicked, this, &ReferencePanel::columnsRequested);
     m_form = named("formLabel", plainText());
+    m_abscissa = named("abscissaBox", new QComboBox, tr("What the first column is"));
+    m_abscissa->addItem(tr("First column: time"), QVariant::fromValue(ColumnRole::Time));
+    m_abscissa->addItem(tr("First column: crank angle"), QVariant::fromValue(ColumnRole::CrankAngle));
+    m_abscissa->setToolTip(tr("Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ "
+                              "make the time"));
+    connect(m_abscissa, &QComboBox::activated, this, [this](int index) {
+        showAbscissa(); // it may be refused
+        emit abscissaRequested(m_abscissa->itemData(index).value<ColumnRole>());
+    });
 
     QWidget *tables = createTables();
     auto *head = new QHBoxLayout;
@@ -116,7 +126,10 @@ QWidget *ReferencePanel::createFilePage()
     auto *file = new QVBoxLayout;
     file->setSpacing(4);
     file->addLayout(head);
-    file->addWidget(m_form);
+    auto *form = new QHBoxLayout;
+    form->addWidget(m_form, 1);
+    form->addWidget(m_abscissa, 0, Qt::AlignTop);
+    file->addLayout(form);
     file->addWidget(tables, 1);
 
     auto *room = new QWidget;
@@ -271,14 +284,20 @@ void ReferencePanel::showName()
     m_name->setToolTip(path);
 }
 
+void ReferencePanel::showAbscissa()
+{
+    const bool byAngle = m_reference && m_reference->data.crank;
+    m_abscissa->setCurrentIndex(byAngle ? 1 : 0);
+}
+
 void ReferencePanel::fillForm()
 {
     showName();
+    showAbscissa();
     const ReferenceData &read = m_reference->data;
     QString rows = tr("%1 rows read").arg(countText(read.time.size()));
     if (!read.time.empty()) {
-        const QLocale locale;
-        rows += tr(", t = %1 … %2 s").arg(locale.toString(read.time.front()), locale.toString(read.time.back()));
+        rows += QStringLiteral(", ") + abscissaText(read);
     }
     m_form->setText(tr("%1. %2.").arg(formText(read.layout), rows));
 }
@@ -291,7 +310,8 @@ void ReferencePanel::fillColumns()
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
         QString rounding = dash();
-        QString values = column.role == ColumnRole::Time ? countText(read.time.size()) : dash();
+        const bool isAbscissa = column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle;
+        QString values = isAbscissa ? countText(read.time.size()) : dash();
         const ReferenceSeries *series = column.role == ColumnRole::Channel ? read.find(column.channel) : nullptr;
         if (series) {
             rounding = roundingText(series->rounding);

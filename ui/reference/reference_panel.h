@@ -11,6 +11,7 @@
 #include <memory>
 
 class QButtonGroup;
+class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QScrollArea;
@@ -39,7 +40,8 @@ public slots:
 signals:
     void openReferenceRequested();
     void openSampleRequested();
-    void columnsRequested(); ///< somebody wants to say what the columns are
+    void columnsRequested();                              ///< somebody wants to say what the columns are
+    void abscissaRequested(slidercrank::ColumnRole role); ///< what the rows are to count by: Time or CrankAngle
     void applyRequested(const slidercrank::Convention &convention);
     void readAsPrintedRequested();
     void takeOverRequested();
@@ -58,6 +60,7 @@ private:
     void refill();
     void fill();
     void showName();
+    void showAbscissa();
     void fillForm();
     void fillColumns();
     void fillSkipped();
@@ -69,6 +72,7 @@ private:
     QStackedWidget *m_pages = nullptr;
     QLabel *m_name = nullptr;
     QLabel *m_form = nullptr;
+    QComboBox *m_abscissa = nullptr;
     QButtonGroup *m_choice = nullptr; ///< of what the left shows
     QStackedWidget *m_tables = nullptr;
     NumberTable *m_columns = nullptr;

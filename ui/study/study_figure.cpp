@@ -430,7 +430,6 @@ QString explanationOf(MethodName::Kind kind)
 
 QString descriptionOf(const MethodResult &row)
 {
-    const QLocale locale;
     QString text = titleOf(row);
     if (row.tolerance) {
         text += StudyFigureText::tr(", tolerance %1").arg(numberText(*row.tolerance, 3));

@@ -112,7 +112,7 @@ QIcon markOf(const MethodResult &method, const QWidget &where)
 
 QString lengthsOf(const Parameters &p)
 {
-    const auto number = [](double value) { return QLocale().toString(value, 'g', 9); };
+    const auto number = [](double value) { return numberText(value, 9); };
     return StudyPanel::tr("a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6")
         .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20), assemblyText(p.branch));
 }

@@ -132,7 +132,7 @@ void Exports::writeReport(const QString &path)
     const Result &result = *content->result;
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
     const bool isKnown =
-        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+        diagnosis && diagnosis->reference == result.chosenReference() && diagnosis->parameters == result.mechanism.parameters();
     if (isKnown) {
         content->diagnosis = diagnosis->found;
     }

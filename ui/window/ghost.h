@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The linkage as the reference file has it, drawn behind the mechanism where the two differ.
+// The linkage as the reference file has it, or without a file the one kept last, drawn behind the mechanism where the
+// two differ.
 
 #include "core/comparison/reference_pose.h"
 

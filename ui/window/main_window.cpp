@@ -136,7 +136,12 @@ void MainWindow::connectDocument()
         if (reference && reference->path != kSamplePath) {
             rememberFile(kRecentReferences, QFileInfo(reference->path).absoluteFilePath());
         }
+        if (reference) {
+            askWhereNothingTells(reference->path, reference->data.layout);
+        }
     });
+    connect(m_session, &Session::referenceRefused, this,
+            [this](const QString &path) { askWhereNothingTells(path, layoutOf(beginningOf(path))); });
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
 
     connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
@@ -268,6 +273,7 @@ void MainWindow::connectRooms()
     follow(&Session::resultChanged, m_rooms.plots, &PlotGrid::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
     connect(m_rooms.plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.plots, &PlotGrid::keepRequested, m_session, &Session::keep);
     connect(m_rooms.plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_rooms.plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
@@ -293,6 +299,7 @@ QWidget *MainWindow::makeReferencePanel()
     connect(panel, &ReferencePanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(panel, &ReferencePanel::openSampleRequested, this, &MainWindow::openSample);
     connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->path); });
+    connect(panel, &ReferencePanel::abscissaRequested, m_session, &Session::readAbscissaAs);
     connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
     connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
     connect(panel, &ReferencePanel::takeOverRequested, m_session, &Session::takeOver);
@@ -357,7 +364,18 @@ void MainWindow::openFile(const QString &path)
 
 void MainWindow::openReference(const QString &path)
 {
+    m_asked = path;
     m_session->loadReference(path);
+}
+
+/// Names that differ only in what they belong to: the person who opened the file knows.
+void MainWindow::askWhereNothingTells(const QString &path, const FileLayout &layout)
+{
+    const bool isAsked = path == m_asked && layout.isOpen();
+    m_asked.clear();
+    if (isAsked) {
+        chooseColumns(path);
+    }
 }
 
 void MainWindow::openSample()

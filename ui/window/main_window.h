@@ -67,6 +67,7 @@ private:
     QWidget *makeLimitsPanel();
 
     void chooseColumns(const QString &path); ///< of that file
+    void askWhereNothingTells(const QString &path, const FileLayout &layout);
     void showTitle();
     void showResult(const std::shared_ptr<const Result> &result);
     void foldWhereLow();
@@ -78,6 +79,7 @@ private:
     Messages *m_messages;
     StatusBar *m_status;
     Recovery *m_recovery;
+    QString m_asked;             ///< the file that a person opened, until it is read or refused
     bool m_isLeaving = false;    ///< what would be lost was asked about
     bool m_foldedByHand = false; ///< the person chose; a resize no longer does
 };

@@ -67,6 +67,15 @@ void needsReference(QAction *action, const Session &session)
         [action](const std::shared_ptr<const Reference> &reference) { action->setEnabled(reference != nullptr); });
 }
 
+/// Enabled while that holds of what is on show.
+void enableWhile(QAction *action, const Session &session, const std::function<bool(const Result &)> &holds)
+{
+    action->setEnabled(holds(*session.result()));
+    QObject::connect(
+        &session, &Session::resultChanged, action,
+        [action, holds](const std::shared_ptr<const Result> &result) { action->setEnabled(holds(*result)); });
+}
+
 } // namespace
 
 Menus::Menus(MainWindow &window, const Rooms &rooms)
@@ -147,6 +156,10 @@ void Menus::addEdit()
              [exports](const QString &name) { exports->copy(exports->plot(name)); });
     edit->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     edit->addSeparator();
+    edit->addAction(tr("&Keep this motion"), QKeySequence(Qt::CTRL | Qt::Key_K), &session, &Session::keep);
+    QAction *forget = edit->addAction(tr("For&get kept motions"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+                                      &session, &Session::forgetKept);
+    enableWhile(forget, session, [](const Result &result) { return !result.kept.empty(); });
     edit->addAction(tr("Rese&t all parameters"), &session, [&session] { session.setParameters(Parameters()); });
 }
 
@@ -162,9 +175,9 @@ void Menus::addView()
     fold->setShortcut(QKeySequence(Qt::Key_F9));
     connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    QAction *ghost = addSwitch(view, tr("Show the file's &motion"), m_rooms.ghost->isWanted());
+    QAction *ghost = addSwitch(view, tr("Show the file's or the kept &motion"), m_rooms.ghost->isWanted());
     connect(ghost, &QAction::triggered, m_rooms.ghost, &Ghost::setWanted);
-    needsReference(ghost, m_window.session());
+    enableWhile(ghost, m_window.session(), &Result::isCompared);
     view->addSeparator();
     addChoices<Theme>(
         view, {{Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}},

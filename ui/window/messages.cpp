@@ -143,7 +143,7 @@ void Messages::announceReading()
 void Messages::announceDiagnosis()
 {
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
-    if (!m_announcesDiagnosis || !diagnosis || diagnosis->reference != m_session->result()->reference) {
+    if (!m_announcesDiagnosis || !diagnosis || diagnosis->reference != m_session->result()->chosenReference()) {
         tellDifferenceAnew();
         return;
     }
@@ -175,7 +175,7 @@ void Messages::tellDifference()
     const Result &result = *m_session->result();
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
     const bool isKnown =
-        diagnosis && diagnosis->reference == result.reference && diagnosis->parameters == result.mechanism.parameters();
+        diagnosis && diagnosis->reference == result.chosenReference() && diagnosis->parameters == result.mechanism.parameters();
     const auto is = [&](Verdict verdict) {
         return std::ranges::count(result.comparison, verdict, &ChannelComparison::verdict) > 0;
     };

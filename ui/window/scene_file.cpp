@@ -55,6 +55,7 @@ Scene SceneFile::scene() const
             .sampling = m_session->sampling(),
             .solver = m_session->solver(),
             .reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing,
+            .kept = m_session->kept(),
             .time = m_session->time(),
             .plots = m_rooms.plots->settings(),
             .zoom = m_rooms.plots->zoom(),
@@ -121,7 +122,7 @@ void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource
 {
     m_opening = opening;
     const Scene &scene = opening.scene;
-    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr}, scene.time, reference);
+    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.kept}, scene.time, reference);
 }
 
 void SceneFile::finishOpening(const QString &problem)

@@ -137,22 +137,12 @@ QString shortNumber(double value, int digits, const QLocale &locale)
         mantissa /= 10.0;
         ++exponent;
     }
-    return QStringLiteral("%1·%2").arg(locale.toString(mantissa, 'f', digits - 1), powerOfTen(exponent));
+    return withPowerOfTen(locale.toString(mantissa, 'f', digits - 1), exponent);
 }
 
 QString shortNumber(std::optional<double> value, int digits)
 {
     return value ? shortNumber(*value, digits) : dash();
-}
-
-QString powerOfTen(int exponent)
-{
-    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text = exponent < 0 ? QStringLiteral("10⁻") : QStringLiteral("10");
-    for (const QChar digit : QString::number(std::abs(exponent))) {
-        text += kDigits[digit.digitValue()];
-    }
-    return text;
 }
 
 } // namespace slidercrank

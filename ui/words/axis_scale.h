@@ -50,7 +50,4 @@ QString shortNumber(double value, int digits, const QLocale &locale = QLocale())
 /// A dash for what does not exist.
 QString shortNumber(std::optional<double> value, int digits);
 
-/// "10⁻⁷"
-QString powerOfTen(int exponent);
-
 } // namespace slidercrank

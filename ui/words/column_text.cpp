@@ -2,6 +2,7 @@
 #include "ui/words/column_text.h"
 
 #include "ui/words/finding_text.h"
+#include "ui/words/written_number.h"
 
 #include <QCoreApplication>
 
@@ -68,6 +69,7 @@ QString meaningText(const FileColumn &column)
     switch (column.role) {
     case ColumnRole::Ignored: return QStringLiteral("–");
     case ColumnRole::Time: return ColumnText::tr("time");
+    case ColumnRole::CrankAngle: return ColumnText::tr("crank angle");
     case ColumnRole::Channel: return symbolOf(column.channel);
     }
     return {};
@@ -81,13 +83,18 @@ QString unitText(const FileColumn &column)
     switch (column.role) {
     case ColumnRole::Ignored: return QStringLiteral("–");
     case ColumnRole::Time: return ColumnText::tr("s (none given)");
+    case ColumnRole::CrankAngle: return ColumnText::tr("%1 (none given)").arg(QStringLiteral("°"));
     case ColumnRole::Channel:
         return ColumnText::tr("%1 (none given)").arg(QString::fromUtf8(authorUnitOf(column.channel)));
     }
     return {};
 }
 
-QString reasonText(const FileLayout &layout, std::size_t column)
+namespace
+{
+
+/// Why the column became what it is, whatever it is made of.
+QString roleReason(const FileLayout &layout, std::size_t column)
 {
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
@@ -106,7 +113,10 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
     case ColumnReason::ModelicaName:
         return ColumnText::tr("guessed: named as in Modelica, whose variables are in m, rad and s");
+    case ColumnReason::AngleForTime:
+        return ColumnText::tr("guessed: no column is the time, and this is the angle of the crank");
     case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name is not known");
+    case ColumnReason::UnknownBody: return ColumnText::tr("ignored: its name does not tell what moves so");
     case ColumnReason::RowNumber: return ColumnText::tr("ignored: it counts the rows");
     case ColumnReason::Magnitude:
         return ColumnText::tr("ignored: a magnitude, without direction; “%1” is a component of it").arg(other);
@@ -126,8 +136,28 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     return {};
 }
 
+} // namespace
+
+QString reasonText(const FileLayout &layout, std::size_t column)
+{
+    const QString reason = roleReason(layout, column);
+    const std::optional<Difference> difference = layout.columns[column].difference;
+    if (!difference) {
+        return reason;
+    }
+    switch (*difference) {
+    case Difference::Forward: return ColumnText::tr("%1; forward differences, no derivative").arg(reason);
+    case Difference::Backward: return ColumnText::tr("%1; backward differences, no derivative").arg(reason);
+    case Difference::Central: return ColumnText::tr("%1; central differences, no derivative").arg(reason);
+    }
+    return reason;
+}
+
 QString shortReasonText(const FileLayout &layout, std::size_t column)
 {
+    if (layout.columns[column].difference && !isGuess(layout.columns[column].reason)) {
+        return ColumnText::tr("differences from row to row");
+    }
     const QString other = otherHeading(layout, column);
     switch (layout.columns[column].reason) {
     case ColumnReason::KnownName: return ColumnText::tr("name known");
@@ -139,7 +169,9 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::EvenRate: return ColumnText::tr("guessed: even rate");
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
     case ColumnReason::ModelicaName: return ColumnText::tr("guessed: named as in Modelica");
+    case ColumnReason::AngleForTime: return ColumnText::tr("guessed: no time here");
     case ColumnReason::UnknownName: return ColumnText::tr("name not known");
+    case ColumnReason::UnknownBody: return ColumnText::tr("what moves so?");
     case ColumnReason::RowNumber: return ColumnText::tr("counts the rows");
     case ColumnReason::Magnitude: return ColumnText::tr("magnitude of %1 …").arg(other);
     case ColumnReason::SameInstants: return ColumnText::tr("same instants as %1").arg(other);
@@ -186,6 +218,16 @@ QString formText(const FileLayout &layout)
         parts << ColumnText::tr("%1 lines above them skipped").arg(layout.preambleLines.size());
     }
     return parts.join(ColumnText::tr(", "));
+}
+
+QString abscissaText(const ReferenceData &data)
+{
+    const auto range = [](const std::vector<double> &values, const QString &text) {
+        return text.arg(numberText(values.front()), numberText(values.back()));
+    };
+    return data.crank ? range(data.crank->degrees,
+                              ColumnText::tr("%1 = %2 … %3°").arg(symbolOf(Channel{Theta2, Order::Position})))
+                      : range(data.time, ColumnText::tr("t = %1 … %2 s"));
 }
 
 } // namespace slidercrank

@@ -3,8 +3,7 @@
 
 // How a reference file is written and what its columns became, in words.
 
-#include "core/reading/file_layout.h"
-#include "core/reading/rounding.h"
+#include "core/reading/reference_data.h"
 
 #include <QString>
 #include <QStringList>
@@ -33,5 +32,8 @@ QString roundingText(const Rounding &rounding);
 
 /// "UTF-8, columns apart by commas, decimal point, names in line 1"
 QString formText(const FileLayout &layout);
+
+/// From where to where the rows go: "t = 0 … 1 s", or "θ² = 0 … 360°" where they count by the crank's angle.
+QString abscissaText(const ReferenceData &data);
 
 } // namespace slidercrank

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/convention_text.h"
 
+#include "core/diagnosis/explanation.h"
+#include "core/reading/difference.h"
+
 #include "ui/words/finding_text.h"
 #include "ui/words/written_number.h"
 
@@ -142,6 +145,31 @@ QString zeroPointExplanation(const Convention &convention, const ReferenceData &
         .arg(column, where.arg(amountText(convention)));
 }
 
+QString notDerivativeExplanation(const Convention &convention, const ReferenceData &data)
+{
+    const QString columns = columnsOf(convention);
+    std::optional<Difference> all;
+    for (const Channel channel : convention.channels) {
+        const std::optional<Difference> one = differenceIn(data, channel);
+        if (!one || (all && all != one)) {
+            return ConventionText::tr("%1: not the time derivative of its position column.").arg(columns);
+        }
+        all = one;
+    }
+    switch (all.value_or(Difference::Central)) {
+    case Difference::Forward:
+        return ConventionText::tr("%1: forward differences, from each row to the next, and not the time derivative.")
+            .arg(columns);
+    case Difference::Backward:
+        return ConventionText::tr("%1: backward differences, from each row to the one before, and not the time "
+                                  "derivative.")
+            .arg(columns);
+    case Difference::Central: break;
+    }
+    return ConventionText::tr("%1: central differences of the rows on both sides, and not the time derivative.")
+        .arg(columns);
+}
+
 QString actionOf(const Convention &convention)
 {
     const QString columns = columnsOf(convention);
@@ -169,6 +197,7 @@ QString actionOf(const Convention &convention)
     case Convention::Kind::TimeShift:
         return ConventionText::tr("Adds %1 s to the instants").arg(numberText(convention.amount));
     case Convention::Kind::NotDerivative: return ConventionText::tr("Leaves %1 out").arg(columns);
+    case Convention::Kind::Axis: return ConventionText::tr("Turns %1 by 90°, so that y becomes x").arg(columns);
     }
     return {};
 }
@@ -189,6 +218,7 @@ QString nameOf(const Convention &convention)
     case Convention::Kind::Branch: return ConventionText::tr("assembly");
     case Convention::Kind::TimeShift: return ConventionText::tr("time shift");
     case Convention::Kind::NotDerivative: return ConventionText::tr("no derivative");
+    case Convention::Kind::Axis: return ConventionText::tr("axis");
     }
     return {};
 }
@@ -225,8 +255,9 @@ QString explanationOf(const Convention &convention, const ReferenceData &data)
                     ? ConventionText::tr("The file's clock is %1 s ahead: what it has at t happens that much earlier.")
                     : ConventionText::tr("The file's clock is %1 s behind: what it has at t happens that much later."))
             .arg(numberText(std::abs(convention.amount)));
-    case Convention::Kind::NotDerivative:
-        return ConventionText::tr("%1: not the time derivative of its position column.").arg(columns);
+    case Convention::Kind::NotDerivative: return notDerivativeExplanation(convention, data);
+    case Convention::Kind::Axis:
+        return ConventionText::tr("The slider moves along y and not along x: y is its axis, as in an upright engine.");
     }
     return {};
 }
@@ -239,6 +270,26 @@ QString effectOf(const ConventionFinding &finding)
                ? ConventionText::tr("%1: its largest error is %2 % of peak.").arg(action, errorText(finding.before))
                : ConventionText::tr("%1: largest error %2 % of peak instead of %3 %.")
                      .arg(action, errorText(finding.after), errorText(finding.before));
+}
+
+QStringList differenceSentences(const ReferenceData &data, std::span<const ConventionFinding> findings)
+{
+    QStringList sentences;
+    for (const Difference kind : {Difference::Forward, Difference::Backward, Difference::Central}) {
+        Convention none{Convention::Kind::NotDerivative, {}, 1.0};
+        for (const ReferenceSeries &series : data.series) {
+            const bool isLeftOut = std::ranges::any_of(findings, [&](const ConventionFinding &finding) {
+                return finding.convention.kind == none.kind && concerns(finding.convention, series.channel);
+            });
+            if (!isLeftOut && differenceIn(data, series.channel) == kind) {
+                none.channels.push_back(series.channel);
+            }
+        }
+        if (!none.channels.empty()) {
+            sentences << explanationOf(none, data);
+        }
+    }
+    return sentences;
 }
 
 } // namespace slidercrank

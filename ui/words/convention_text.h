@@ -7,6 +7,9 @@
 #include "core/diagnosis/convention.h"
 
 #include <QString>
+#include <QStringList>
+
+#include <span>
 
 namespace slidercrank
 {
@@ -20,5 +23,9 @@ QString explanationOf(const Convention &convention, const ReferenceData &data);
 /// What applying it does, and to what good: "Multiplies theta3 by 57.2958: largest error 0.001 % of peak instead of 98
 /// %."
 QString effectOf(const ConventionFinding &finding);
+
+/// "R4_x_diff: forward differences, …": of the columns that are known to be differences, and that no finding leaves
+/// out.
+QStringList differenceSentences(const ReferenceData &data, std::span<const ConventionFinding> findings);
 
 } // namespace slidercrank

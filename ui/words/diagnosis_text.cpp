@@ -217,8 +217,17 @@ QString caveatsOf(const Diagnosis &diagnosis)
             sentences << imageSentence(alternative);
         }
     }
+    if (diagnosis.isSpeedOfDerivatives) {
+        sentences << DiagnosisText::tr("The file counts by the crank's angle: ω₂ is what its derivatives say.");
+    }
     if (const QStringList kept = foundAndKept(identification).kept; !kept.isEmpty()) {
         sentences << DiagnosisText::tr("The data do not determine %1: kept as given.").arg(listed(kept));
+    }
+    if (diagnosis.mayBeInMetres) {
+        sentences << DiagnosisText::tr(
+                         "The file does not say the unit of its lengths, and they were read as mm: if they "
+                         "are metres, a = %1; then write [m] behind the names.")
+                         .arg(parameterText(Parameter::A, 1e3 * diagnosis.rounded.a));
     }
     if (!identification.noise.empty()) {
         QStringList columns;
@@ -269,7 +278,7 @@ QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &dat
     } else if (const QString change = changeText(diagnosis, mechanism); !change.isEmpty()) {
         lines << change;
     }
-    return lines;
+    return lines << differenceSentences(data, diagnosis.conventions);
 }
 
 QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)

@@ -164,6 +164,21 @@ QString mechanismText(const Mechanism &mechanism, int digits)
     return (parts << withNoun(mechanism.branch())).join(FindingText::tr(", "));
 }
 
+QString keptText(const Parameters &kept, const Parameters &present)
+{
+    QStringList parts;
+    for (const Parameter parameter : kParameters) {
+        if (valueOf(kept, parameter) != valueOf(present, parameter)) {
+            parts << FindingText::tr("%1 = %2").arg(symbolOf(parameter),
+                                                    parameterText(parameter, valueOf(kept, parameter)));
+        }
+    }
+    if (kept.branch != present.branch) {
+        parts << withNoun(kept.branch);
+    }
+    return parts.isEmpty() ? FindingText::tr("kept") : parts.join(FindingText::tr(", "));
+}
+
 QString measuredText(double value, double standardError, double scale)
 {
     constexpr double kArithmetic = 1e-13; // of the scale: a smaller error says nothing of the data

@@ -63,6 +63,9 @@ QString parameterText(Parameter parameter, double value, int digits = 6);
 /// "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
 QString mechanismText(const Mechanism &mechanism, int digits = 6);
 
+/// What a mechanism has that the present one has not: "b = 65 mm, crossed assembly"; "kept" where nothing differs.
+QString keptText(const Parameters &kept, const Parameters &present);
+
 /// A measured value down to the first digit of its standard error: "20.000001 ± 0.000003". Without a standard error
 /// (NaN), or where that is nothing but the rounding of arithmetic on numbers of size `scale`, the value alone.
 QString measuredText(double value, double standardError, double scale);

@@ -2,6 +2,7 @@
 #include "ui/words/written_number.h"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace slidercrank
 {
@@ -9,26 +10,24 @@ namespace slidercrank
 namespace
 {
 
-/// "1e-08" is how machines write 1e-8, and "1E-8" how some locales do.
-QString withShortExponent(QString number)
+struct Scientific {
+    QString mantissa;
+    std::optional<int> exponent; ///< none where the machine wrote none
+};
+
+/// Of what a locale wrote, such as "1.5e-08".
+Scientific partsOf(const QString &number)
 {
-    const qsizetype e = number.indexOf(QLatin1Char('e'), 0, Qt::CaseInsensitive);
+    const qsizetype e = number.indexOf(u'e', 0, Qt::CaseInsensitive);
     if (e < 0) {
-        return number;
+        return {number, std::nullopt};
     }
-    number[e] = QLatin1Char('e');
-    qsizetype digits = e + 1;
-    if (digits < number.size() && !number[digits].isDigit()) {
-        if (number[digits] == QLatin1Char('+')) {
-            number.remove(digits, 1);
-        } else {
-            ++digits;
-        }
-    }
-    while (digits + 1 < number.size() && number[digits].digitValue() == 0) {
-        number.remove(digits, 1);
-    }
-    return number;
+    return {number.first(e), QLocale().toInt(number.mid(e + 1))};
+}
+
+QString digitsOf(double value, int significantDigits)
+{
+    return localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits);
 }
 
 } // namespace
@@ -42,7 +41,32 @@ QLocale localeWithoutGroups()
 
 QString numberText(double value, int significantDigits)
 {
-    return withShortExponent(localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits));
+    const auto [mantissa, exponent] = partsOf(digitsOf(value, significantDigits));
+    return exponent ? withPowerOfTen(mantissa, *exponent) : mantissa;
+}
+
+QString typedNumberText(double value)
+{
+    const auto [mantissa, exponent] = partsOf(digitsOf(value, QLocale::FloatingPointShortest));
+    return exponent ? QStringLiteral("%1e%2").arg(mantissa).arg(*exponent) : mantissa;
+}
+
+QString powerOfTen(int exponent)
+{
+    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = exponent < 0 ? QStringLiteral("10⁻") : QStringLiteral("10");
+    for (const QChar digit : QString::number(std::abs(exponent))) {
+        text += kDigits[digit.digitValue()];
+    }
+    return text;
+}
+
+QString withPowerOfTen(const QString &mantissa, int exponent)
+{
+    const QString power = powerOfTen(exponent);
+    return mantissa == QLocale().toString(1)    ? power
+           : mantissa == QLocale().toString(-1) ? QLocale().negativeSign() + power
+                                                : QStringLiteral("%1·%2").arg(mantissa, power);
 }
 
 QString numberText(std::optional<double> value, int significantDigits)

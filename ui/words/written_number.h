@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Numbers as people read them.
+// Numbers as people read them. Powers of ten are written in one way on the screen, "1.5·10⁻⁸", and in another where
+// somebody types: "1.5e-8".
 
 #include <QLocale>
 #include <QString>
@@ -13,6 +14,15 @@ namespace slidercrank
 
 /// At most so many significant digits, in the user's locale, no trailing zeros, no group separators.
 QString numberText(double value, int significantDigits = 6);
+
+/// Every digit, as one types it.
+QString typedNumberText(double value);
+
+/// "10⁻⁷"
+QString powerOfTen(int exponent);
+
+/// "1.5·10⁻⁷"; a mantissa of 1 is left out.
+QString withPowerOfTen(const QString &mantissa, int exponent);
 
 /// A dash for what does not exist.
 QString numberText(std::optional<double> value, int significantDigits);

@@ -418,6 +418,7 @@ const char *nameOfKind(Kind kind)
     case Kind::Branch: return "branch";
     case Kind::TimeShift: return "time shift";
     case Kind::NotDerivative: return "not a derivative";
+    case Kind::Axis: return "axis";
     }
     return "";
 }
@@ -823,6 +824,119 @@ private slots:
         QVERIFY(findConventions(ReferenceData(), Mechanism()).empty());
         table.time.resize(3);
         QVERIFY(findConventions(writtenAndRead(table), Mechanism()).empty());
+    }
+
+    void findsThatTheSliderMovesAlongY_data()
+    {
+        QTest::addColumn<std::vector<Channel>>("kept"); // of the motion along x
+        QTest::addColumn<double>("angleAdded");         // to θ3
+        QTest::addColumn<bool>("hasX");
+        QTest::newRow("the position alone") << std::vector{kX} << 0.0 << false;
+        QTest::newRow("its derivatives, too") << kLengths << 0.0 << true;
+        QTest::newRow("an angle from the slider's axis") << std::vector{kX, kTheta, kThetaDot} << 0.0 << false;
+        QTest::newRow("an angle from the file's x") << std::vector{kX, kXDot, kTheta} << 90.0 << true;
+    }
+
+    void findsThatTheSliderMovesAlongY()
+    {
+        QFETCH(const std::vector<Channel>, kept);
+        QFETCH(const double, angleAdded);
+        QFETCH(const bool, hasX);
+        RandomFiles files(21);
+        for (int i = 0; i < filesOf(10); ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            table.keepOnly(kept);
+            std::vector<Convention> expected{{Kind::Axis, {}, 1.0}};
+            for (auto &[channel, values] : table.columns) {
+                if (channel.coordinate == R4x) {
+                    channel.coordinate = R4y;
+                    expected[0].channels.push_back(channel);
+                } else if (channel == kTheta && angleAdded != 0.0) {
+                    std::ranges::for_each(values, [&](double &value) { value += angleAdded; });
+                }
+            }
+            if (hasX) {
+                table.columns.push_back({kX, std::vector<double>(table.time.size(), -p.c)});
+                expected[0].channels.push_back(kX);
+            }
+            const ReferenceData data = writtenAndRead(table);
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(p));
+            QVERIFY2(!found.empty() && isSame(found[0].convention, expected[0]), inWords(found).c_str());
+            QVERIFY2(found[0].before > 1.0 && found[0].after < 0.1, inWords(found).c_str());
+            QCOMPARE(found.size(), angleAdded == 0.0 ? std::size_t{1} : std::size_t{2});
+            if (angleAdded != 0.0) {
+                QCOMPARE(found[1].convention.kind, Kind::ZeroPoint);
+                QVERIFY2(std::abs(found[1].convention.amount + angleAdded) < 1e-3, inWords(found).c_str());
+            }
+            // Read so, and compared with any other mechanism, the file is the same motion.
+            ReferenceData read = data;
+            for (const ConventionFinding &finding : found) {
+                read = applied(finding.convention, std::move(read));
+            }
+            const ExactComparison outcome = compareExactly(Mechanism(p), read);
+            for (const ChannelComparison &channel : outcome.channels) {
+                QVERIFY(channel.verdict != Verdict::Differs);
+            }
+            const std::vector<ConventionFinding> beside = findConventions(data, Mechanism());
+            QVERIFY2(!beside.empty() && isSame(beside[0].convention, expected[0]), inWords(beside).c_str());
+        }
+    }
+
+    void saysNothingOfAnAxisWhereXMoves()
+    {
+        RandomFiles files(22);
+        for (int i = 0; i < filesOf(10); ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            // y stands, but for what a solver leaves; once without x.
+            std::vector<double> nearly(table.time.size());
+            std::ranges::generate(nearly, [&] { return p.c + files.uniform(-1e-9, 1e-9); });
+            if (i % 2 == 1) {
+                table.keepOnly(kAngles);
+            }
+            table.columns.push_back({{R4y, Order::Position}, nearly});
+            const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism(p));
+            QVERIFY2(found.empty(), inWords(found).c_str());
+        }
+        // What moves along y need not be a slider.
+        Table table = motionAt(Parameters(), files.instants(Parameters()));
+        table.keepOnly({kX});
+        table.columns[0].first.coordinate = R4y;
+        std::ranges::generate(table.columns[0].second, [&] { return files.uniform(-50.0, 50.0); });
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism()).empty());
+    }
+
+    void saysWhereLengthsMayBeMetres_data()
+    {
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<QByteArray>("heading");
+        QTest::addColumn<bool>("may");
+        QTest::newRow("metres, unsaid") << 1e-3 << QByteArray("R4_x") << true;
+        QTest::newRow("so small indeed") << 1e-3 << QByteArray("R4_x [mm]") << false;
+        QTest::newRow("metres") << 1e-3 << QByteArray("R4_x [m]") << false;
+        QTest::newRow("millimetres, unsaid") << 1.0 << QByteArray("R4_x") << false;
+    }
+
+    void saysWhereLengthsMayBeMetres()
+    {
+        QFETCH(const double, scale);
+        QFETCH(const QByteArray, heading);
+        QFETCH(const bool, may);
+        Parameters p;
+        p.a = 40.0;
+        p.b = 110.0;
+        RandomFiles files(23);
+        Table table = motionAt(p, files.instants(p));
+        QByteArray text = "time," + heading + '\n';
+        for (std::size_t i = 0; i < table.time.size(); ++i) {
+            text += QByteArray::number(table.time[i], 'g', 17) + ',' +
+                    QByteArray::number(scale * table[kX][i], 'g', 7) + '\n';
+        }
+        const auto outcome = readReferenceData({text.constData(), static_cast<std::size_t>(text.size())});
+        const Diagnosis diagnosis = diagnose(std::get<ReferenceData>(outcome), Mechanism());
+        QVERIFY(diagnosis.identification.stands());
+        QCOMPARE(diagnosis.mayBeInMetres, may);
     }
 
     void looksAtSomeRowsOfAMillionOnly_data()

@@ -2,7 +2,9 @@
 #include "core/limits/course.h"
 
 #include "core/closed_form/batch.h"
+#include "core/limits/instant_centre.h"
 #include "core/mechanism/turn.h"
+#include "core/newton/newton.h"
 #include "core/study/cases.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
@@ -138,6 +140,43 @@ private slots:
             QCOMPARE(count(CoursePoint::Kind::Begin), 1);
             QCOMPARE(count(CoursePoint::Kind::End), 1);
         }
+    }
+
+    /// Against velocities of the constraint equations: v = ω3 × (r − P) at each of the coupler's points.
+    void theInstantCentreExplainsTheCouplersVelocities()
+    {
+        RandomMechanisms random(5);
+        for (int i = 0; i < 300; ++i) {
+            const Parameters p = random.next();
+            const Mechanism mechanism(p);
+            const double t = random.uniform(-2.0, 2.0);
+            const std::optional<InstantCentre> centre = instantCentre(mechanism, t);
+            NewtonOptions options;
+            options.tolerance = 0.0;
+            const State state = differentiate(mechanism, assemble(mechanism, t, options).q);
+            QVERIFY(centre && state.status == Status::Solved);
+            const double omega3 = state.qDot[Theta3];
+            const double size = p.a * std::abs(p.omega2);
+            QVERIFY(std::abs(centre->omega3 - omega3) <= 1e-9 * std::abs(p.omega2));
+            const Vector12 &q = state.q;
+            const Vector12 &v = state.qDot;
+            const std::array<std::array<double, 4>, 3> points{{{2.0 * q[R2x], 2.0 * q[R2y], 2.0 * v[R2x], 2.0 * v[R2y]},
+                                                               {q[R3x], q[R3y], v[R3x], v[R3y]},
+                                                               {q[R4x], q[R4y], v[R4x], v[R4y]}}};
+            for (const auto &[x, y, vx, vy] : points) {
+                const double far = 1.0 + std::hypot(centre->position.x, centre->position.y) / p.a; // that much cancels
+                QVERIFY(std::abs(vx + omega3 * (y - centre->position.y)) <= 1e-9 * far * size);
+                QVERIFY(std::abs(vy - omega3 * (x - centre->position.x)) <= 1e-9 * far * size);
+            }
+            QVERIFY(std::abs(std::abs(omega3) * centre->toA - size) <= 1e-9 * size);
+            QVERIFY(std::abs(std::abs(omega3) * centre->toB - std::abs(v[R4x])) <= 1e-9 * size);
+        }
+        Parameters square;
+        square.theta20 = 0.5 * std::numbers::pi;
+        QVERIFY(instantCentre(Mechanism(square), 0.0)->toA > 1e15); // beyond all bounds, but for π's last digit
+        square.b = square.c - square.a; // a fold: crank and coupler upright, one over the other
+        square.theta20 = 0.0;
+        QVERIFY(!instantCentre(Mechanism(square), 0.0)); // there is no pose
     }
 
     void isEmptyWhereNothingMoves()

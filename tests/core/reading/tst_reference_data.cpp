@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/reference_data.h"
 
+#include "core/reading/crank_angles.h"
+
 #include "core/comparison/comparison.h"
 #include "core/run/trajectory.h"
 #include "tests/support/file_variants.h"
@@ -184,6 +186,7 @@ std::string rolesOf(const FileLayout &layout)
         switch (column.role) {
         case ColumnRole::Ignored: roles += '-'; break;
         case ColumnRole::Time: roles += "time"; break;
+        case ColumnRole::CrankAngle: roles += "angle"; break;
         case ColumnRole::Channel: roles += nameOf(column.channel); break;
         }
         roles += isGuess(column.reason) ? "?" : "";
@@ -409,6 +412,46 @@ private slots:
         QVERIFY2(error->fault == file.fault, qPrintable(described(outcome)));
     }
 
+    void knowsDifferencesForWhatTheyAre_data()
+    {
+        QTest::addColumn<int>("from"); // rows
+        QTest::addColumn<int>("to");
+        QTest::addColumn<int>("decimals"); // of the positions
+        QTest::addColumn<std::optional<Difference>>("kind");
+        using Kind = std::optional<Difference>;
+        QTest::newRow("forward") << 0 << 1 << 3 << Kind(Difference::Forward);
+        QTest::newRow("backward") << -1 << 0 << 3 << Kind(Difference::Backward);
+        QTest::newRow("central") << -1 << 1 << 3 << Kind(Difference::Central);
+        QTest::newRow("central, of many digits") << -1 << 1 << 9 << Kind(Difference::Central);
+        QTest::newRow("the derivative") << 0 << 0 << 9 << Kind();
+        QTest::newRow("the derivative beside few digits") << 0 << 0 << 1 << Kind();
+    }
+
+    void knowsDifferencesForWhatTheyAre()
+    {
+        QFETCH(const int, from);
+        QFETCH(const int, to);
+        QFETCH(const int, decimals);
+        using Found = std::optional<Difference>;
+        QFETCH(const Found, kind);
+        constexpr double kStep = 0.01;
+        const auto position = [&](int row) {
+            const QByteArray text = QByteArray::number(50.0 * std::cos(7.0 * kStep * row), 'f', decimals);
+            return text.toDouble();
+        };
+        QByteArray bytes = "time,R4_x,R4_x_diff,theta2,theta2_diff\n";
+        for (int row = 0; row < 60; ++row) {
+            const double speed = from == to ? -350.0 * std::sin(7.0 * kStep * row)
+                                            : (position(row + to) - position(row + from)) / (kStep * (to - from));
+            bytes += QByteArray::number(kStep * row) + ',' + QByteArray::number(position(row), 'f', decimals) + ',' +
+                     QByteArray::number(speed, 'f', 6) + ',' + QByteArray::number(30.0 * row) + ",3000\n";
+        }
+        const auto outcome = read(bytes);
+        const std::vector<FileColumn> &columns = std::get<ReferenceData>(outcome).layout.columns;
+        QVERIFY(columns[2].difference == kind);
+        QVERIFY(!columns[1].difference && !columns[4].difference); // of an even motion they are the derivative
+    }
+
     void letsAPersonChooseTheColumns()
     {
         const QByteArray bytes = "n,time,a,R4_x\n1,5,0.1,3\n2,4,0.2,4\n3,3,0.3,5\n";
@@ -438,6 +481,105 @@ private slots:
         const auto unit = read(bytes, {{1, ColumnRole::Channel, {Theta3, Order::Position}, {}}});
         QVERIFY((std::get<ReadError>(unit).fault == ReadFault{Kind::UnknownUnit, {Theta3, Order::Position}}));
         QCOMPARE(std::get<ReadError>(unit).column, std::size_t(2));
+    }
+
+    void countsByTheCranksAngleWhereThereIsNoTime_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QByteArray>("roles");
+        QTest::addColumn<QByteArray>("degrees");
+        const auto row = [](const char *name, const char *bytes, const char *roles, const char *degrees) {
+            QTest::newRow(name) << QByteArray(bytes) << QByteArray(roles) << QByteArray(degrees);
+        };
+        const char *const three = "0,3\n15,4\n30,5\n";
+        const auto under = [three](const char *heading) { return QByteArray(heading) + ",R4_x\n" + three; };
+        row("English words", under("Crank angle (deg)").constData(), "angle? R4_x", " 0 15 30");
+        row("theta2", under("theta2").constData(), "angle? R4_x", " 0 15 30");
+        row("Greek", under("\u03b8\u2082 [\u00b0]").constData(), "angle? R4_x", " 0 15 30");
+        row("Spanish", under("\u00c1ngulo de la manivela (grados)").constData(), "angle? R4_x", " 0 15 30");
+        row("German", under("Kurbelwinkel").constData(), "angle? R4_x", " 0 15 30");
+        row("engines", under("\u00b0CA").constData(), "angle? R4_x", " 0 15 30");
+        row("engines, as a unit", under("Crank angle [CAD]").constData(), "angle? R4_x", " 0 15 30");
+        row("beside another column", "R4_x,CAD\n3,0\n4,15\n5,30\n", "R4_x angle?", " 0 15 30");
+        row("radians", "theta2 (rad),R4_x\n0,3\n3.141592653589793,4\n6.283185307179586,5\n", "angle? R4_x",
+            " 0 180 360");
+        row("two turns", "theta2,R4_x\n0,3\n270,4\n540,5\n720,3\n", "angle? R4_x", " 0 270 540 720");
+        row("from the other side", "theta2,R4_x\n-180,3\n0,4\n180,5\n", "angle? R4_x", " -180 0 180");
+        row("kept within a turn", "theta2,R4_x\n350,3\n359,4\n0,5\n1,5\n", "angle? R4_x", " 350 359 360 361");
+        row("kept within a half turn", "theta2,R4_x\n170,3\n180,4\n-170,5\n", "angle? R4_x", " 170 180 190");
+        row("backwards, within a turn", "theta2,R4_x\n10,5\n0,4\n350,3\n", "angle? R4_x", " -10 0 10");
+        // What has a time is read as before.
+        row("beside a time", "time,theta2,R4_x\n0,0,3\n1,15,4\n2,30,5\n", "time theta2 R4_x", "");
+        row("beside a time behind it", "theta2,R4_x,t\n0,3,0\n15,4,1\n30,5,2\n", "theta2 R4_x time", "");
+        row("beside what only rises", "clock,theta2,R4_x\n0,0,3\n1,15,4\n2,30,5\n", "time? theta2 R4_x", "");
+    }
+
+    void countsByTheCranksAngleWhereThereIsNoTime()
+    {
+        QFETCH(const QByteArray, bytes);
+        QFETCH(const QByteArray, roles);
+        QFETCH(const QByteArray, degrees);
+        const auto outcome = read(bytes);
+        const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+        QVERIFY2(data, qPrintable(described(outcome)));
+        QCOMPARE(rolesOf(data->layout), roles.toStdString());
+        QCOMPARE(data->crank ? described(data->crank->degrees) : std::string(), degrees.toStdString());
+    }
+
+    void refusesAnglesThatTurnBack()
+    {
+        for (const char *const rows : {"0,3\n15,4\n10,5\n", "0,3\n15,4\n15,5\n", "30,3\n15,4\n20,5\n"}) {
+            const auto outcome = read(QByteArray("Crank angle,R4_x\n") + rows);
+            const ReadError *error = std::get_if<ReadError>(&outcome);
+            QVERIFY(error);
+            QVERIFY2((error->fault == ReadFault{.kind = Kind::AngleTurnsBack, .heading = "15°"}),
+                     qPrintable(described(outcome)));
+            QCOMPARE(error->line, std::size_t(1));
+        }
+        const auto unit = read("a,R4_x\n0,3\n", {{0, ColumnRole::CrankAngle, {}, "mm"}});
+        QVERIFY((std::get<ReadError>(unit).fault == ReadFault{Kind::UnknownUnit, {Theta2, Order::Position}}));
+        const auto twice =
+            read("t,a,R4_x\n0,0,3\n", {{0, ColumnRole::Time, {}, {}}, {1, ColumnRole::CrankAngle, {}, {}}});
+        QVERIFY((std::get<ReadError>(twice).fault.kind == Kind::TimeChosenTwice));
+    }
+
+    void makesTheInstantsOfACrank_data()
+    {
+        QTest::addColumn<double>("omega2");
+        QTest::addColumn<double>("theta20");
+        QTest::addColumn<QString>("is");
+        const double turn = 2.0 * std::numbers::pi;
+        QTest::newRow("once a second") << turn << 0.0 << "time 0 0.25 1; R4_x 3 4 5";
+        QTest::newRow("twice a second") << 2.0 * turn << 0.0 << "time 0 0.125 0.5; R4_x 3 4 5";
+        QTest::newRow("from 90 degrees on") << turn << 0.25 * turn << "time -0.25 0 0.75; R4_x 3 4 5";
+        QTest::newRow("the other way") << -turn << 0.0 << "time -1 -0.25 -0; R4_x 5 4 3";
+        QTest::newRow("standing still") << 0.0 << 0.0 << "none";
+        QTest::newRow("too fast for doubles") << 1e308 << 1e300 << "none";
+        QTest::newRow("too slow for doubles") << 1e-320 << 0.0 << "none";
+    }
+
+    void makesTheInstantsOfACrank()
+    {
+        QFETCH(const double, omega2);
+        QFETCH(const double, theta20);
+        QFETCH(const QString, is);
+        Parameters parameters;
+        parameters.omega2 = omega2;
+        parameters.theta20 = theta20;
+        const ReferenceData data = std::get<ReferenceData>(read("theta2,R4_x\n0,3\n90,4\n360,5\n"));
+        const std::optional<ReferenceData> timed = timedBy(Mechanism(parameters), data);
+        QCOMPARE(timed ? described(*timed) : QStringLiteral("none"), is);
+        if (timed) { // whatever was in between
+            QCOMPARE(described(*timedBy(Mechanism(), *timed)), described(data));
+            const std::vector<double> angles = timed->crank->degrees;
+            for (std::size_t i = 0; i < angles.size(); ++i) {
+                const double angle = kDegreesPerRadian * (omega2 * timed->time[i] + theta20);
+                QVERIFY(std::abs(angle - angles[i]) < 1e-12 * 360.0);
+            }
+            // A degree is as long as it takes the crank.
+            const double step = 1.0 / (kDegreesPerRadian * std::abs(omega2));
+            QVERIFY(std::abs(timed->timeRounding.finestStep() - step) < 1e-12 * step);
+        }
     }
 
     void saysWhyAColumnIsWhatItIs()

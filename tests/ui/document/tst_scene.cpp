@@ -96,7 +96,8 @@ ReferenceSource randomReference(RandomMechanisms &random, const QString &folder)
     for (std::size_t column = 0; column < 3; ++column) {
         ColumnChoice choice;
         choice.column = column * 7;
-        choice.role = oneOf(random, {ColumnRole::Ignored, ColumnRole::Time, ColumnRole::Channel});
+        choice.role =
+            oneOf(random, {ColumnRole::Ignored, ColumnRole::Time, ColumnRole::CrankAngle, ColumnRole::Channel});
         if (choice.role == ColumnRole::Channel) {
             choice.channel = channelAt(static_cast<std::size_t>(random.uniform(0.0, kChannelCount)));
         }
@@ -131,6 +132,9 @@ Scene randomScene(RandomMechanisms &random, const QString &folder)
     if (oneOf(random, {false, true})) {
         scene.reference = randomReference(random, folder);
     }
+    for (std::size_t i = oneOf(random, {0, 1, 4}); i > 0; --i) {
+        scene.kept.push_back(random.next());
+    }
     scene.time = scene.sampling.start + random.uniform(0.0, 1.0) * scene.sampling.duration;
     scene.plots.error = oneOf(random, {ErrorMeasure::Percent, ErrorMeasure::Absolute, ErrorMeasure::OfPeak});
     scene.plots.logarithmicError = oneOf(random, {false, true});
@@ -148,7 +152,7 @@ Scene randomScene(RandomMechanisms &random, const QString &folder)
 
 Choices choicesOf(const Scene &scene)
 {
-    return {scene.parameters, scene.sampling, scene.solver, nullptr};
+    return {scene.parameters, scene.sampling, scene.solver, nullptr, scene.kept};
 }
 
 /// A good scene with one value of it replaced, at "mechanism.b"; Undefined: removed.
@@ -202,6 +206,7 @@ private slots:
             QVERIFY(isSame(back.sampling.duration, scene.sampling.duration));
             QCOMPARE(back.sampling.steps, scene.sampling.steps);
             QVERIFY(back.solver == scene.solver);
+            QVERIFY(back.kept == scene.kept);
             QVERIFY(isSame(back.time, scene.time));
             QVERIFY(back.plots == scene.plots);
             QVERIFY(back.zoom == scene.zoom);
@@ -380,9 +385,44 @@ private slots:
         QVERIFY(written[u"view"][u"zoom"][u"time"].isNull());
     }
 
+    /// Each was saved by an earlier state of the program: at Table 1, the sample's mechanism taken over, two steps on,
+    /// the time zoomed in where the wheel was turned.
+    void opensWhatEarlierVersionsSaved()
+    {
+        const QDir folder(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/ui/document/scenes"));
+        const QStringList names = folder.entryList(QDir::Files);
+        QVERIFY(names.size() >= 3);
+        for (const QString &name : names) {
+            const QByteArray saved = contentOf(folder.filePath(name));
+            const std::variant<Scene, QString> outcome = sceneOf(saved, folder.filePath(name));
+            QVERIFY2(std::holds_alternative<Scene>(outcome), qPrintable(name));
+            Scene scene = std::get<Scene>(outcome);
+            Parameters expected;
+            expected.b = 60.0;
+            QCOMPARE(scene.parameters, expected);
+            QCOMPARE(scene.sampling, Sampling());
+            QCOMPARE(scene.solver.method, Method::ClosedForm);
+            QVERIFY(scene.zoom.time && scene.zoom.time->lower > 0.05 && scene.zoom.time->upper < 0.95);
+            QCOMPARE(scene.time, 0.01);
+            QVERIFY(scene.reference);
+            QCOMPARE(scene.reference->path, folder.filePath(QStringLiteral("inventor_sample.csv")));
+
+            scene.reference->path = kSample;
+            Session session;
+            QSignalSpy opened(&session, &Session::opened);
+            session.open({scene.parameters, scene.sampling, scene.solver, nullptr}, scene.time, scene.reference);
+            QVERIFY(opened.wait(kPatience));
+            QCOMPARE(opened.first().first().toString(), QString());
+            for (const ChannelComparison &channel : session.result()->comparison) {
+                QCOMPARE(channel.verdict, Verdict::Agrees);
+            }
+        }
+    }
+
     void needsNeitherReferenceNorView()
     {
-        for (const char *place : {"reference", "view", "view.zoom", "view.error", "view.time", "reference.columns.x"}) {
+        for (const char *place :
+             {"reference", "kept", "view", "view.zoom", "view.error", "view.time", "reference.columns.x"}) {
             const std::variant<Scene, QString> outcome =
                 sceneOf(sceneWith(QLatin1String(place), QJsonValue::Undefined), QStringLiteral("/data/scene.json"));
             QVERIFY2(std::holds_alternative<Scene>(outcome) || QByteArray(place).endsWith('x'), place);
@@ -398,6 +438,17 @@ private slots:
         };
         const QJsonValue none = QJsonValue::Undefined;
         const double infinity = std::numeric_limits<double>::infinity();
+        const QJsonObject mechanism = QJsonDocument::fromJson(jsonOf(Scene(), QStringLiteral("/data/scene.json")))
+                                          .object()[u"mechanism"]
+                                          .toObject();
+        QJsonObject impossible = mechanism;
+        impossible.insert(QStringLiteral("b"), -1.0);
+        broken("a kept mechanism that is none", "kept", QJsonArray{mechanism, impossible},
+               {"\"kept[1].b\"", "greater than 0"});
+        broken("kept numbers", "kept", QJsonArray{65.0}, {"\"kept[0]\"", "braces"});
+        broken("a kept mechanism for a list", "kept", mechanism, {"\"kept\"", "a list"});
+        broken("too many kept", "kept", QJsonArray{mechanism, mechanism, mechanism, mechanism, mechanism},
+               {"\"kept\"", "at most 4"});
         QTest::newRow("empty") << QByteArray() << QStringList{"line 1", "not JSON"};
         QTest::newRow("text") << QByteArray("hello") << QStringList{"line 1", "not JSON"};
         QTest::newRow("cut off") << sceneWith(QStringLiteral("x"), 1).left(200) << QStringList{"line ", "not JSON"};

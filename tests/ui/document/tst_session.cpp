@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/session.h"
 
+#include "core/closed_form/closed_form.h"
+
 #include "tests/support/waiting.h"
 
 #include <QSignalSpy>
@@ -215,6 +217,68 @@ private slots:
         QVERIFY(std::abs(*session.result()->comparison[0].maxAbs - (85.0 - exact)) < 1e-9);
         session.setReference(nullptr);
         QVERIFY(session.result()->comparison.empty());
+    }
+
+    void timesATableByTheCranksAngleAnew()
+    {
+        const QTemporaryDir folder;
+        QByteArray table = "Crank angle (deg),R4_x\n"; // b = 65
+        for (int angle = 0; angle <= 360; angle += 15) {
+            const double theta2 = angle / kDegreesPerRadian;
+            const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 65.0);
+            table += QByteArray::number(angle) + ',' +
+                     QByteArray::number(20.0 * std::cos(theta2) + 65.0 * std::cos(theta3), 'f', 6) + '\n';
+        }
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy problems(&session, &Session::problemFound);
+        QSignalSpy diagnosed(&session, &Session::diagnosisChanged);
+        session.loadReference(writeFile(folder, QStringLiteral("table.csv"), table));
+        AWAIT(session.reference() && session.diagnosis());
+        const auto chosen = session.reference();
+        const auto lastInstant = [&session] { return session.result()->reference->data.time.back(); };
+        QVERIFY(allAgree(session.result()->comparison));
+        QCOMPARE(lastInstant(), 1.0);
+
+        // A slider is moved: the file stays, its instants do not, and it agrees as before.
+        Parameters parameters;
+        parameters.omega2 = -4.0;
+        parameters.theta20 = 0.5;
+        session.setParameters(parameters);
+        QVERIFY(allAgree(session.result()->comparison));
+        QVERIFY(std::abs(lastInstant() - (0.0 - 0.5) / -4.0) < 1e-12); // the other way: 0° comes last
+        QVERIFY(std::abs(session.sampling().start - (2.0 * std::numbers::pi - 0.5) / -4.0) < 1e-12); // as the run did
+        QVERIFY(std::abs(session.sampling().duration - 2.0 * std::numbers::pi / 4.0) < 1e-12);
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the mechanism"));
+        QCOMPARE(session.reference(), chosen);
+        QCOMPARE(loaded.count(), 1);
+        QCOMPARE(session.result()->chosenReference(), chosen);
+        AWAIT(session.diagnosis() && session.diagnosis()->parameters == parameters);
+        QCOMPARE(session.diagnosis()->reference, chosen);
+        QVERIFY(!session.diagnosis()->found.identification.identifiable[indexOf(Parameter::Omega2)]);
+        session.undoStack().undo();
+        QCOMPARE(lastInstant(), 1.0);
+        QCOMPARE(session.sampling(), Sampling());
+        session.setSampling({0.0, 2.0, 100}); // a person's own run stays
+        session.setParameters(parameters);
+        QCOMPARE(session.sampling(), (Sampling{0.0, 2.0, 100}));
+        session.undoStack().undo();
+
+        // A standing crank never comes there.
+        parameters.omega2 = 0.0;
+        session.setParameters(parameters);
+        QCOMPARE(problems.count(), 1);
+        QVERIFY2(problems.first().first().toString().contains(QStringLiteral("choose another ω₂")),
+                 qPrintable(problems.first().first().toString()));
+        QCOMPARE(session.parameters(), Parameters());
+
+        session.setReference(nullptr);
+        session.setParameters(parameters);
+        QCOMPARE(session.parameters(), parameters);
+        QSignalSpy refused(&session, &Session::referenceRefused);
+        session.loadReference(chosen->path);
+        AWAIT(refused.count() == 1);
+        QVERIFY(!session.reference());
     }
 
     void keepsWhatIsThereWhenAFileIsBad_data()
@@ -680,6 +744,51 @@ private slots:
         QCOMPARE(session.sampling(), sampling);
         QCOMPARE(session.solver(), solver);
         QCOMPARE(session.reference(), reference);
+    }
+
+    void aMotionIsKeptAndForgottenAStepEach()
+    {
+        Session session;
+        QSignalSpy problems(&session, &Session::problemFound);
+        session.keep();
+        session.keep(); // once is enough
+        QCOMPARE(problems.count(), 1);
+        QVERIFY(session.kept() == std::vector<Parameters>{Parameters()});
+        session.setParameter(Parameter::B, 80.0);
+        const std::shared_ptr<const Result> result = session.result();
+        QVERIFY(result->kept == session.kept() && !result->reference && result->isCompared());
+        const Motion now = ClosedForm(Mechanism(session.parameters())).motionAt(0.0);
+        const Motion kept = ClosedForm(Mechanism(Parameters())).motionAt(0.0);
+        QVERIFY(result->difference->channels[1].maxAbs >= now.R4x - kept.R4x);
+
+        session.keep();
+        QCOMPARE(session.kept().size(), std::size_t(2));
+        QCOMPARE(session.result()->difference->channels[1].maxAbs, 0.0); // from the last
+        session.undoStack().undo();
+        QCOMPARE(session.kept().size(), std::size_t(1));
+        for (const double b : {81.0, 82.0, 83.0, 84.0}) {
+            session.setParameter(Parameter::B, b);
+            session.keep();
+        }
+        QCOMPARE(session.kept().size(), std::size_t(4)); // the last found no room
+        QCOMPARE(problems.count(), 2);
+        QVERIFY(problems.last().first().toString().contains(QStringLiteral("forget")));
+        session.forgetKept();
+        QVERIFY(session.kept().empty() && !session.result()->isCompared());
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("forgetting the kept motions"));
+        session.undoStack().undo();
+        QCOMPARE(session.kept().size(), std::size_t(4));
+    }
+
+    void aFileIsComparedBeforeWhatIsKept()
+    {
+        Session session;
+        session.keep();
+        session.setParameter(Parameter::B, 80.0);
+        session.setReference(std::make_shared<Reference>());
+        QVERIFY(session.result()->kept.size() == 1 && session.result()->reference && !session.result()->difference);
+        session.setReference(nullptr);
+        QVERIFY(session.result()->difference);
     }
 
     void anUndoTellsThePanels()

@@ -226,7 +226,7 @@ void TstFigureExport::keepsCurvesWithinTheirAxesInSvg()
         for (const QString &point : points) {
             const double x = point.section(u',', 0, 0).toDouble(); // within the plot's own cell
             const double y = point.section(u',', 1, 1).toDouble();
-            QVERIFY2(x > 40.0 && x < size.width() / 3.0, qPrintable(point));
+            QVERIFY2(x > 40.0 && x < size.width() / 2.0, qPrintable(point));
             QVERIFY2(y > 10.0 && y < size.height() / 3.0, qPrintable(point));
         }
     }

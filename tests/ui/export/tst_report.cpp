@@ -182,10 +182,10 @@ private slots:
         QTest::addColumn<SolverSettings>("solver");
         QTest::addColumn<QString>("says");
         SolverSettings solver;
-        QTest::newRow("as the report") << solver << "until ‖C‖ ≤ 1e-8 (absolute, mm and rad as they are), at most 10 ";
+        QTest::newRow("as the report") << solver << "until ‖C‖ ≤ 10⁻⁸ (absolute, mm and rad as they are), at most 10 ";
         solver.newton.toleranceKind = ToleranceKind::Relative;
         solver.newton.tolerance = 2.5e-12;
-        QTest::newRow("relative") << solver << "until ‖C‖ ≤ 2.5e-12 (relative, lengths divided by a + b + |c|)";
+        QTest::newRow("relative") << solver << "until ‖C‖ ≤ 2.5·10⁻¹² (relative, lengths divided by a + b + |c|)";
         solver.newton.tolerance = 0.0;
         QTest::newRow("to the end") << solver << "until the residual ‖C‖ no longer falls";
         solver.method = Method::ClosedForm;

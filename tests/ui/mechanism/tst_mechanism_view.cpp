@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/text_recorder.h"
+#include "tests/support/waiting.h"
 #include "ui/document/session.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/words/theme.h"
@@ -9,6 +10,7 @@
 #include <QPicture>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -199,6 +201,52 @@ private slots:
         QVERIFY2(changes <= 1, qPrintable(QString::number(changes)));
     }
 
+    void fitsAnotherMechanismOnceItRests()
+    {
+        Bench bench;
+        auto *delay = bench.view.findChild<QTimer *>(QStringLiteral("refitDelay"));
+        QVERIFY(delay);
+        const QRectF fitted = bench.view.look().frame.fitted();
+        const auto passThrough = [&bench] { // far off and back: the frame follows in coarse steps
+            for (const double b : {300.0, 80.0, 65.0}) {
+                Parameters parameters;
+                parameters.b = b;
+                bench.session.setParameters(parameters);
+            }
+            return bench.view.look().frame.fitted();
+        };
+        const QRectF left = passThrough();
+        QVERIFY(left != fitted);
+        AWAIT(bench.view.look().frame.fitted() == fitted);
+        QVERIFY(!delay->isActive()); // and stands still
+
+        // Not while something is held, nor while it moves.
+        passThrough();
+        delay->start(0);
+        QTest::mousePress(&bench.view, Qt::LeftButton, {}, bench.view.toPixels({-15.0, -15.0}).toPoint());
+        for (int i = 0; i < 20; ++i) {
+            QCoreApplication::processEvents();
+            QCOMPARE(bench.view.look().frame.fitted(), left);
+        }
+        QTest::mouseRelease(&bench.view, Qt::LeftButton, {}, bench.view.toPixels({-15.0, -15.0}).toPoint());
+        AWAIT(bench.view.look().frame.fitted() == fitted);
+        delay->setTimerType(Qt::PreciseTimer);
+        delay->setInterval(30'000);
+        passThrough();
+        const int before = delay->remainingTime();
+        QTest::qSleep(5);
+        bench.session.setTime(0.1);
+        QVERIFY(delay->isActive() && delay->remainingTime() > before - 5);
+
+        // Not what a person zoomed to.
+        const QRectF zoom(-10.0, -10.0, 20.0, 20.0);
+        bench.view.setZoom(zoom);
+        const QPointF there = bench.view.toPixels({5.0, 5.0});
+        delay->start(0);
+        AWAIT(bench.view.look().frame.fitted() == fitted);
+        QCOMPARE(bench.view.toPixels({5.0, 5.0}), there);
+    }
+
     void saysWhyThereIsNoPoseAndRecovers()
     {
         Bench bench(rocker());
@@ -384,42 +432,128 @@ private slots:
         QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
     }
 
-    void keepsNamesAndLettersApart_data()
+    void keepsLabelsOffLinksAndApart_data()
     {
         QTest::addColumn<Parameters>("parameters");
-        QTest::newRow("Table 1") << Parameters();
-        Parameters parameters;
-        parameters.b = 60.0;
-        QTest::newRow("the reference's") << parameters;
-        parameters.branch = Branch::Crossed;
-        QTest::newRow("crossed") << parameters;
+        const auto row = [](const char *name, double a, double b, double c, Branch branch = Branch::Open) {
+            Parameters parameters;
+            parameters.a = a;
+            parameters.b = b;
+            parameters.c = c;
+            parameters.branch = branch;
+            QTest::newRow(name) << parameters;
+        };
+        row("Table 1", 20.0, 65.0, 25.0);
+        row("the reference's", 20.0, 60.0, 25.0);
+        row("crossed", 20.0, 60.0, 25.0, Branch::Crossed);
+        row("no offset", 20.0, 65.0, 0.0);
+        row("offset below", 20.0, 65.0, -25.0);
+        row("long coupler", 20.0, 200.0, 10.0);
+        row("beside a toggle", 20.0, 45.01, 25.0);
+        row("rocker", 20.0, 40.0, 25.0);
     }
 
-    void keepsNamesAndLettersApart()
+    void keepsLabelsOffLinksAndApart()
     {
         QFETCH(const Parameters, parameters);
         Bench bench(parameters);
         bench.view.resize(430, 560); // as in the window
         bench.view.fit();
         MechanismSettings settings;
-        settings.names = settings.dimensions = true;
+        settings.names = settings.dimensions = settings.angles = true;
         bench.view.setSettings(settings);
-        for (int i = 0; i < 120; ++i) {
-            bench.session.setTime(i / 120.0);
+        constexpr int kInstants = 120;
+        int labels = 0;
+        int overLinks = 0;
+        int overEachOther = 0;
+        for (int i = 0; i < kInstants; ++i) {
+            bench.session.setTime(static_cast<double>(i) / kInstants);
+            if (!bench.session.pose().exists()) {
+                continue;
+            }
             TextRecorder recorder(bench.view.size());
             QPainter painter(&recorder);
             bench.view.paintMechanism(painter, bench.view.size(), bench.view.palette());
             painter.end();
             std::erase_if(recorder.texts, [](const TextRecorder::Text &text) {
-                return !QStringList{"O₂", "A", "B", "G₃", "a", "b"}.contains(text.first);
+                bool isNumber = false;
+                QLocale::c().toDouble(text.first, &isNumber);
+                return isNumber || text.first.endsWith(QLatin1String("mm")); // the grid's, and the corner's
             });
-            QCOMPARE(recorder.texts.size(), std::size_t{6});
-            for (const auto &[name, place] : recorder.texts) {
-                for (const auto &[other, itsPlace] : recorder.texts) {
-                    QVERIFY2(name == other || !place.intersects(itsPlace),
-                             qPrintable(QStringLiteral("%1 over %2 at %3 s").arg(name, other).arg(i / 120.0)));
+            const Pose pose = bench.session.pose();
+            const QPointF pivot = bench.view.toPixels({0.0, 0.0});
+            const QPointF crank = bench.view.toPixels({pose.pinX, pose.pinY});
+            const QPointF slider = bench.view.toPixels({pose.sliderX, parameters.c});
+            const auto isOver = [](const QRectF &place, QPointF from, QPointF to, double halfWidth) {
+                const QRectF wide = place.adjusted(-halfWidth, -halfWidth, halfWidth, halfWidth);
+                constexpr int kPieces = 400;
+                for (int k = 0; k <= kPieces; ++k) {
+                    if (wide.contains(from + (to - from) * k / kPieces)) {
+                        return true;
+                    }
+                }
+                return false;
+            };
+            for (std::size_t k = 0; k < recorder.texts.size(); ++k) {
+                const auto &[name, place] = recorder.texts[k];
+                ++labels;
+                overLinks += isOver(place, pivot, crank, 4.0) || isOver(place, crank, slider, 3.0) ? 1 : 0;
+                for (std::size_t other = 0; other < k; ++other) {
+                    overEachOther += place.intersects(recorder.texts[other].second) ? 1 : 0;
                 }
             }
+        }
+        constexpr int kLeast = 11 * 60; // O₂, A, B, G₃, a, b, c, two angles, two dead centres
+        QVERIFY2(labels >= kLeast, qPrintable(QString::number(labels)));
+        QCOMPARE(overLinks, 0);
+        QCOMPARE(overEachOther, 0);
+    }
+
+    void tellsTheInstantCentreAndTheVelocitiesItExplains_data()
+    {
+        QTest::addColumn<double>("b");
+        QTest::addColumn<double>("time");
+        QTest::addColumn<QStringList>("told");
+        QTest::addColumn<bool>("isNamed");
+        // At θ2 = 0, P is at (R4x, 0): PA = √(b² − c²) = 60 mm, PB = c = 25 mm, ω3 = −a ω2 / PA = −2π/3 rad/s.
+        QTest::newRow("beside the drawing") << 65.0 << 0.0
+                                            << QStringList{"-2.094 rad/s", "A: 2.094 rad/s · 60.00 mm = 125.7 mm/s",
+                                                           "B: 2.094 rad/s · 25.00 mm = 52.36 mm/s"}
+                                            << true;
+        QTest::newRow("far above it: the way there") << 65.0 << 0.24 << QStringList{"= 125.7 mm/s"} << true;
+        QTest::newRow("at infinity") << 65.0 << 0.25 << QStringList{"infinity", "125.7 mm/s"} << false;
+        QTest::newRow("no pose: nothing") << 40.0 << 0.75 << QStringList() << false;
+    }
+
+    void tellsTheInstantCentreAndTheVelocitiesItExplains()
+    {
+        QFETCH(const double, b);
+        QFETCH(const double, time);
+        QFETCH(const QStringList, told);
+        QFETCH(const bool, isNamed);
+        Parameters parameters;
+        parameters.b = b;
+        Bench bench(parameters);
+        MechanismSettings settings;
+        settings.instantCentre = true;
+        bench.session.setTime(time);
+        for (const bool isOn : {false, true}) {
+            settings.instantCentre = isOn;
+            bench.view.setSettings(settings);
+            TextRecorder recorder(bench.view.size());
+            QPainter painter(&recorder);
+            bench.view.paintMechanism(painter, bench.view.size(), bench.view.palette());
+            painter.end();
+            QString all;
+            bool isThere = false;
+            for (const auto &[text, place] : recorder.texts) {
+                all += text;
+                isThere = isThere || (text == QLatin1String("P") && QRectF(bench.view.rect()).contains(place));
+            }
+            for (const QString &words : told) {
+                QVERIFY2(all.contains(words) == isOn, qPrintable(all));
+            }
+            QCOMPARE(isThere, isOn && isNamed);
         }
     }
 

@@ -110,7 +110,7 @@ private slots:
         panel.setSolver({Method::Newton, {25, 1e-10}});
         QCOMPARE(m_edits, 0);
         QCOMPARE(child<QComboBox>(panel, "methodBox")->currentText(), QString("Newton-Raphson"));
-        QCOMPARE(child<NumberBox>(panel, "toleranceBox")->text(), QString("1e-10"));
+        QCOMPARE(child<NumberBox>(panel, "toleranceBox")->text(), QString("10⁻¹⁰"));
         QCOMPARE(child<NumberBox>(panel, "iterationsBox")->value(), 25.0);
     }
 

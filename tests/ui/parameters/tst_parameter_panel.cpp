@@ -183,7 +183,7 @@ private slots:
         QTest::newRow("not a number") << "nan"
                                       << "“nan” is not a number.";
         QTest::newRow("too large") << "1e13"
-                                   << "This must be at most 1e12 mm.";
+                                   << "This must be at most 10¹² mm.";
     }
     void saysWhyNotAndKeepsTheText()
     {
@@ -317,7 +317,12 @@ private slots:
             Parameters parameters;
             parameters.omega2 = omega2;
             panel.setParameters(parameters);
-            const double shown = edit->text().toDouble();
+            QString typed = edit->text();
+            typed.replace(QStringLiteral("·10"), QStringLiteral("e")).replace(u'⁻', u'-');
+            for (const QChar digit : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")) {
+                typed.replace(digit, QString::number(digit.digitValue()));
+            }
+            const double shown = typed.toDouble();
             QVERIFY2(std::abs(shown - omega2) <= 0.05 * std::abs(omega2), qPrintable(edit->text()));
             QVERIFY2(edit->fontMetrics().horizontalAdvance(edit->text()) < edit->width(), qPrintable(edit->text()));
         }

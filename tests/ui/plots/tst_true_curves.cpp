@@ -435,6 +435,75 @@ private slots:
         QCOMPARE(isSaid(Method::ClosedForm, 2), QStringLiteral("model"));
     }
 
+    /// Model and kept motion change places: what was the one's curve is the other's, to the last bit.
+    void aKeptCurveIsAsTrueAsTheModels_data()
+    {
+        QTest::addColumn<Interval>("time");
+        QTest::addColumn<double>("duration");
+        QTest::addColumn<double>("b");
+        QTest::newRow("one turn") << Interval{0.0, 1.0} << 1.0 << 80.0;
+        QTest::newRow("a part of it") << Interval{0.23, 0.26} << 1.0 << 80.0;
+        QTest::newRow("a thousand turns") << Interval{0.0, 1000.0} << 1000.0 << 80.0;
+        QTest::newRow("a moment of a thousand turns") << Interval{700.0, 700.5} << 1000.0 << 80.0;
+        QTest::newRow("a rocker") << Interval{0.0, 1.0} << 1.0 << 40.0;
+    }
+
+    void aKeptCurveIsAsTrueAsTheModels()
+    {
+        QFETCH(const Interval, time);
+        QFETCH(const double, duration);
+        QFETCH(const double, b);
+        Parameters kept;
+        kept.b = b;
+        const Parameters model;
+        SolverSettings solver;
+        solver.method = Method::ClosedForm;
+        const auto figureOf = [&](const Parameters &one, const Parameters &other) {
+            PlotFigure figure;
+            figure.setResult(compute({Mechanism(one), {0.0, duration, 7}, solver, nullptr, {other}}, {}));
+            figure.timeZoom = time;
+            return figure;
+        };
+        PlotFigure figure = figureOf(model, kept);
+        PlotFigure swapped = figureOf(kept, model);
+        const ClosedForm motions[]{ClosedForm(Mechanism(model)), ClosedForm(Mechanism(kept))};
+        constexpr QSize kAxes(300, 200);
+        for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+            const PlotPicture picture = figure.picture(plot, kAxes, 6.0);
+            if (!isErrorPlot(plot)) {
+                const PlotPicture other = swapped.picture(plot, kAxes, 6.0);
+                QCOMPARE(picture.kept.size(), std::size_t(1));
+                QVERIFY(picture.values == other.values);
+                const std::vector<CurvePoint> &points = picture.kept.front().points;
+                const std::vector<CurvePoint> &wanted = other.curves[0].points;
+                QVERIFY(!points.empty() && points.size() == wanted.size());
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    QVERIFY(points[i].t == wanted[i].t &&
+                            (points[i].value == wanted[i].value ||
+                             (std::isnan(points[i].value) && std::isnan(wanted[i].value))));
+                }
+                continue;
+            }
+            for (std::size_t i = 0; i < picture.curves.size(); ++i) {
+                const std::size_t channel = plot / kPlotColumns * kChannelsPerRow + i;
+                const std::vector<CurvePoint> &points = picture.curves[i].points;
+                if (figure.result->difference->channels[channel].percentOfPeak) {
+                    QVERIFY(!points.empty());
+                }
+                const double perDifference = 100.0 / figure.result->difference->channels[channel].peak;
+                for (const CurvePoint &point : points) {
+                    const double difference =
+                        std::abs(valueAt(motions[0], channel, point.t) - valueAt(motions[1], channel, point.t));
+                    const bool isAtEdge = point.value == picture.values.upper; // cut off there
+                    QVERIFY2(
+                        isAtEdge || !(std::abs(point.value - perDifference * difference) > 1e-6 * picture.values.upper),
+                        qPrintable(
+                            QString("%1 at %2, not %3").arg(point.value).arg(point.t).arg(perDifference * difference)));
+                }
+            }
+        }
+    }
+
     /// At 6000 rpm the samples of a run of 200 steps all show the same angle.
     void readsTheMotionAtTheInstantThatIsWritten()
     {

@@ -131,6 +131,24 @@ private slots:
         QVERIFY(dialog.unit(1).contains("deg"));
     }
 
+    void namesQuantitiesInWordsAndInGroups()
+    {
+        const Dialog dialog(inventorFile());
+        const QComboBox *combo = dialog.combo("meaning", 1);
+        const int slider = combo->findText(QStringLiteral("slider velocity  dRₓ⁴/dt  (R4_x_diff)"));
+        QVERIFY(slider > 0);
+        int titles = 0;
+        int channels = 0;
+        for (int i = 0; i < combo->count(); ++i) {
+            const bool canBeChosen = combo->model()->flags(combo->model()->index(i, 0)) & Qt::ItemIsEnabled;
+            titles += canBeChosen ? 0 : 1;
+            channels += canBeChosen && combo->itemText(i).contains(u'(') ? 1 : 0;
+        }
+        QCOMPARE(titles, 4);
+        QCOMPARE(channels, static_cast<int>(kChannelCount));
+        QCOMPARE(combo->itemText(combo->currentIndex()), "coupler angle  θ³  (theta3)");
+    }
+
     void previewsWhatWouldBeRead()
     {
         Dialog dialog(inventorFile());

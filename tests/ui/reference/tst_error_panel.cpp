@@ -372,6 +372,46 @@ private slots:
         panel.show();
         QCOMPARE(table->model()->rowCount(), 1);
     }
+
+    /// Numbers, and no verdict: what was kept on purpose is no error.
+    void tellsHowFarTheModelIsFromWhatWasKept()
+    {
+        ErrorPanel panel;
+        panel.show();
+        Result result;
+        Parameters kept;
+        result.kept = {kept};
+        result.difference = differenceOf(result.mechanism, Mechanism(kept), 0.0, 1.0);
+        panel.setResult(std::make_shared<Result>(result));
+        const auto *title = child<QLabel>(panel, "keptLabel");
+        QVERIFY(title->isVisible());
+        QCOMPARE(title->text(), QString("This mechanism is the one that was kept: change it to see what differs."));
+        kept.b = 80.0;
+        result.kept = {kept};
+        result.difference = differenceOf(result.mechanism, Mechanism(kept), 0.0, 1.0);
+        panel.setResult(std::make_shared<Result>(result));
+        AWAIT_COMPARE(title->text(), QString("This mechanism − kept b = 80 mm"));
+        auto *table = child<NumberTable>(panel, "differenceTable");
+        QCOMPARE(table->model()->rowCount(), 6);
+        // Both at θ² = 270°, where the offset counts most: asin(45/65) − asin(45/80).
+        QCOMPARE(textOf(table, 0, 1), QString("9.58"));
+        QCOMPARE(textOf(table, 0, 2), QString("0.75"));
+        QSignalSpy went(&panel, &ErrorPanel::timeRequested);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                          table->visualRect(table->model()->index(0, 1)).center());
+        QCOMPARE(went.count(), 1);
+        QVERIFY(std::abs(went.first().first().toDouble() - 0.75) < 1e-6);
+        for (const QLabel *label : panel.findChildren<QLabel *>()) {
+            QVERIFY2(!label->isVisible() || !label->text().contains(QStringLiteral("iffers")),
+                     qPrintable(label->text()));
+        }
+        kept.b = 40.0;
+        result.kept = {kept};
+        result.difference = differenceOf(result.mechanism, Mechanism(kept), 0.0, 1.0);
+        panel.setResult(std::make_shared<Result>(result));
+        AWAIT(title->text().contains(QStringLiteral("cannot be assembled")));
+        QCOMPARE(textOf(table, 2, 1), QString("∞"));
+    }
 };
 
 QTEST_MAIN(TestErrorPanel)

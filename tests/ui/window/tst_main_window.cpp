@@ -22,6 +22,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
@@ -347,9 +348,75 @@ private slots:
         QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
         QVERIFY(pictureOf(*m_window, QStringLiteral("plot_theta3")) != curve);
         QVERIFY(pictureOf(*m_window, QStringLiteral("plot_error_position")) != error);
-        const auto *table = m_window->findChild<QTableView *>();
+        const auto *table = m_window->findChild<QTableView *>(QStringLiteral("errorTable"));
         QVERIFY(table && table->isVisible());
         QCOMPARE(table->model()->rowCount(), 6);
+    }
+
+    /// A table by the crank's angle under a name that does not say so.
+    void theFirstColumnIsTheTimeOrTheCranksAngle()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("table.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("phi,R4_x\n");
+        for (int angle = 0; angle <= 360; angle += 15) {
+            const double theta2 = angle / kDegreesPerRadian;
+            const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 65.0);
+            const double x = 20.0 * std::cos(theta2) + 65.0 * std::cos(theta3);
+            file.write(QByteArray::number(angle) + ',' + QByteArray::number(x, 'f', 6) + '\n');
+        }
+        file.close();
+        QVERIFY(!m_window->findChild<QComboBox *>(QStringLiteral("abscissaBox"))); // until there is a reference
+        Session &session = m_window->session();
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        drop(*m_window, path);
+        QVERIFY(loaded.wait(kPatience));
+        QCOMPARE(session.result()->comparison.front().verdict, Verdict::Differs); // 0, 15, 30 s
+        auto *tabs = m_window->findChild<QTabBar *>();
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (tabs->tabText(i) == QStringLiteral("Reference")) {
+                tabs->setCurrentIndex(i);
+            }
+        }
+        auto *box = m_window->findChild<QComboBox *>(QStringLiteral("abscissaBox"));
+        QVERIFY(box && box->isVisible());
+        QCOMPARE(box->currentText(), QStringLiteral("First column: time"));
+
+        // By the keyboard.
+        const Sampling before = session.sampling();
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Down);
+        AWAIT(session.reference()->data.crank.has_value());
+        QCOMPARE(box->currentText(), QStringLiteral("First column: crank angle"));
+        QCOMPARE(session.result()->comparison.front().verdict, Verdict::Agrees);
+        const auto *form = m_window->findChild<QLabel *>(QStringLiteral("formLabel"));
+        QVERIFY2(form->text().contains(QStringLiteral("= 0 … 360°")), qPrintable(form->text()));
+        session.setParameter(Parameter::Omega2, 21.0);
+        QCOMPARE(session.result()->comparison.front().verdict, Verdict::Agrees);
+        QVERIFY(m_window->scene().saveTo(folder.filePath(QStringLiteral("rig.slidercrank"))));
+
+        // Back, step by step.
+        session.undoStack().undo();
+        session.undoStack().undo();
+        QVERIFY(!session.reference()->data.crank);
+        QCOMPARE(session.sampling(), before);
+        QCOMPARE(box->currentText(), QStringLiteral("First column: time"));
+
+        // Files with these headings are read so from now on.
+        loaded.clear();
+        drop(*m_window, path);
+        QVERIFY(loaded.wait(kPatience));
+        QVERIFY(session.reference()->data.crank);
+
+        init(); // another window, which knows it of the scene
+        QSignalSpy opened(&m_window->session(), &Session::opened);
+        drop(*m_window, folder.filePath(QStringLiteral("rig.slidercrank")));
+        QVERIFY(opened.wait(kPatience));
+        QCOMPARE(opened.first().first().toString(), QString());
+        QCOMPARE(m_window->session().parameters().omega2, 21.0);
+        QCOMPARE(m_window->session().result()->comparison.front().verdict, Verdict::Agrees);
     }
 
     void saysWhoseMotionAFileIsAndTakesItOver_data()
@@ -452,7 +519,7 @@ private slots:
         AWAIT(m_window->session().diagnosis());
         QAction *ghost = nullptr;
         for (QAction *action : m_window->findChildren<QAction *>()) {
-            if (action->text().remove(u'&') == QLatin1String("Show the file's motion")) {
+            if (action->text().remove(u'&') == QLatin1String("Show the file's or the kept motion")) {
                 ghost = action;
             }
         }
@@ -546,6 +613,42 @@ private slots:
     }
 
     /// Nobody writes into the pipe, and nobody waits for that.
+    void asksWhatTheColumnsAreWhereNothingTells_data()
+    {
+        QTest::addColumn<QByteArray>("names");
+        QTest::addColumn<bool>("asks");
+        QTest::newRow("of two points") << QByteArray("time,J1_x,J2_x\n") << true;
+        QTest::newRow("one of them known") << QByteArray("time,R4_x,J2_x\n") << false;
+        QTest::newRow("of another kind") << QByteArray("time,temperature,humidity\n") << false;
+    }
+
+    void asksWhatTheColumnsAreWhereNothingTells()
+    {
+        QFETCH(const QByteArray, names);
+        QFETCH(const bool, asks);
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("columns.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(names + "0,80,1\n1,70,2\n2,75,1\n");
+        file.close();
+        QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
+        QSignalSpy refused(&m_window->session(), &Session::referenceRefused);
+        m_window->openReference(file.fileName());
+        AWAIT(loaded.count() + refused.count() == 1);
+        auto *dialog = m_window->findChild<QDialog *>(QStringLiteral("columnMapping"));
+        QCOMPARE(dialog != nullptr && dialog->isVisible(), asks);
+        if (!asks) {
+            return;
+        }
+        auto *second = dialog->findChild<QComboBox *>(QStringLiteral("meaning2"));
+        second->setCurrentIndex(second->findData(static_cast<int>(indexOf({R4x, Order::Position}))));
+        loaded.clear();
+        QTest::mouseClick(dialog->findChild<QAbstractButton *>(QStringLiteral("useButton")), Qt::LeftButton);
+        QVERIFY(loaded.wait(kPatience));
+        QCOMPARE(m_window->session().reference()->data.find({R4x, Order::Position})->values.front(), 1.0);
+        AWAIT(!m_window->findChild<QDialog *>(QStringLiteral("columnMapping"))); // it asks once
+    }
+
     void aSceneThatIsNoFileIsToldAndNotWaitedFor()
     {
 #ifdef Q_OS_UNIX
@@ -782,7 +885,7 @@ private slots:
         grid->setSettings(settings);
         grid->setZoom(zoom);
         auto *mechanism = m_window->findChild<MechanismView *>();
-        const MechanismSettings drawing{true, false, true, false, true};
+        const MechanismSettings drawing{true, false, true, false, true, true, true};
         const QRectF part(-15.0, -10.0, 60.0, 40.0); // mm
         mechanism->setSettings(drawing);
         mechanism->setZoom(part);
@@ -813,6 +916,50 @@ private slots:
         QVERIFY(!m_window->session().undoStack().canUndo());
         QCOMPARE(recentFiles(kRecentScenes), QStringList{path});
         AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x_diff")), picture);
+    }
+
+    /// "Consider the effect of another coupler length."
+    void aKeptMotionStaysUnderWhatFollows()
+    {
+        auto *grid = m_window->findChild<PlotGrid *>();
+        const QImage curves = pictureOf(*m_window, QStringLiteral("plot_R4_x"));
+        const QImage linkage = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QVERIFY(m_window->session().kept() == std::vector<Parameters>{Parameters()});
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) == linkage); // it is this one
+        m_window->session().setParameters(withCoupler(80.0));
+        const QImage both = pictureOf(*m_window, QStringLiteral("plot_R4_x"));
+        const QImage ghost = pictureOf(*m_window, QStringLiteral("mechanismView"));
+        m_window->findChild<FoldingTabs *>()->setFolded(false);
+        auto *title = m_window->findChild<QLabel *>(QStringLiteral("keptLabel"));
+        AWAIT(title->isVisible());
+        AWAIT_COMPARE(title->text(), QStringLiteral("This mechanism − kept b = 65 mm"));
+        QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("no_reference_hint"))->isVisible());
+        QVERIFY(!isBlank(pictureOf(*m_window, QStringLiteral("plot_error_velocity"))));
+        QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(m_window->session().kept().empty());
+        QVERIFY(pictureOf(*m_window, QStringLiteral("plot_R4_x")) != both);
+        QVERIFY(pictureOf(*m_window, QStringLiteral("mechanismView")) != ghost);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x")), both);
+        QCOMPARE(pictureOf(*m_window, QStringLiteral("mechanismView")), ghost);
+
+        const QTemporaryDir folder; // as a scene, too
+        const QString path = folder.filePath(QStringLiteral("kept.json"));
+        QVERIFY(m_window->scene().saveTo(path));
+        init();
+        grid = m_window->findChild<PlotGrid *>();
+        m_window->openFile(path);
+        QVERIFY(m_window->session().kept() == std::vector<Parameters>{Parameters()});
+        AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x")), both);
+        while (m_window->session().undoStack().canUndo()) {
+            m_window->session().undoStack().undo();
+        }
+        emit grid->keepRequested(); // as from its menu
+        QCOMPARE(m_window->session().kept().size(), std::size_t(2));
+        m_window->session().forgetKept();
+        m_window->session().setParameters({});
+        AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x")), curves); // as if nothing had ever been kept
     }
 
     void saysWhatIsModified()

@@ -114,6 +114,7 @@ private slots:
         Scene scene;
         scene.parameters.a = 12.0;
         scene.reference = ReferenceSource{kSample, {}, {}};
+        scene.kept = {Parameters()};
         QCOMPARE(writeScene(scene, rig), std::nullopt);
         editElsewhere(rig);
         crash();
@@ -125,6 +126,7 @@ private slots:
         AWAIT(m_window->session().reference());
         QCOMPARE(m_window->session().parameters().a, 12.0);
         QCOMPARE(m_window->session().parameters().b, 70.0);
+        QVERIFY(m_window->session().kept() == scene.kept);
         QVERIFY(m_window->isWindowModified());
         QVERIFY(!offer()->isVisible());
         QCOMPARE(m_window->scene().path(), rig);
@@ -297,8 +299,9 @@ private:
     /// Of a scene's file.
     static QStringList jsonKeys()
     {
-        return {QStringLiteral("mechanism"), QStringLiteral("reference"), QStringLiteral("sampling"),
-                QStringLiteral("solver"),    QStringLiteral("version"),   QStringLiteral("view")};
+        return {QStringLiteral("kept"),     QStringLiteral("mechanism"), QStringLiteral("reference"),
+                QStringLiteral("sampling"), QStringLiteral("solver"),    QStringLiteral("version"),
+                QStringLiteral("view")};
     }
 
     void editElsewhere(const QString &scene = {})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/axis_scale.h"
+#include "ui/words/written_number.h"
 
 #include <QTest>
 
@@ -18,6 +19,7 @@ private slots:
     void standsValuesThatUnderflow();
     void writesNumbersWithTheirDigits_data();
     void writesNumbersWithTheirDigits();
+    void writesPowersOfTenInOneWay();
     void writesLabelsInTheGivenLanguage();
 };
 
@@ -98,6 +100,7 @@ void TstAxisScale::writesNumbersWithTheirDigits_data()
     QTest::newRow("very small") << 1.54e-9 << 3 << "1.54·10⁻⁹";
     QTest::newRow("very large") << -2.5e12 << 3 << "-2.50·10¹²";
     QTest::newRow("carries into the next power") << 9.9996e9 << 3 << "1.00·10¹⁰";
+    QTest::newRow("a power alone") << 1e-8 << 1 << "10⁻⁸";
     QTest::newRow("zero") << 0.0 << 3 << "0";
 }
 
@@ -106,6 +109,23 @@ void TstAxisScale::writesNumbersWithTheirDigits()
     QFETCH(double, value);
     QFETCH(int, digits);
     QTEST(shortNumber(value, digits, QLocale::c()), "text");
+}
+
+/// On the screen as on an axis; where one types as one types it.
+void TstAxisScale::writesPowersOfTenInOneWay()
+{
+    QLocale::setDefault(QLocale::Spanish);
+    QCOMPARE(numberText(1.5e-7), QStringLiteral("1,5·10⁻⁷"));
+    QCOMPARE(typedNumberText(1.5e-7), QStringLiteral("1,5e-7"));
+    QLocale::setDefault(QLocale::c());
+    QCOMPARE(numberText(1e-8), QStringLiteral("10⁻⁸"));
+    QCOMPARE(numberText(-1e-12, 2), QStringLiteral("-10⁻¹²"));
+    QCOMPARE(numberText(1e300), QStringLiteral("10³⁰⁰"));
+    QCOMPARE(numberText(6.02e23, QLocale::FloatingPointShortest), QStringLiteral("6.02·10²³"));
+    QCOMPARE(numberText(0.002), QStringLiteral("0.002"));
+    QCOMPARE(typedNumberText(1e-8), QStringLiteral("1e-8"));
+    QCOMPARE(typedNumberText(-2.5e+100), QStringLiteral("-2.5e100"));
+    QCOMPARE(typedNumberText(0.1), QStringLiteral("0.1"));
 }
 
 void TstAxisScale::writesLabelsInTheGivenLanguage()

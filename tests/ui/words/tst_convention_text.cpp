@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <QTest>
 
+#include <cmath>
+
 using namespace slidercrank;
 
 namespace
@@ -74,6 +76,9 @@ private slots:
         QTest::newRow("swapped") << Convention{Kind::SwappedColumns, {kTheta3, kSlider}, 1.0}
                                  << "theta3 and R4_x: each has the other's name."
                                  << "Exchanges theta3 and R4_x";
+        QTest::newRow("along y") << Convention{Kind::Axis, {{R4y, Order::Position}}, 1.0}
+                                 << "The slider moves along y and not along x: y is its axis, as in an upright engine."
+                                 << "Turns R4_y by 90°, so that y becomes x";
         QTest::newRow("assembly") << Convention{Kind::Branch, {}, 1.0}
                                   << "The file is of the other assembly: its slider is on the other side of A."
                                   << "Sets the model to the other assembly";
@@ -111,6 +116,23 @@ private slots:
         const Convention none{Convention::Kind::NotDerivative, {kSliderSpeed}, 1.0};
         QCOMPARE(explanationOf(none, {}), QString("R4_x_diff: not the time derivative of its position column."));
         QCOMPARE(effectOf({none, 98.25, 0.0}), QString("Leaves R4_x_diff out: its largest error is 98.3 % of peak."));
+
+        // Of differences it says that they are, whether or not they are a finding.
+        ReferenceData data;
+        for (int i = 0; i < 40; ++i) {
+            data.time.push_back(0.01 * i);
+        }
+        data.series = {{kSlider, {}, {}}, {kSliderSpeed, {}, {}}};
+        for (const double t : data.time) {
+            data.series[0].values.push_back(std::sin(9.0 * t));
+            data.series[1].values.push_back((std::sin(9.0 * (t + 0.01)) - std::sin(9.0 * t)) / 0.01);
+        }
+        const QString sentence =
+            "R4_x_diff: forward differences, from each row to the next, and not the time derivative.";
+        QCOMPARE(explanationOf(none, data), sentence);
+        QCOMPARE(differenceSentences(data, {}), QStringList{sentence});
+        const std::vector<ConventionFinding> found{{none, 5.0, 0.0}};
+        QCOMPARE(differenceSentences(data, found), QStringList());
     }
 };
 

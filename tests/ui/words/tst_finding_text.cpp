@@ -58,6 +58,19 @@ private slots:
                  QString("a = 20 mm, b = 65 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = -30°, crossed assembly"));
     }
 
+    void namesAKeptMechanismByWhatDiffers()
+    {
+        const Parameters present;
+        Parameters kept;
+        QCOMPARE(keptText(kept, present), QString("kept"));
+        kept.b = 80.0;
+        QCOMPARE(keptText(kept, present), QString("b = 80 mm"));
+        kept.theta20 = 1.0;
+        kept.branch = Branch::Crossed;
+        QCOMPARE(keptText(kept, present), QString("b = 80 mm, θ₂₀ = 57.2958°, crossed assembly"));
+        QCOMPARE(keptText(present, kept), QString("b = 65 mm, θ₂₀ = 0°, open assembly"));
+    }
+
     void writesAsManyDigitsAsTheErrorLeaves_data()
     {
         QTest::addColumn<double>("value");
@@ -70,7 +83,7 @@ private slots:
         QTest::newRow("rounding up adds a digit") << 9.99996 << 1e-4 << 100.0 << "10.0000 ± 0.0001";
         QTest::newRow("a value below its error") << -2e-6 << 1.3e-5 << 1.0 << "0.00000 ± 0.00001";
         QTest::newRow("an error above the value") << 312.0 << 4012.0 << 1.0 << "0 ± 4000";
-        QTest::newRow("very small") << 2.0000004e-8 << 1.1e-14 << 1e-7 << "2.000000·10⁻⁸ ± 1·10⁻¹⁴";
+        QTest::newRow("very small") << 2.0000004e-8 << 1.1e-14 << 1e-7 << "2.000000·10⁻⁸ ± 10⁻¹⁴";
         QTest::newRow("no error known") << 20.0 << kNaN << 100.0 << "20";
         QTest::newRow("nothing but arithmetic") << 20.000000000000004 << 1e-15 << 100.0 << "20";
     }
