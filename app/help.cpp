@@ -178,31 +178,25 @@ QString introductionOf(Subcommand subcommand)
                                "where there is no pose at all.\n");
     case Subcommand::Compare:
         return CommandLine::tr(
-            "Usage: slidercrank compare FILE… [options]\n"
-            "\n"
-            "Reads simulations' CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and "
-            "tells how far each of their\n"
-            "columns is from the exact motion of the mechanism at the file's own instants. What "
-            "rounding makes of a value is half\n"
-            "a step of its own, and what the motion does in half a step of its instant (evenly "
-            "spaced instants count as exact).\n"
-            "A column agrees when at least 95 % of its errors are within that and none beyond ten "
-            "times as much, is close when\n"
-            "none is beyond a hundred times, and differs otherwise; also where an error goes beyond "
-            "its rounding by 1 % of half\n"
-            "the motion's range. Where one differs, the text says what explains it. A file that cannot "
-            "be read is told on\n"
-            "standard error, and the others are still compared. FILE may be - for standard input.\n");
+            "Usage: slidercrank compare FILE… [options]\n\nReads simulations' CSV files (time,R4_x,theta3_diff,… as "
+            "Inventor exports them) and tells how far each of their\ncolumns is from the exact motion of the mechanism "
+            "at the file's own instants. Rounding makes a value uncertain by half\na unit of its last digit, and by "
+            "how far the motion goes in half a unit of its instant's (evenly spaced instants count\nas exact). A "
+            "column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is "
+            "close\nwhen none is beyond a hundred times, and differs otherwise; also where an error goes beyond its "
+            "rounding by 1 % of half\nthe motion's range. Where one differs, the text says what explains it. A file "
+            "that cannot be read is named on\nstandard error, and the others are still compared. FILE may be - for "
+            "standard input.\n");
     case Subcommand::Identify:
         return CommandLine::tr(
             "Usage: slidercrank identify FILE… [options]\n\nFinds the mechanism that a simulation's file belongs to, "
             "from all of its columns, theta3, R4_x and their derivatives\nabove all, and how certain each of its "
             "parameters is. Where the file means something else by a column than its\nheading says (radians, another "
             "origin, the textbook's angle, another sign, …), that is said, and the file is read so.\nThe options of "
-            "the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank's pivot O₂,\nangles "
-            "counter-clockwise from x. A file that cannot be read is told on standard error, and the others are "
-            "still\nlooked at. FILE may be - for standard input.\n\nidentified    what is left is rounding, or noise "
-            "that looks like noise\nambiguous     several mechanisms explain the file equally: all are "
+            "the mechanism give what the file cannot fix. R4_x and R4_y are measured from the crank's pivot "
+            "O₂,\nangles counter-clockwise from x. A file that cannot be read is named on standard error, and the "
+            "others are still\nlooked at. FILE may be - for standard input.\n\nidentified    what is left is rounding, "
+            "or noise that looks like noise\nambiguous     several mechanisms explain the file equally: all are "
             "listed\ninsufficient  too few values, instants a turn or columns to tell\nnearest       no mechanism "
             "found explains the file: the nearest, as no more than that\nnone          not even that\n");
     case Subcommand::Study:

@@ -372,15 +372,15 @@
     </message>
     <message>
         <source>ignored: it belongs to other instants than those of “%1”</source>
-        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+        <translation>sin usar: corresponde a otros instantes que los de «%1»</translation>
     </message>
     <message>
         <source>ignored: the same instants as “%1”</source>
-        <translation>sin usar: los mismos instantes que “%1”</translation>
+        <translation>sin usar: los mismos instantes que «%1»</translation>
     </message>
     <message>
         <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
-        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
+        <translation>sin usar: es un módulo, sin sentido; «%1» es una de sus componentes</translation>
     </message>
     <message>
         <source>guessed: named as in Modelica</source>
@@ -403,8 +403,8 @@
         <translation>numera las filas</translation>
     </message>
     <message>
-        <source>ignored: its name does not tell what moves so</source>
-        <translation>sin usar: su nombre no dice qué se mueve así</translation>
+        <source>ignored: its name does not say of which body it is</source>
+        <translation>sin usar: su nombre no dice de qué eslabón es</translation>
     </message>
     <message>
         <source>%1; central differences, no derivative</source>
@@ -419,8 +419,8 @@
         <translation>%1; son diferencias hacia delante, no una derivada</translation>
     </message>
     <message>
-        <source>what moves so?</source>
-        <translation>¿qué se mueve así?</translation>
+        <source>of which body?</source>
+        <translation>¿de qué eslabón?</translation>
     </message>
     <message>
         <source>differences from row to row</source>
@@ -432,11 +432,11 @@
     </message>
     <message>
         <source>guessed: no column is the time, and this is the angle of the crank</source>
-        <translation>supuesto: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
+        <translation>deducido: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
     </message>
     <message>
         <source>guessed: no time here</source>
-        <translation>supuesto: aquí no hay tiempo</translation>
+        <translation>deducido: aquí no hay tiempo</translation>
     </message>
     <message>
         <source>%1 = %2 … %3°</source>
@@ -696,7 +696,7 @@ Times depend on the machine: compare them within one run.
         <translation>Uso: slidercrank study [opciones]
 
 Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
-peor de los seis canales graficados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
+peor de los seis canales representados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
 lado, lo que puede costar por sí solo redondear los datos. newton-dense es el procedimiento del informe,
 con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
 muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
@@ -1160,19 +1160,19 @@ CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el vered
         <source>Usage: slidercrank compare FILE… [options]
 
 Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
+columns is from the exact motion of the mechanism at the file&apos;s own instants. Rounding makes a value uncertain by half
+a unit of its last digit, and by how far the motion goes in half a unit of its instant&apos;s (evenly spaced instants count
+as exact). A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close
+when none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is named on
 standard error, and the others are still compared. FILE may be - for standard input.
 </source>
         <translation>Uso: slidercrank compare ARCHIVO… [opciones]
 
 Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
-como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. El redondeo hace incierto un valor en media
+unidad de su última cifra, y en lo que el movimiento avanza en media unidad de la de su instante (los instantes a
+intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
 se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
 1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
 informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
@@ -1184,8 +1184,8 @@ informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO pu
 Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
 above all, and how certain each of its parameters is. Where the file means something else by a column than its
 heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O₂,
-angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are measured from the crank&apos;s pivot O₂,
+angles counter-clockwise from x. A file that cannot be read is named on standard error, and the others are still
 looked at. FILE may be - for standard input.
 
 identified    what is left is rounding, or noise that looks like noise
@@ -1294,16 +1294,16 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
     </message>
     <message>
-        <source>%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°</source>
-        <translation>%1: θ2 = %3° a %4°, %2 ángulos; el tiempo, con ω2 = %5 rad/s y θ20 = %6°</translation>
+        <source>%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°</source>
+        <translation>%1: θ₂ = %3° a %4°, %2 ángulos; el tiempo, con ω₂ = %5 rad/s y θ₂₀ = %6°</translation>
     </message>
     <message>
         <source>%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.</source>
         <translation>%1: qué son estas columnas se ha supuesto: %2. Donde no sea así, dígalo con --column.</translation>
     </message>
     <message>
-        <source>at θ2 [°]</source>
-        <translation>en θ2 [°]</translation>
+        <source>at θ₂ [°]</source>
+        <translation>en θ₂ [°]</translation>
     </message>
     <message>
         <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
@@ -4533,11 +4533,11 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
     <message>
-        <source>its name does not tell what moves so</source>
-        <translation>su nombre no dice qué se mueve así</translation>
+        <source>its name does not say of which body it is</source>
+        <translation>su nombre no dice de qué eslabón es</translation>
     </message>
     <message>
-        <source>the crank&apos;s angle turns back behind %1: sort the rows by it, one row for each angle.</source>
+        <source>the crank angle goes back after %1: sort the rows by it, one row for each angle.</source>
         <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
     </message>
 </context>
@@ -4572,8 +4572,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Están: %1.</translation>
     </message>
     <message>
-        <source>%1 counts by the crank&apos;s angle, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
-        <translation>%1 se rige por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
+        <source>%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its angles in that order: choose another ω₂.</source>
+        <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
     </message>
 </context>
 <context>
@@ -4731,7 +4731,7 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Primera columna: ángulo de la manivela</translation>
     </message>
     <message>
-        <source>Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ make the time</source>
+        <source>Whether the rows are by time or by crank angle; from the angle, ω₂ and θ₂₀ give the time</source>
         <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
     </message>
 </context>
@@ -6088,7 +6088,7 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::MechanismCentre</name>
     <message>
-        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
         <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
     </message>
     <message>
