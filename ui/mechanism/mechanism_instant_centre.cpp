@@ -35,7 +35,7 @@ QStringList linesOf(const InstantCentre &centre, const Mechanism &mechanism)
     constexpr int kDigits = 4;
     const double speedOfA = mechanism.a() * std::abs(mechanism.omega2());
     if (!std::isfinite(centre.omega3)) {
-        return {MechanismCentre::tr("no velocity: the coupler stands square to the slider's line")};
+        return {MechanismCentre::tr("no velocity: the coupler is perpendicular to the slider's line")};
     }
     if (isBeyondAllBounds(centre, mechanism)) {
         return {MechanismCentre::tr("P at infinity: the coupler does not turn,"),

@@ -75,7 +75,7 @@ const std::vector<Said> &allFaults()
         {{Kind::TimeNotRising},
          "the time does not increase from the row before: sort the rows by time and keep one of each instant."},
         {{.kind = Kind::AngleTurnsBack, .heading = "20°"},
-         "the crank's angle turns back behind 20°: sort the rows by it, one row for each angle."},
+         "the crank angle goes back after 20°: sort the rows by it, one row for each angle."},
         {{Kind::LineTooLong}, "the line has more than a million characters: export the table as CSV, a row a line."},
         {{Kind::Stopped}, "Reading was stopped."},
         {{Kind::Unreadable}, "The file became shorter while it was read: open it again."},
