@@ -235,10 +235,6 @@
         <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
     </message>
     <message>
-        <source>ignored: its name does not say of which part</source>
-        <translation>sin usar: su nombre no dice de qué pieza</translation>
-    </message>
-    <message>
         <source>ignored: it counts the rows</source>
         <translation>sin usar: numera las filas</translation>
     </message>
@@ -325,10 +321,6 @@
     <message>
         <source>name not known</source>
         <translation>nombre desconocido</translation>
-    </message>
-    <message>
-        <source>of which part?</source>
-        <translation>¿de qué pieza?</translation>
     </message>
     <message>
         <source>differences from row to row</source>
@@ -4467,10 +4459,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>neither its unit nor its values tell an angle from a length</source>
         <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
-    </message>
-    <message>
-        <source>its name does not say of which part</source>
-        <translation>su nombre no dice de qué pieza</translation>
     </message>
     <message>
         <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>
