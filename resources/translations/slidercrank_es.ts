@@ -156,8 +156,8 @@
         <translation>%1: %2 de %3 a %4 %5, %6</translation>
     </message>
     <message>
-        <source>crank angle</source>
-        <translation>ángulo de la manivela</translation>
+        <source>crank angle, instead of a time</source>
+        <translation>ángulo de la manivela, en lugar del tiempo</translation>
     </message>
 </context>
 <context>
