@@ -1676,8 +1676,8 @@ los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
         <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
     </message>
     <message>
-        <source>The file counts by the crank&apos;s angle: ω₂ is what its derivatives say.</source>
-        <translation>El archivo se rige por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
+        <source>The file goes by the angle of the crank: ω₂ is what its derivatives say.</source>
+        <translation>El archivo va por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
     </message>
     <message>
         <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
@@ -3468,6 +3468,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1 rows are in the clipboard, as CSV with their headings.</source>
         <translation>%1 filas están en el portapapeles, como CSV con sus encabezados.</translation>
     </message>
+    <message>
+        <source>%1 has no time: its rows go by the angle of the crank, of which ω₂ and θ₂₀ make the time.</source>
+        <translation>%1 no tiene tiempo: sus filas van por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MotionCsvText</name>
@@ -4556,8 +4560,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Están: %1.</translation>
     </message>
     <message>
-        <source>%1 counts by the crank&apos;s angle, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
-        <translation>%1 se rige por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
+        <source>%1 goes by the angle of the crank, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
+        <translation>%1 va por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
     </message>
 </context>
 <context>
@@ -4676,11 +4680,11 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
     <message>
         <source>First column: time</source>
-        <translation>Primera columna: tiempo</translation>
+        <translation>1.ª columna: tiempo</translation>
     </message>
     <message>
         <source>First column: crank angle</source>
-        <translation>Primera columna: ángulo de la manivela</translation>
+        <translation>1.ª columna: ángulo de manivela</translation>
     </message>
     <message>
         <source>Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ make the time</source>
