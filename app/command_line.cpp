@@ -27,7 +27,7 @@ void say(const QString &sentence)
 
 QString rounded(std::optional<double> value, int digits)
 {
-    return numberText(value, digits);
+    return value ? typedNumberText(QString::number(*value, 'g', digits).toDouble()) : dash();
 }
 
 } // namespace slidercrank

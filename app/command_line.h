@@ -34,7 +34,7 @@ struct CommandLine {
 /// One line on standard error.
 void say(const QString &sentence);
 
-/// Three digits are what a person compares; a dash for what does not exist.
+/// As it is typed: 5.03e-6. Three digits are what a person compares; a dash for what does not exist.
 QString rounded(std::optional<double> value, int digits = 3);
 
 } // namespace slidercrank

@@ -11,7 +11,6 @@
 #include "ui/words/convention_text.h"
 #include "ui/words/diagnosis_text.h"
 #include "ui/words/finding_text.h"
-#include "ui/words/written_number.h"
 
 #include <QLocale>
 
@@ -80,7 +79,7 @@ QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &
     text += summaryOf(diagnosis) + u'\n';
     text += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
                 .arg(found.iterations)
-                .arg(numberText(found.conditionNumber, 3)) +
+                .arg(rounded(found.conditionNumber)) +
             u'\n';
     const std::optional<ReferenceData> timed =
         data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // what it was compared as

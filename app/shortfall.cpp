@@ -4,7 +4,6 @@
 #include "core/limits/mobility.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/two_part_angle.h"
-#include "ui/words/written_number.h"
 
 #include <QLocale>
 #include <QStringList>
@@ -37,10 +36,10 @@ QString Shortfall::sentence(const Mechanism &mechanism, int maxIterations) const
     const auto where = [&](const Instants &instants) {
         const double degrees =
             crankAngle(mechanism.omega2(), instants.first, mechanism.theta20()).hi * kDegreesPerRadian;
-        return CommandLine::tr("%1 of %2 instants, first at t = %3 s (θ2 = %4°)")
+        return CommandLine::tr("%1 of %2 instants, first at t = %3 s (θ₂ = %4°)")
             .arg(instants.count)
             .arg(m_total)
-            .arg(numberText(instants.first), numberText(degrees));
+            .arg(rounded(instants.first, 6), rounded(degrees, 6));
     };
     QStringList sentences;
     if (const Instants &instants = of(Status::NotAssemblable); instants.count > 0) {

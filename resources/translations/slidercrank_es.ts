@@ -52,6 +52,22 @@
         <translation>sin usar</translation>
     </message>
     <message>
+        <source>Seldom exported</source>
+        <translation>Se exportan rara vez</translation>
+    </message>
+    <message>
+        <source>Crank</source>
+        <translation>Manivela</translation>
+    </message>
+    <message>
+        <source>Coupler</source>
+        <translation>Biela</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Corredera</translation>
+    </message>
+    <message>
         <source>time</source>
         <translation>tiempo</translation>
     </message>
@@ -132,24 +148,12 @@
         <translation>%1 no se usa</translation>
     </message>
     <message>
+        <source>%1 is ignored: from %2 to %3</source>
+        <translation>%1 no se usa: de %2 a %3</translation>
+    </message>
+    <message>
         <source>%1: %2 from %3 to %4 %5, %6</source>
         <translation>%1: %2 de %3 a %4 %5, %6</translation>
-    </message>
-    <message>
-        <source>Seldom exported</source>
-        <translation>Se exportan rara vez</translation>
-    </message>
-    <message>
-        <source>Crank</source>
-        <translation>Manivela</translation>
-    </message>
-    <message>
-        <source>Coupler</source>
-        <translation>Biela</translation>
-    </message>
-    <message>
-        <source>Slider</source>
-        <translation>Corredera</translation>
     </message>
     <message>
         <source>crank angle</source>
@@ -227,8 +231,40 @@
         <translation>deducido: la primera columna cuyos valores solo crecen</translation>
     </message>
     <message>
+        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
+        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
+    </message>
+    <message>
+        <source>ignored: it counts the rows</source>
+        <translation>sin usar: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: it belongs to other instants than those of “%1”</source>
+        <translation>sin usar: corresponde a otros instantes que los de «%1»</translation>
+    </message>
+    <message>
+        <source>ignored: the same instants as “%1”</source>
+        <translation>sin usar: los mismos instantes que «%1»</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
+        <translation>sin usar: es un módulo, sin sentido; «%1» es una de sus componentes</translation>
+    </message>
+    <message>
         <source>ignored: it has no name</source>
         <translation>sin usar: no tiene nombre</translation>
+    </message>
+    <message>
+        <source>%1; central differences, no derivative</source>
+        <translation>%1; son diferencias centrales, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; backward differences, no derivative</source>
+        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; forward differences, no derivative</source>
+        <translation>%1; son diferencias hacia delante, no una derivada</translation>
     </message>
     <message>
         <source>ignored: it holds no number</source>
@@ -279,8 +315,32 @@
         <translation>deducido: solo crece</translation>
     </message>
     <message>
+        <source>guessed: named as in Modelica</source>
+        <translation>deducido: nombre de Modelica</translation>
+    </message>
+    <message>
         <source>name not known</source>
         <translation>nombre desconocido</translation>
+    </message>
+    <message>
+        <source>differences from row to row</source>
+        <translation>diferencias de fila a fila</translation>
+    </message>
+    <message>
+        <source>other instants</source>
+        <translation>otros instantes</translation>
+    </message>
+    <message>
+        <source>same instants as %1</source>
+        <translation>mismos instantes que %1</translation>
+    </message>
+    <message>
+        <source>magnitude of %1 …</source>
+        <translation>módulo de %1 …</translation>
+    </message>
+    <message>
+        <source>counts the rows</source>
+        <translation>numera las filas</translation>
     </message>
     <message>
         <source>no name</source>
@@ -347,80 +407,16 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
-        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
-    </message>
-    <message>
-        <source>ignored: it counts the rows</source>
-        <translation>sin usar: numera las filas</translation>
-    </message>
-    <message>
-        <source>ignored: it belongs to other instants than those of “%1”</source>
-        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
-    </message>
-    <message>
-        <source>ignored: the same instants as “%1”</source>
-        <translation>sin usar: los mismos instantes que “%1”</translation>
-    </message>
-    <message>
-        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
-        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
-    </message>
-    <message>
-        <source>guessed: named as in Modelica</source>
-        <translation>deducido: nombre de Modelica</translation>
-    </message>
-    <message>
-        <source>other instants</source>
-        <translation>otros instantes</translation>
-    </message>
-    <message>
-        <source>same instants as %1</source>
-        <translation>mismos instantes que %1</translation>
-    </message>
-    <message>
-        <source>magnitude of %1 …</source>
-        <translation>módulo de %1 …</translation>
-    </message>
-    <message>
-        <source>counts the rows</source>
-        <translation>numera las filas</translation>
-    </message>
-    <message>
-        <source>ignored: its name does not tell what moves so</source>
-        <translation>sin usar: su nombre no dice qué se mueve así</translation>
-    </message>
-    <message>
-        <source>%1; central differences, no derivative</source>
-        <translation>%1; son diferencias centrales, no una derivada</translation>
-    </message>
-    <message>
-        <source>%1; backward differences, no derivative</source>
-        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
-    </message>
-    <message>
-        <source>%1; forward differences, no derivative</source>
-        <translation>%1; son diferencias hacia delante, no una derivada</translation>
-    </message>
-    <message>
-        <source>what moves so?</source>
-        <translation>¿qué se mueve así?</translation>
-    </message>
-    <message>
-        <source>differences from row to row</source>
-        <translation>diferencias de fila a fila</translation>
-    </message>
-    <message>
         <source>crank angle</source>
         <translation>ángulo de la manivela</translation>
     </message>
     <message>
         <source>guessed: no column is the time, and this is the angle of the crank</source>
-        <translation>supuesto: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
+        <translation>deducido: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
     </message>
     <message>
         <source>guessed: no time here</source>
-        <translation>supuesto: aquí no hay tiempo</translation>
+        <translation>deducido: aquí no hay tiempo</translation>
     </message>
     <message>
         <source>%1 = %2 … %3°</source>
@@ -445,6 +441,14 @@
     <message>
         <source>%1 lines above them skipped</source>
         <translation>%1 líneas, encima, omitidas</translation>
+    </message>
+    <message>
+        <source>ignored: its name does not say of which body it is</source>
+        <translation>sin usar: su nombre no dice de qué eslabón es</translation>
+    </message>
+    <message>
+        <source>of which body?</source>
+        <translation>¿de qué eslabón?</translation>
     </message>
 </context>
 <context>
@@ -526,16 +530,8 @@
         <translation>%1: filas que no se pudieron leer y se omitieron: %2; la primera, en la línea %3, columna %4 («%5»): %6.</translation>
     </message>
     <message>
-        <source>crank length O2-A, &gt; 0 (20)</source>
-        <translation>longitud de la manivela O2-A, &gt; 0 (20)</translation>
-    </message>
-    <message>
         <source>coupler length A-B, &gt; 0 (65)</source>
         <translation>longitud de la biela A-B, &gt; 0 (65)</translation>
-    </message>
-    <message>
-        <source>offset of the slider&apos;s line from O2 (25)</source>
-        <translation>excentricidad: de O2 a la línea de la corredera (25)</translation>
     </message>
     <message>
         <source>crank speed, constant (2π)</source>
@@ -550,14 +546,6 @@
         <translation>configuración: la corredera a la derecha de A, o a la izquierda (open)</translation>
     </message>
     <message>
-        <source>a saved scene that gives these and whatever else it knows; an option beside it wins</source>
-        <translation>una escena guardada que da estos valores y los demás que conozca; una opción escrita junto a ella prevalece</translation>
-    </message>
-    <message>
-        <source>intervals; N + 1 instants, both ends (200)</source>
-        <translation>intervalos; N + 1 instantes, con ambos extremos (200)</translation>
-    </message>
-    <message>
         <source>length of the run, &gt; 0 (1)</source>
         <translation>duración del recorrido, &gt; 0 (1)</translation>
     </message>
@@ -566,64 +554,24 @@
         <translation>primer instante (0)</translation>
     </message>
     <message>
-        <source>one instant instead of a run: the first from --start at which θ2 is this angle, whole turns apart</source>
-        <translation>un instante en vez de un recorrido: el primero desde --start en que θ2 es este ángulo, salvo vueltas enteras</translation>
-    </message>
-    <message>
         <source>how the motion is computed (newton)</source>
         <translation>cómo se calcula el movimiento (newton)</translation>
-    </message>
-    <message>
-        <source>of Newton-Raphson, an instant, &gt;= 1 (10)</source>
-        <translation>de Newton-Raphson, por instante, &gt;= 1 (10)</translation>
     </message>
     <message>
         <source>residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)</source>
         <translation>residuo ‖C‖ con el que Newton-Raphson se detiene; 0: cuando deja de disminuir (1e-8)</translation>
     </message>
     <message>
-        <source>relative: the length rows of C divided by a + b + |c| (absolute: mm and rad as they are)</source>
-        <translation>relative: las filas de longitud de C divididas entre a + b + |c| (absolute: mm y rad tal cual)</translation>
-    </message>
-    <message>
-        <source>all, or names with commas: theta3,R4_x_diff (all)</source>
-        <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
-    </message>
-    <message>
         <source>unit of the angles written (deg)</source>
         <translation>unidad de los ángulos que se escriben (deg)</translation>
-    </message>
-    <message>
-        <source>what to write (csv)</source>
-        <translation>qué se escribe (csv)</translation>
-    </message>
-    <message>
-        <source>write there, not to standard output</source>
-        <translation>escribe ahí, y no en la salida estándar</translation>
-    </message>
-    <message>
-        <source>what to write (text: a table)</source>
-        <translation>qué se escribe (text: una tabla)</translation>
     </message>
     <message>
         <source>exit status 1 when a channel differs</source>
         <translation>estado de salida 1 cuando un canal difiere</translation>
     </message>
     <message>
-        <source>what to write (text)</source>
-        <translation>qué se escribe (text)</translation>
-    </message>
-    <message>
-        <source>nominal: the mechanism of these options; hard: the named hard cases, behind the mechanism if one is given; all: the named nominal and hard cases (nominal)</source>
-        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles con nombre, después del mecanismo si se da uno; all: los casos con nombre, nominales y difíciles (nominal)</translation>
-    </message>
-    <message>
         <source>a simulation&apos;s CSV file to draw beside it</source>
         <translation>un archivo CSV de una simulación, para dibujarlo al lado</translation>
-    </message>
-    <message>
-        <source>of a PNG&apos;s pixels, 0.1 to 10 (1)</source>
-        <translation>de los píxeles de un PNG, de 0.1 a 10 (1)</translation>
     </message>
     <message>
         <source>colours (light)</source>
@@ -634,20 +582,12 @@
         <translation>instante de la posición dibujada, marcado en las gráficas (--start)</translation>
     </message>
     <message>
-        <source>the same by crank angle: the first instant from --start at which θ2 is this angle</source>
-        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start en que θ2 es este ángulo</translation>
-    </message>
-    <message>
         <source>a simulation&apos;s CSV file to open</source>
         <translation>un archivo CSV de una simulación, para abrirlo</translation>
     </message>
     <message>
         <source>this text</source>
         <translation>este texto</translation>
-    </message>
-    <message>
-        <source>name and version of the program, and what it is built of</source>
-        <translation>nombre y versión del programa, y con qué está compilado</translation>
     </message>
     <message>
         <source>Mechanism</source>
@@ -681,26 +621,6 @@ second (theta3_diff2), 17 significant digits, nan where a value does not exist.
 Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canales pedidos: posiciones
 (R1_x, R1_y, theta1, R2_x … theta4; mm, °), sus primeras derivadas (theta3_diff) y las segundas
 (theta3_diff2), con 17 cifras significativas; nan donde no existe un valor.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank study [options]
-
-Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
-worst of the six plotted channels, relative to the channel&apos;s peak, over the instants that the method calls
-solved. Beside it the bound κ·u: the error that rounding the given numbers makes by itself. newton-dense is the
-report&apos;s way, with its absolute tolerance; the others measure the residual relative to a + b + |c|.
-finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps N harmonics.
-Times depend on the machine: compare them within one run.
-</source>
-        <translation>Uso: slidercrank study [opciones]
-
-Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
-peor de los seis canales graficados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
-lado, la cota κ·u: el error que causa por sí solo redondear los datos. newton-dense es el procedimiento del informe,
-con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
-muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
-Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
 </translation>
     </message>
     <message>
@@ -904,10 +824,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
     <message>
-        <source>%1 of %2 instants, first at t = %3 s (θ2 = %4°)</source>
-        <translation>%1 de %2 instantes, el primero en t = %3 s (θ2 = %4°)</translation>
-    </message>
-    <message>
         <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to turn round (--b).</source>
         <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé la vuelta completa (--b).</translation>
     </message>
@@ -958,10 +874,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
     <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
-    </message>
-    <message>
-        <source>of frames, 30 a second: seconds of the motion in a second of the film (1)</source>
-        <translation>de frames, a 30 por segundo: segundos del movimiento en un segundo de la película (1)</translation>
     </message>
     <message>
         <source>forget what the window remembers: layout, recent files, language, theme, choices of columns</source>
@@ -1065,7 +977,7 @@ where there is no pose at all.
 </source>
         <translation>Uso: slidercrank limits [opciones]
 
-Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, razón de tiempos,
+Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, relación de tiempos,
 ángulo de transmisión, velocidades medias y máximas, aceleraciones máximas, y dónde y cuándo se dan. Si la manivela oscila hay
 menos; código de salida 4 si no hay ninguna posición.
 </translation>
@@ -1081,12 +993,12 @@ menos; código de salida 4 si no hay ninguna posición.
 </translation>
     </message>
     <message>
-        <source>at θ2 = %1°</source>
-        <translation>en θ2 = %1°</translation>
-    </message>
-    <message>
         <source>, t = %1 s</source>
         <translation>, t = %1 s</translation>
+    </message>
+    <message>
+        <source>name and version of the program, and what it is built of</source>
+        <translation>nombre y versión del programa, y con qué está compilado</translation>
     </message>
     <message>
         <source>rounding</source>
@@ -1107,28 +1019,6 @@ los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
         <translation>Modelo: %1</translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE… [options]    the mechanism that each file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
        &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
        &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
@@ -1146,82 +1036,6 @@ CSV: the file&apos;s name, then the same columns; behind them fileVerdict, that 
        &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
 CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el veredicto de todo el archivo, y sentence, por
      qué difiere.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
-      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      Of the outcome nearest the mechanism is no more than what comes nearest.
-      Of several files: {&quot;files&quot;:[…]}.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
-      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que lo más cercano.
-      De varios archivos: {&quot;files&quot;:[…]}.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
-standard error, and the others are still compared. FILE may be - for standard input.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
-como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
-se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
-informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE… [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
-above all, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
-angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
-looked at. FILE may be - for standard input.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
-y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
-encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
-en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
-examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
-none          ni siquiera eso
 </translation>
     </message>
     <message>
@@ -1277,6 +1091,28 @@ none          ni siquiera eso
         <translation>Archivos</translation>
     </message>
     <message>
+        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+</translation>
+    </message>
+    <message>
         <source>the crank&apos;s angle</source>
         <comment>a column is taken for</comment>
         <translation>el ángulo de la manivela</translation>
@@ -1286,16 +1122,8 @@ none          ni siquiera eso
         <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
     </message>
     <message>
-        <source>%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°</source>
-        <translation>%1: θ2 = %3° a %4°, %2 ángulos; el tiempo, con ω2 = %5 rad/s y θ20 = %6°</translation>
-    </message>
-    <message>
         <source>%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.</source>
         <translation>%1: qué son estas columnas se ha supuesto: %2. Donde no sea así, dígalo con --column.</translation>
-    </message>
-    <message>
-        <source>at θ2 [°]</source>
-        <translation>en θ2 [°]</translation>
     </message>
     <message>
         <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
@@ -1308,6 +1136,182 @@ none          ni siquiera eso
     <message>
         <source>Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
         <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
+    </message>
+    <message>
+        <source>crank length O₂-A, &gt; 0 (20)</source>
+        <translation>longitud de la manivela O₂-A, &gt; 0 (20)</translation>
+    </message>
+    <message>
+        <source>offset of the slider&apos;s line from O₂ (25)</source>
+        <translation>excentricidad: de O₂ a la línea de la corredera (25)</translation>
+    </message>
+    <message>
+        <source>a scene saved by the window: these and all else come from it; an option beside it wins</source>
+        <translation>una escena guardada en la ventana: de ella salen estos valores y todo lo demás; una opción escrita junto a ella prevalece</translation>
+    </message>
+    <message>
+        <source>equal steps of the run; N + 1 instants, both ends (200)</source>
+        <translation>pasos iguales del recorrido; N + 1 instantes, con ambos extremos (200)</translation>
+    </message>
+    <message>
+        <source>one instant instead of a run: the first from --start on with the crank at this angle</source>
+        <translation>un instante en vez de un recorrido: el primero desde --start con la manivela en este ángulo</translation>
+    </message>
+    <message>
+        <source>most iterations of Newton-Raphson at an instant, &gt;= 1 (10)</source>
+        <translation>iteraciones máximas de Newton-Raphson por instante, &gt;= 1 (10)</translation>
+    </message>
+    <message>
+        <source>absolute: ‖C‖ in mm and rad as they are; relative: lengths divided by a + b + |c| (absolute)</source>
+        <translation>absolute: ‖C‖ en mm y rad tal cual; relative: longitudes divididas entre a + b + |c| (absolute)</translation>
+    </message>
+    <message>
+        <source>all, or names separated by commas: theta3,R4_x_diff (all)</source>
+        <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
+    </message>
+    <message>
+        <source>form of the output (csv)</source>
+        <translation>formato de la salida (csv)</translation>
+    </message>
+    <message>
+        <source>write to this file, not to standard output</source>
+        <translation>escribe en este archivo, y no en la salida estándar</translation>
+    </message>
+    <message>
+        <source>form of the output (text: a table)</source>
+        <translation>formato de la salida (text: una tabla)</translation>
+    </message>
+    <message>
+        <source>form of the output (text)</source>
+        <translation>formato de la salida (text)</translation>
+    </message>
+    <message>
+        <source>nominal: the mechanism of these options; hard: the hard cases, after the mechanism if one is given; all: ten ordinary and the hard cases (nominal)</source>
+        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles, después del mecanismo si se da uno; all: diez casos corrientes y los difíciles (nominal)</translation>
+    </message>
+    <message>
+        <source>pixels of a PNG for each one of --size, 0.1 to 10 (1)</source>
+        <translation>píxeles de un PNG por cada uno de --size, de 0.1 a 10 (1)</translation>
+    </message>
+    <message>
+        <source>the same by crank angle: the first instant from --start on with the crank at this angle</source>
+        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start con la manivela en ese ángulo</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank study [options]
+
+Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
+worst of the six plotted channels, relative to the channel&apos;s peak, over the instants that the method calls
+solved. Beside it, what rounding the given numbers may cost by itself. newton-dense is the
+report&apos;s way, with its absolute tolerance; the others measure the residual relative to a + b + |c|.
+finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps N harmonics.
+Times depend on the machine: compare them within one run.
+</source>
+        <translation>Uso: slidercrank study [opciones]
+
+Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
+peor de los seis canales representados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
+lado, lo que puede costar por sí solo redondear los datos. newton-dense es el procedimiento del informe,
+con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
+muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
+Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
+</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants, first at t = %3 s (θ₂ = %4°)</source>
+        <translation>%1 de %2 instantes, el primero en t = %3 s (θ₂ = %4°)</translation>
+    </message>
+    <message>
+        <source>for frames, 30 a second: seconds of motion in a second of film (1)</source>
+        <translation>para frames, a 30 por segundo: segundos de movimiento en un segundo de película (1)</translation>
+    </message>
+    <message>
+        <source>at θ₂ = %1°</source>
+        <translation>en θ₂ = %1°</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      With the outcome nearest, the mechanism is no more than the nearest one.
+      Of several files: {&quot;files&quot;:[…]}.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que el más cercano.
+      De varios archivos: {&quot;files&quot;:[…]}.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. Rounding makes a value uncertain by half
+a unit of its last digit, and by how far the motion goes in half a unit of its instant&apos;s (evenly spaced instants count
+as exact). A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close
+when none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is named on
+standard error, and the others are still compared. FILE may be - for standard input.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. El redondeo hace incierto un valor en media
+unidad de su última cifra, y en lo que el movimiento avanza en media unidad de la de su instante (los instantes a
+intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE… [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
+above all, and how certain each of its parameters is. Where the file means something else by a column than its
+heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are measured from the crank&apos;s pivot O₂,
+angles counter-clockwise from x. A file that cannot be read is named on standard error, and the others are still
+looked at. FILE may be - for standard input.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       no mechanism found explains the file: the nearest, as no more than that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
+y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
+encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O₂ de la manivela, los ángulos
+en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
+examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       ningún mecanismo hallado explica el archivo: el más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°</source>
+        <translation>%1: θ₂ = %3° a %4°, %2 ángulos; el tiempo, con ω₂ = %5 rad/s y θ₂₀ = %6°</translation>
+    </message>
+    <message>
+        <source>at θ₂ [°]</source>
+        <translation>en θ₂ [°]</translation>
     </message>
 </context>
 <context>
@@ -1449,6 +1453,10 @@ none          ni siquiera eso
         <translation>Deja fuera %1</translation>
     </message>
     <message>
+        <source>Turns %1 by 90°, so that y becomes x</source>
+        <translation>Gira %1 90°, de modo que y pasa a ser x</translation>
+    </message>
+    <message>
         <source>angle unit</source>
         <translation>unidad de ángulo</translation>
     </message>
@@ -1493,6 +1501,10 @@ none          ni siquiera eso
         <translation>no es derivada</translation>
     </message>
     <message>
+        <source>axis</source>
+        <translation>eje</translation>
+    </message>
+    <message>
         <source>%1: along an axis that points the other way.</source>
         <translation>%1: a lo largo de un eje que apunta al revés.</translation>
     </message>
@@ -1525,22 +1537,6 @@ none          ni siquiera eso
         <translation>%1: no es la derivada temporal de su columna de posición.</translation>
     </message>
     <message>
-        <source>%1: its largest error is %2 % of peak.</source>
-        <translation>%1: su error máximo es el %2 % del pico.</translation>
-    </message>
-    <message>
-        <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
-    </message>
-    <message>
-        <source>Turns %1 by 90°, so that y becomes x</source>
-        <translation>Gira %1 90°, de modo que y pasa a ser x</translation>
-    </message>
-    <message>
-        <source>axis</source>
-        <translation>eje</translation>
-    </message>
-    <message>
         <source>%1: central differences of the rows on both sides, and not the time derivative.</source>
         <translation>%1: son diferencias centrales, entre la fila anterior y la siguiente, y no la derivada respecto al tiempo.</translation>
     </message>
@@ -1555,6 +1551,14 @@ none          ni siquiera eso
     <message>
         <source>The slider moves along y and not along x: y is its axis, as in an upright engine.</source>
         <translation>La corredera se mueve según y, no según x: su eje es y, como en un motor vertical.</translation>
+    </message>
+    <message>
+        <source>%1: its largest error is %2 % of peak.</source>
+        <translation>%1: su error máximo es el %2 % del pico.</translation>
+    </message>
+    <message>
+        <source>%1: largest error %2 % of peak instead of %3 %.</source>
+        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
     </message>
     <message>
         <source>%1: measured from where it began; %2 is %1%3.</source>
@@ -1664,6 +1668,10 @@ none          ni siquiera eso
         <translation>%1 a</translation>
     </message>
     <message>
+        <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
+        <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
+    </message>
+    <message>
         <source>The search was stopped.</source>
         <translation>La búsqueda se detuvo.</translation>
     </message>
@@ -1674,10 +1682,6 @@ none          ni siquiera eso
     <message>
         <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
         <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
-    </message>
-    <message>
-        <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
-        <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
     </message>
     <message>
         <source>The file counts by the crank&apos;s angle: ω₂ is what its derivatives say.</source>
@@ -2713,18 +2717,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Leer los valores de todas las gráficas</translation>
     </message>
     <message>
-        <source>Leave what fills the screen</source>
-        <translation>Salir de la pantalla completa</translation>
-    </message>
-    <message>
-        <source>Make it large, and small again</source>
-        <translation>Agrandarlo y reducirlo</translation>
-    </message>
-    <message>
-        <source>Double click a link, or Enter</source>
-        <translation>Doble clic en una barra, o Intro</translation>
-    </message>
-    <message>
         <source>The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length b, leads from its pin A to the pin B of the slider, which moves along y = c. Superscripts number the bodies: 1 ground, 2 crank, 3 coupler, 4 slider. The crank angle is the one exception: it is θ₂ everywhere, also where Shabana writes θ².</source>
         <translation>La manivela, de longitud a, gira alrededor de O₂ a la velocidad constante ω₂. La biela, de longitud b, va de su pasador A al pasador B de la corredera, que se mueve sobre y = c. Los superíndices numeran los eslabones: 1 bancada, 2 manivela, 3 biela, 4 corredera. La única excepción es el ángulo de la manivela: es θ₂ en todas partes, también donde Shabana escribe θ².</translation>
     </message>
@@ -2763,6 +2755,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>The study compares every method with a computation in 50 digits or more, and with κ·u: how much a channel f can change just because each given number p is rounded to the 16 digits of a double, by u of itself at most.</source>
         <translation>El estudio compara cada método con un cálculo de 50 cifras o más, y con κ·u: cuánto puede cambiar un canal f solo porque cada número dado p se redondea a las 16 cifras de la doble precisión, a lo sumo en u veces su valor.</translation>
+    </message>
+    <message>
+        <source>Leave what fills the screen</source>
+        <translation>Salir de la pantalla completa</translation>
+    </message>
+    <message>
+        <source>Make it large, and small again</source>
+        <translation>Agrandarlo y reducirlo</translation>
+    </message>
+    <message>
+        <source>Double click a link, or Enter</source>
+        <translation>Doble clic en una barra, o Intro</translation>
     </message>
 </context>
 <context>
@@ -3415,12 +3419,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
     </message>
     <message>
-        <source>In &amp;front of a class</source>
-        <translation>&amp;Ante una clase</translation>
-    </message>
-    <message>
         <source>Rese&amp;t all parameters</source>
         <translation>Restablecer todos los &amp;parámetros</translation>
+    </message>
+    <message>
+        <source>In &amp;front of a class</source>
+        <translation>&amp;Ante una clase</translation>
     </message>
 </context>
 <context>
@@ -4156,16 +4160,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Sombreado: con la manivela ahí el mecanismo no se puede ensamblar</translation>
     </message>
     <message>
+        <source>Back to the initial value</source>
+        <translation>Volver al valor inicial</translation>
+    </message>
+    <message>
         <source>Parameter to change</source>
         <translation>Parámetro que se cambia</translation>
     </message>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Back to the initial value</source>
-        <translation>Volver al valor inicial</translation>
     </message>
 </context>
 <context>
@@ -4273,6 +4277,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1: %2</source>
         <comment>kept motion, its value</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>velocity </source>
+        <translation>velocidad </translation>
+    </message>
+    <message>
+        <source>acceleration </source>
+        <translation>aceleración </translation>
+    </message>
+    <message>
+        <source>angle </source>
+        <translation>ángulo </translation>
+    </message>
+    <message>
+        <source>position </source>
+        <translation>posición </translation>
     </message>
 </context>
 <context>
@@ -4481,6 +4501,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>El archivo es HTML o XML, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
     <message>
+        <source>The file is JSON, not a table of text: export the table as CSV.</source>
+        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
+    </message>
+    <message>
         <source>the file holds bytes that are not text: export the table as CSV.</source>
         <translation>el archivo contiene bytes que no son texto: exporte la tabla como CSV.</translation>
     </message>
@@ -4533,20 +4557,16 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
     </message>
     <message>
-        <source>The file is JSON, not a table of text: export the table as CSV.</source>
-        <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
-    </message>
-    <message>
-        <source>its name does not tell what moves so</source>
-        <translation>su nombre no dice qué se mueve así</translation>
-    </message>
-    <message>
-        <source>the crank&apos;s angle turns back behind %1: sort the rows by it, one row for each angle.</source>
-        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
-    </message>
-    <message>
         <source>the columns beside the time are unknown (%1: %2): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
         <translation>las columnas aparte del tiempo son desconocidas (%1: %2): nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+    </message>
+    <message>
+        <source>its name does not say of which body it is</source>
+        <translation>su nombre no dice de qué eslabón es</translation>
+    </message>
+    <message>
+        <source>the crank angle goes back after %1: sort the rows by it, one row for each angle.</source>
+        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
     </message>
 </context>
 <context>
@@ -4580,8 +4600,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Están: %1.</translation>
     </message>
     <message>
-        <source>%1 counts by the crank&apos;s angle, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
-        <translation>%1 se rige por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
+        <source>%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its angles in that order: choose another ω₂.</source>
+        <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
     </message>
 </context>
 <context>
@@ -4707,10 +4727,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Primera columna: ángulo de la manivela</translation>
     </message>
     <message>
-        <source>Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ make the time</source>
-        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
-    </message>
-    <message>
         <source>Which mechanism the file belongs to, and how else it may be read</source>
         <translation>A qué mecanismo pertenece el archivo, y de qué otro modo puede leerse</translation>
     </message>
@@ -4741,6 +4757,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Use the first</source>
         <translation>Usar el primero</translation>
+    </message>
+    <message>
+        <source>Whether the rows are by time or by crank angle; from the angle, ω₂ and θ₂₀ give the time</source>
+        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
     </message>
 </context>
 <context>
@@ -4971,6 +4991,10 @@ SHA-256: %2</translation>
         <source>Thin: the mechanism as the file has it.</source>
         <translation>Trazo fino: el mecanismo según el archivo.</translation>
     </message>
+    <message>
+        <source>Reference: %1, %2, %3 angles.</source>
+        <translation>Referencia: %1, %2, %3 ángulos.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -4985,10 +5009,6 @@ SHA-256: %2</translation>
 </context>
 <context>
     <name>slidercrank::SceneFile</name>
-    <message>
-        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
-        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
-    </message>
     <message>
         <source>Unsaved changes</source>
         <translation>Cambios sin guardar</translation>
@@ -5006,20 +5026,24 @@ SHA-256: %2</translation>
         <translation>Abrir escena</translation>
     </message>
     <message>
-        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
-        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
     </message>
     <message>
-        <source>Scenes (*.slidercrank)</source>
-        <translation>Escenas (*.slidercrank)</translation>
-    </message>
-    <message>
         <source>Scenes (*.json)</source>
         <translation>Escenas (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
+        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Scenes (*.slidercrank)</source>
+        <translation>Escenas (*.slidercrank)</translation>
     </message>
     <message>
         <source>Save what you changed as a scene, to go on from there another time?</source>
@@ -6096,10 +6120,6 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::MechanismCentre</name>
     <message>
-        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
-        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
-    </message>
-    <message>
         <source>P at infinity: the coupler does not turn,</source>
         <translation>P en el infinito: la biela no gira,</translation>
     </message>
@@ -6115,6 +6135,10 @@ SHA-256: %2</translation>
         <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
         <comment>of a point: |ω₃| times its distance</comment>
         <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
+    </message>
+    <message>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
     </message>
 </context>
 <context>

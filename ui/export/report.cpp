@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report.h"
+#include "ui/document/byte_stream.h"
 
 #include "ui/words/axis_scale.h"
 #include "ui/words/column_text.h"
@@ -126,6 +127,10 @@ ReportTable differenceTable(const MotionDifference &difference)
 QString fileText(const Reference &reference)
 {
     const std::vector<double> &time = reference.data.time;
+    if (reference.data.crank) {
+        return Report::tr("Reference: %1, %2, %3 angles.")
+            .arg(reference.name, abscissaText(reference.data), countText(time.size()));
+    }
     return Report::tr("Reference: %1, t = %2 s to %3 s, %4 instants.")
         .arg(reference.name, numberText(time.front()), numberText(time.back()), countText(time.size()));
 }
@@ -143,8 +148,9 @@ QString identityText(const ReportContent &content)
 {
     const QString &path = content.result->reference->path;
     return Report::tr("File: %1\nSHA-256: %2")
-        .arg(path.startsWith(u':') ? Report::tr("the sample that comes with the program")
-                                   : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
+        .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
+             : isStandardInput(path) ? shownNameOf(path)
+                                     : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
              content.checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or was changed since")
                                         : QString::fromLatin1(content.checksum));
 }

@@ -300,7 +300,7 @@ void ParameterPanel::addRow(Row &row)
         }
         m_grid->addWidget(row.box, line, 2, 1, 2);
     } else {
-        row.box->setWidestText(QStringLiteral("-000.00"));
+        row.box->setWidestText(QStringLiteral("-0.0·10⁻⁰"));
         m_grid->addWidget(row.box, line, 2);
         row.unit = named(QStringLiteral("unit_") + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));

@@ -23,8 +23,6 @@ public:
     const Interval &timeRange() const { return m_picture.time; }
     const Interval &valueRange() const { return m_picture.values; }
     bool hasValues() const { return m_picture.hasValues; }
-    Ink inkOf(std::size_t curve) const { return m_picture.curves[curve].ink; }
-
     /// In parts without gaps.
     std::vector<QPolygonF> curvesInPixels() const;
 

@@ -132,8 +132,8 @@ void Exports::writeReport(const QString &path)
     };
     const Result &result = *content->result;
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
-    const bool isKnown =
-        diagnosis && diagnosis->reference == result.chosenReference() && diagnosis->parameters == result.mechanism.parameters();
+    const bool isKnown = diagnosis && diagnosis->reference == result.chosenReference() &&
+                         diagnosis->parameters == result.mechanism.parameters();
     if (isKnown) {
         content->diagnosis = diagnosis->found;
     }

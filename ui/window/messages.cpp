@@ -174,8 +174,8 @@ void Messages::tellDifference()
 {
     const Result &result = *m_session->result();
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
-    const bool isKnown =
-        diagnosis && diagnosis->reference == result.chosenReference() && diagnosis->parameters == result.mechanism.parameters();
+    const bool isKnown = diagnosis && diagnosis->reference == result.chosenReference() &&
+                         diagnosis->parameters == result.mechanism.parameters();
     const auto is = [&](Verdict verdict) {
         return std::ranges::count(result.comparison, verdict, &ChannelComparison::verdict) > 0;
     };

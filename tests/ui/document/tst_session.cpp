@@ -281,6 +281,31 @@ private slots:
         QVERIFY(!session.reference());
     }
 
+    void countsTheAnglesFromWhereTheyAreCounted()
+    {
+        const QTemporaryDir folder;
+        QByteArray table = "CAD,theta3,R4_x\n"; // b = 65, counted from 30° on
+        for (int angle = 0; angle <= 360; angle += 15) {
+            const double theta2 = (angle + 30) / kDegreesPerRadian;
+            const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 65.0);
+            table += QByteArray::number(angle) + ',' + QByteArray::number(theta3 * kDegreesPerRadian, 'f', 6) + ',' +
+                     QByteArray::number(20.0 * std::cos(theta2) + 65.0 * std::cos(theta3), 'f', 6) + '\n';
+        }
+        Session session;
+        session.loadReference(writeFile(folder, QStringLiteral("engine.csv"), table));
+        AWAIT(session.reference() && session.diagnosis());
+        QVERIFY(!allAgree(session.result()->comparison));
+        const std::vector<ConventionFinding> findings = session.diagnosis()->found.conventions;
+        QCOMPARE(findings.size(), std::size_t(1));
+        QCOMPARE(findings.front().convention.amount, 30.0);
+        session.apply(findings.front().convention);
+        QVERIFY(allAgree(session.result()->comparison));
+        session.setParameter(Parameter::Omega2, 100.0); // and stays so, whatever the drive
+        QVERIFY(allAgree(session.result()->comparison));
+        session.readAsPrinted();
+        QVERIFY(!allAgree(session.result()->comparison));
+    }
+
     void keepsWhatIsThereWhenAFileIsBad_data()
     {
         QTest::addColumn<QByteArray>("bytes");
