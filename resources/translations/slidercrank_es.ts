@@ -4607,10 +4607,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its angles in that order: choose another ω₂.</source>
         <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
     </message>
-    <message>
-        <source>%1 goes by the angle of the crank, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
-        <translation>%1 va por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
-    </message>
 </context>
 <context>
     <name>slidercrank::ReferencePanel</name>

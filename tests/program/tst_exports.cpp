@@ -528,7 +528,8 @@ private slots:
         Sampling sampling;
         sampling.duration = 0.1;
         m_window->session().setSampling(sampling);
-        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")));
+        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")),
+                                           m_window->exports().animationOnShow());
         AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "frames", "--duration", "0.1", "--size", "400x300", "--output",
