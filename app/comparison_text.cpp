@@ -82,7 +82,7 @@ QStringList guessesIn(const FileLayout &layout)
         }
         const QString meaning = column.role == ColumnRole::Time ? CommandLine::tr("the time", "a column is taken for")
                                 : column.role == ColumnRole::CrankAngle
-                                    ? CommandLine::tr("the crank's angle", "a column is taken for")
+                                    ? CommandLine::tr("the crank angle", "a column is taken for")
                                     : columnNameOf(column.channel);
         guesses +=
             CommandLine::tr("\"%1\" as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
@@ -115,7 +115,7 @@ QString headlineOf(const QString &file, const ReferenceData &data)
     const auto number = [](double value) { return rounded(value, 9); };
     if (data.crank) {
         const CrankAngles &crank = *data.crank;
-        return CommandLine::tr("%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°")
+        return CommandLine::tr("%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°")
                    .arg(shownNameOf(file), QString::number(data.time.size()), number(crank.degrees.front()),
                         number(crank.degrees.back()), number(crank.omega2), number(crank.theta20 * kDegreesPerRadian)) +
                u'\n';
@@ -128,7 +128,7 @@ QString headlineOf(const QString &file, const ReferenceData &data)
 
 QString tableOf(const std::vector<ChannelComparison> &channels, const ReferenceData &data)
 {
-    const QString where = data.crank ? CommandLine::tr("at θ2 [°]") : CommandLine::tr("at t [s]");
+    const QString where = data.crank ? CommandLine::tr("at θ₂ [°]") : CommandLine::tr("at t [s]");
     const auto placeOf = [&data](std::optional<double> value, double time) {
         const std::optional<double> place = value && data.crank
                                                 ? (data.crank->omega2 * time + data.crank->theta20) * kDegreesPerRadian

@@ -10,20 +10,21 @@ namespace
 {
 
 constexpr OptionEntry kMechanismOptions[] = {
-    {"a", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank length O2-A, > 0 (20)")},
+    {"a", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank length O₂-A, > 0 (20)")},
     {"b", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "coupler length A-B, > 0 (65)")},
-    {"c", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "offset of the slider's line from O2 (25)")},
+    {"c", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "offset of the slider's line from O₂ (25)")},
     {"omega2", "RAD_PER_S", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank speed, constant (2π)")},
     {"theta20", "RAD", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank angle at t = 0 (0)")},
     {"branch", "open|crossed",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "assembly: slider to the right of A, or to the left (open)")},
     {"scene", "FILE",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "a saved scene that gives these and whatever else it knows; an option beside it wins")},
+                       "a scene saved by the window: these and all else come from it; an option beside it wins")},
 };
 
 constexpr OptionEntry kRunOptions[] = {
-    {"steps", "N", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "intervals; N + 1 instants, both ends (200)")},
+    {"steps", "N",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "equal steps of the run; N + 1 instants, both ends (200)")},
     {"duration", "SECONDS", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "length of the run, > 0 (1)")},
     {"start", "SECONDS", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "first instant (0)")},
 };
@@ -31,33 +32,33 @@ constexpr OptionEntry kRunOptions[] = {
 constexpr OptionEntry kInstantOptions[] = {
     {"at-angle", "DEGREES",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "one instant instead of a run: the first from --start at which θ2 is this angle, whole turns "
-                       "apart")},
+                       "one instant instead of a run: the first from --start on with the crank at this angle")},
 };
 
 constexpr OptionEntry kMethodOptions[] = {
     {"method", "newton|closed-form",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "how the motion is computed (newton)")},
-    {"max-iterations", "N", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "of Newton-Raphson, an instant, >= 1 (10)")},
+    {"max-iterations", "N",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "most iterations of Newton-Raphson at an instant, >= 1 (10)")},
     {"tolerance", "T",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)")},
     {"tolerance-kind", "absolute|relative",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "relative: the length rows of C divided by a + b + |c| (absolute: mm and rad as they are)")},
+                       "absolute: ‖C‖ in mm and rad as they are; relative: lengths divided by a + b + |c| (absolute)")},
 };
 
 constexpr OptionEntry kSolveOptions[] = {
     {"channels", "LIST",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "all, or names with commas: theta3,R4_x_diff (all)")},
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "all, or names separated by commas: theta3,R4_x_diff (all)")},
     {"angle-unit", "deg|rad", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "unit of the angles written (deg)")},
-    {"format", "csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (csv)")},
-    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+    {"format", "csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "form of the output (csv)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write to this file, not to standard output")},
 };
 
 constexpr OptionEntry kLimitsOptions[] = {
-    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
-    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "form of the output (text: a table)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write to this file, not to standard output")},
 };
 
 constexpr OptionEntry kFileOptions[] = {
@@ -73,24 +74,24 @@ constexpr OptionEntry kFileOptions[] = {
 };
 
 constexpr OptionEntry kCompareOptions[] = {
-    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
-    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "form of the output (text: a table)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write to this file, not to standard output")},
     {"fail-on-difference", nullptr,
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "exit status 1 when a channel differs")},
 };
 
 constexpr OptionEntry kIdentifyOptions[] = {
-    {"format", "text|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text)")},
-    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+    {"format", "text|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "form of the output (text)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write to this file, not to standard output")},
 };
 
 constexpr OptionEntry kStudyOptions[] = {
     {"cases", "nominal|hard|all",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "nominal: the mechanism of these options; hard: the named hard cases, behind the mechanism if "
-                       "one is given; all: the named nominal and hard cases (nominal)")},
-    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "what to write (text: a table)")},
-    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write there, not to standard output")},
+                       "nominal: the mechanism of these options; hard: the hard cases, after the mechanism if one is "
+                       "given; all: ten ordinary and the hard cases (nominal)")},
+    {"format", "text|csv|json", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "form of the output (text: a table)")},
+    {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write to this file, not to standard output")},
 };
 
 constexpr OptionEntry kRenderOptions[] = {
@@ -109,16 +110,17 @@ constexpr OptionEntry kRenderOptions[] = {
     {"size", "WxH",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)")},
-    {"scale", "FACTOR", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "of a PNG's pixels, 0.1 to 10 (1)")},
+    {"scale", "FACTOR",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "pixels of a PNG for each one of --size, 0.1 to 10 (1)")},
     {"theme", "light|dark", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "colours (light)")},
     {"at", "SECONDS",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "instant of the pose, marked in the plots (--start)")},
     {"at-angle", "DEGREES",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "the same by crank angle: the first instant from --start at which θ2 is this angle")},
+                       "the same by crank angle: the first instant from --start on with the crank at this angle")},
     {"speed", "FACTOR",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "of frames, 30 a second: seconds of the motion in a second of the film (1)")},
+                       "for frames, 30 a second: seconds of motion in a second of film (1)")},
 };
 
 constexpr OptionEntry kWindowOptions[] = {
@@ -130,7 +132,8 @@ constexpr OptionEntry kWindowOptions[] = {
 
 constexpr OptionEntry kEverywhereOptions[] = {
     {"help", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "this text")},
-    {"version", nullptr, QT_TRANSLATE_NOOP("slidercrank::CommandLine", "name and version of the program, and what it is built of")},
+    {"version", nullptr,
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "name and version of the program, and what it is built of")},
 };
 
 constexpr const char *kMechanism = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Mechanism");
@@ -175,55 +178,35 @@ QString introductionOf(Subcommand subcommand)
                                "where there is no pose at all.\n");
     case Subcommand::Compare:
         return CommandLine::tr(
-            "Usage: slidercrank compare FILE… [options]\n"
-            "\n"
-            "Reads simulations' CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and "
-            "tells how far each of their\n"
-            "columns is from the exact motion of the mechanism at the file's own instants. What "
-            "rounding makes of a value is half\n"
-            "a step of its own, and what the motion does in half a step of its instant (evenly "
-            "spaced instants count as exact).\n"
-            "A column agrees when at least 95 % of its errors are within that and none beyond ten "
-            "times as much, is close when\n"
-            "none is beyond a hundred times, and differs otherwise; also where an error goes beyond "
-            "its rounding by 1 % of half\n"
-            "the motion's range. Where one differs, the text says what explains it. A file that cannot "
-            "be read is told on\n"
-            "standard error, and the others are still compared. FILE may be - for standard input.\n");
+            "Usage: slidercrank compare FILE… [options]\n\nReads simulations' CSV files (time,R4_x,theta3_diff,… as "
+            "Inventor exports them) and tells how far each of their\ncolumns is from the exact motion of the mechanism "
+            "at the file's own instants. Rounding makes a value uncertain by half\na unit of its last digit, and by "
+            "how far the motion goes in half a unit of its instant's (evenly spaced instants count\nas exact). A "
+            "column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is "
+            "close\nwhen none is beyond a hundred times, and differs otherwise; also where an error goes beyond its "
+            "rounding by 1 % of half\nthe motion's range. Where one differs, the text says what explains it. A file "
+            "that cannot be read is named on\nstandard error, and the others are still compared. FILE may be - for "
+            "standard input.\n");
     case Subcommand::Identify:
-        return CommandLine::tr("Usage: slidercrank identify FILE… [options]\n"
-                               "\n"
-                               "Finds the mechanism that a simulation's file belongs to, from all of its columns, "
-                               "theta3, R4_x and their derivatives\n"
-                               "above all, and how certain each of its parameters is. Where the file means something "
-                               "else by a column than its\n"
-                               "heading says (radians, another origin, the textbook's angle, another sign, …), that is "
-                               "said, and the file is read so.\n"
-                               "The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted "
-                               "from the crank's pivot O2,\n"
-                               "angles counter-clockwise from x. A file that cannot be read is told on standard error, "
-                               "and the others are still\n"
-                               "looked at. FILE may be - for standard input.\n"
-                               "\n"
-                               "identified    what is left is rounding, or noise that looks like noise\n"
-                               "ambiguous     several mechanisms explain the file equally: all are listed\n"
-                               "insufficient  too few values, instants a turn or columns to tell\n"
-                               "nearest       nothing found explains the file: what comes nearest, as just that\n"
-                               "none          not even that\n");
+        return CommandLine::tr(
+            "Usage: slidercrank identify FILE… [options]\n\nFinds the mechanism that a simulation's file belongs to, "
+            "from all of its columns, theta3, R4_x and their derivatives\nabove all, and how certain each of its "
+            "parameters is. Where the file means something else by a column than its\nheading says (radians, another "
+            "origin, the textbook's angle, another sign, …), that is said, and the file is read so.\nThe options of "
+            "the mechanism give what the file cannot fix. R4_x and R4_y are measured from the crank's pivot "
+            "O₂,\nangles counter-clockwise from x. A file that cannot be read is named on standard error, and the "
+            "others are still\nlooked at. FILE may be - for standard input.\n\nidentified    what is left is rounding, "
+            "or noise that looks like noise\nambiguous     several mechanisms explain the file equally: all are "
+            "listed\ninsufficient  too few values, instants a turn or columns to tell\nnearest       no mechanism "
+            "found explains the file: the nearest, as no more than that\nnone          not even that\n");
     case Subcommand::Study:
-        return CommandLine::tr("Usage: slidercrank study [options]\n"
-                               "\n"
-                               "Times every method on the same instants and measures its error against the exact "
-                               "motion in 50 to 100 digits: the\n"
-                               "worst of the six plotted channels, relative to the channel's peak, over the instants "
-                               "that the method calls\n"
-                               "solved. Beside it the bound κ·u: the error that rounding the given numbers makes by "
-                               "itself. newton-dense is the\n"
-                               "report's way, with its absolute tolerance; the others measure the residual relative to "
-                               "a + b + |c|.\n"
-                               "finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps "
-                               "N harmonics.\n"
-                               "Times depend on the machine: compare them within one run.\n");
+        return CommandLine::tr(
+            "Usage: slidercrank study [options]\n\nTimes every method on the same instants and measures its error "
+            "against the exact motion in 50 to 100 digits: the\nworst of the six plotted channels, relative to the "
+            "channel's peak, over the instants that the method calls\nsolved. Beside it, what rounding the given "
+            "numbers may cost by itself. newton-dense is the\nreport's way, with its absolute tolerance; the others "
+            "measure the residual relative to a + b + |c|.\nfinite-difference differentiates positions sampled 200 "
+            "times a turn; harmonic-N keeps N harmonics.\nTimes depend on the machine: compare them within one run.\n");
     case Subcommand::Render:
         return CommandLine::tr("Usage: slidercrank render --output FILE.png|.svg|.pdf [options]\n"
                                "\n"
@@ -274,21 +257,16 @@ QString shapeOf(Subcommand subcommand)
                                "     why it differs.\n");
     case Subcommand::Identify:
         return CommandLine::tr(
-            "JSON: {\"file\", "
-            "\"outcome\":\"identified\"|\"ambiguous\"|\"insufficient\"|\"nearest\"|\"none\",\n"
-            "       \"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, "
-            "\"standardError\":{\"a\",…}, \"identifiable\":{\"a\":true,…},\n"
-            "       \"alternatives\":[{\"mechanism\",\"why\"}], \"rounded\":{\"a\",…}, "
-            "\"noise\":{\"theta3\":rms,…}, \"iterations\",\n"
-            "       \"conditionNumber\", \"channels\":[as of compare, against it], \"columns\":[as of compare],\n"
-            "       \"conventions\":[{\"name\",\"channel\",\"amount\",\"unit\",\"explanation\",\"before\",\"after\"}], "
-            "\"summary\"};\n"
-            "      in mm and rad as the options; why: \"mirror-image\", \"reversed\", \"other-assembly\", "
-            "\"alias\" or \"another-mechanism\";\n"
-            "      channel: one, or several with commas; before, after: largest error, % of peak; null where there is "
-            "none.\n"
-            "      Of the outcome nearest the mechanism is no more than what comes nearest.\n"
-            "      Of several files: {\"files\":[…]}.\n");
+            "JSON: {\"file\", \"outcome\":\"identified\"|\"ambiguous\"|\"insufficient\"|\"nearest\"|\"none\",\n       "
+            "\"mechanism\":{\"a\",\"b\",\"c\",\"omega2\",\"theta20\",\"branch\"}, \"standardError\":{\"a\",…}, "
+            "\"identifiable\":{\"a\":true,…},\n       \"alternatives\":[{\"mechanism\",\"why\"}], "
+            "\"rounded\":{\"a\",…}, \"noise\":{\"theta3\":rms,…}, \"iterations\",\n       \"conditionNumber\", "
+            "\"channels\":[as of compare, against it], \"columns\":[as of compare],\n       "
+            "\"conventions\":[{\"name\",\"channel\",\"amount\",\"unit\",\"explanation\",\"before\",\"after\"}], "
+            "\"summary\"};\n      in mm and rad as the options; why: \"mirror-image\", \"reversed\", "
+            "\"other-assembly\", \"alias\" or \"another-mechanism\";\n      channel: one, or several with commas; "
+            "before, after: largest error, % of peak; null where there is none.\n      With the outcome nearest, the "
+            "mechanism is no more than the nearest one.\n      Of several files: {\"files\":[…]}.\n");
     case Subcommand::Study:
         return CommandLine::tr("JSON: {\"machine\", \"cases\":[{\"name\", \"methods\":[…]}]}; a method is\n"
                                "      {\"method\",\"tolerance\",\"channels\",\"nsPerState\",\"spread\","

@@ -168,7 +168,7 @@ QString textOf(const Mechanism &mechanism, const MotionLimits &limits, const std
             fact.name.leftJustified(nameWidth) + QStringLiteral("  ") + fact.value.rightJustified(valueWidth);
         if (fact.theta2) {
             line += QStringLiteral("  ") +
-                    CommandLine::tr("at θ2 = %1°").arg(QString::number(degreesOf(*fact.theta2), 'f', 2));
+                    CommandLine::tr("at θ₂ = %1°").arg(QString::number(degreesOf(*fact.theta2), 'f', 2));
         }
         if (fact.instant) {
             line += CommandLine::tr(", t = %1 s").arg(secondsText(*fact.instant, turn.duration));

@@ -36,7 +36,7 @@ QString Shortfall::sentence(const Mechanism &mechanism, int maxIterations) const
     const auto where = [&](const Instants &instants) {
         const double degrees =
             crankAngle(mechanism.omega2(), instants.first, mechanism.theta20()).hi * kDegreesPerRadian;
-        return CommandLine::tr("%1 of %2 instants, first at t = %3 s (θ2 = %4°)")
+        return CommandLine::tr("%1 of %2 instants, first at t = %3 s (θ₂ = %4°)")
             .arg(instants.count)
             .arg(m_total)
             .arg(rounded(instants.first, 6), rounded(degrees, 6));

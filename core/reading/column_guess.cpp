@@ -416,7 +416,7 @@ void Assignment::guessCrankAngle()
 /// Values that stand over other instants than the time's are of no use, instants that are the same of none either.
 void Assignment::settlePairs()
 {
-    const std::optional<std::size_t> time = columnAs(ColumnRole::Time);
+    const std::optional<std::size_t> time = abscissa();
     for (std::size_t i = 0; i < m_uses.size(); ++i) {
         const Heading &heading = m_headings[i];
         if (!time || i == *time || m_uses[i].reason == ColumnReason::Chosen) {

@@ -19,7 +19,7 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     constexpr double kOfItself = 1e-6; // what computing leaves
     const ReferenceSeries *const rate = data.find(channel);
     const std::size_t rows = std::min(data.time.size(), kLookedAt);
-    if (channel.order == Order::Position || !rate || rows < kFewest) {
+    if (channel.order == Order::Position || !rate || rows < kFewest || data.crank) { // by angle there are no instants
         return std::nullopt;
     }
     const ReferenceSeries *const base =

@@ -14,7 +14,8 @@ bool FileLayout::isGuessed() const
 bool FileLayout::isOpen() const
 {
     const auto isUsedAs = [this](ColumnRole role) { return std::ranges::count(columns, role, &FileColumn::role) > 0; };
-    return isUsedAs(ColumnRole::Time) && std::ranges::any_of(columns, [&](const FileColumn &column) {
+    const bool hasInstants = isUsedAs(ColumnRole::Time) || isUsedAs(ColumnRole::CrankAngle);
+    return hasInstants && std::ranges::any_of(columns, [&](const FileColumn &column) {
                return column.reason == ColumnReason::LikeOther
                           ? columns[*column.otherColumn].role == ColumnRole::Ignored
                           : leavesOpen(column.reason) && !isUsedAs(ColumnRole::Channel);

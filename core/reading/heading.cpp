@@ -380,10 +380,11 @@ std::optional<NameMeaning> fromModelica(std::string_view name, const std::option
     return meaning;
 }
 
-/// RecurDyn's "Pos_TX-Slider@Model1": a quantity, and of what.
+/// RecurDyn's "Y:Pos_TX-Slider@Model1": a quantity, and of what.
 NameMeaning fromPair(const Heading &heading)
 {
-    const std::string_view name = std::string_view(heading.name).substr(0, heading.name.find('@'));
+    const std::size_t end = std::min(heading.name.find('@'), heading.name.size());
+    const std::string_view name = std::string_view(heading.name).substr(2, end - 2);
     const std::size_t dash = std::min(name.find('-'), name.size());
     std::vector<std::string> words = wordsOf(plainSpelling(name.substr(0, dash)));
     if (const std::optional<Body> body = bodyAmong(wordsOf(plainSpelling(name.substr(dash))))) {

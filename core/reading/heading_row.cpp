@@ -25,7 +25,6 @@ void findPairs(std::vector<Heading> &row)
         }
         found->part = Heading::Part::Ordinate;
         found->other = x;
-        found->name.erase(0, 2);
         row[x].part = Heading::Part::Abscissa;
         row[x].other = static_cast<std::size_t>(found - row.begin());
         row[x].unit.clear(); // it is that of the values

@@ -38,6 +38,9 @@ struct StudyRequest {
     double secondsPerRound = 150e-6;
 };
 
+/// Of the rows of Newton-Raphson, those of the report's own run.
+inline constexpr double kReportsTolerance = 1e-8;
+
 struct MethodName {
     enum class Kind {
         NewtonDense, ///< the report's

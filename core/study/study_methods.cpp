@@ -146,7 +146,7 @@ StudyMethod harmonics(int count)
 
 std::vector<StudyMethod> makeMethods()
 {
-    constexpr std::array kTolerances{1e-4, 1e-8, 1e-12, 0.0};
+    constexpr std::array kTolerances{1e-4, kReportsTolerance, 1e-12, 0.0};
     constexpr std::array kHarmonics{2, 4, 8, 16, 32};
 
     // The report's way has the report's residual and cap; the others a residual that is the same at every scale, and a

@@ -155,6 +155,10 @@
         <source>Slider</source>
         <translation>Corredera</translation>
     </message>
+    <message>
+        <source>%1 is ignored: from %2 to %3</source>
+        <translation>%1 no se usa: de %2 a %3</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ColumnText</name>
@@ -352,11 +356,11 @@
     </message>
     <message>
         <source>guessed: no column is the time, and this is the angle of the crank</source>
-        <translation>supuesto: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
+        <translation>deducido: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
     </message>
     <message>
         <source>guessed: no time here</source>
-        <translation>supuesto: aquí no hay tiempo</translation>
+        <translation>deducido: aquí no hay tiempo</translation>
     </message>
     <message>
         <source>%1 = %2 … %3°</source>
@@ -376,15 +380,15 @@
     </message>
     <message>
         <source>ignored: it belongs to other instants than those of “%1”</source>
-        <translation>sin usar: corresponde a otros instantes que los de “%1”</translation>
+        <translation>sin usar: corresponde a otros instantes que los de «%1»</translation>
     </message>
     <message>
         <source>ignored: the same instants as “%1”</source>
-        <translation>sin usar: los mismos instantes que “%1”</translation>
+        <translation>sin usar: los mismos instantes que «%1»</translation>
     </message>
     <message>
         <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
-        <translation>sin usar: es un módulo, sin sentido; “%1” es una de sus componentes</translation>
+        <translation>sin usar: es un módulo, sin sentido; «%1» es una de sus componentes</translation>
     </message>
     <message>
         <source>guessed: named as in Modelica</source>
@@ -407,10 +411,6 @@
         <translation>numera las filas</translation>
     </message>
     <message>
-        <source>ignored: its name does not tell what moves so</source>
-        <translation>sin usar: su nombre no dice qué se mueve así</translation>
-    </message>
-    <message>
         <source>%1; central differences, no derivative</source>
         <translation>%1; son diferencias centrales, no una derivada</translation>
     </message>
@@ -421,10 +421,6 @@
     <message>
         <source>%1; forward differences, no derivative</source>
         <translation>%1; son diferencias hacia delante, no una derivada</translation>
-    </message>
-    <message>
-        <source>what moves so?</source>
-        <translation>¿qué se mueve así?</translation>
     </message>
     <message>
         <source>differences from row to row</source>
@@ -445,6 +441,14 @@
     <message>
         <source>%1 lines above them skipped</source>
         <translation>%1 líneas, encima, omitidas</translation>
+    </message>
+    <message>
+        <source>ignored: its name does not say of which body it is</source>
+        <translation>sin usar: su nombre no dice de qué eslabón es</translation>
+    </message>
+    <message>
+        <source>of which body?</source>
+        <translation>¿de qué eslabón?</translation>
     </message>
 </context>
 <context>
@@ -530,16 +534,8 @@
         <translation>%1: filas que no se pudieron leer y se omitieron: %2; la primera, en la línea %3, columna %4 («%5»): %6.</translation>
     </message>
     <message>
-        <source>crank length O2-A, &gt; 0 (20)</source>
-        <translation>longitud de la manivela O2-A, &gt; 0 (20)</translation>
-    </message>
-    <message>
         <source>coupler length A-B, &gt; 0 (65)</source>
         <translation>longitud de la biela A-B, &gt; 0 (65)</translation>
-    </message>
-    <message>
-        <source>offset of the slider&apos;s line from O2 (25)</source>
-        <translation>excentricidad: de O2 a la línea de la corredera (25)</translation>
     </message>
     <message>
         <source>crank speed, constant (2π)</source>
@@ -554,14 +550,6 @@
         <translation>configuración: la corredera a la derecha de A, o a la izquierda (open)</translation>
     </message>
     <message>
-        <source>a saved scene that gives these and whatever else it knows; an option beside it wins</source>
-        <translation>una escena guardada que da estos valores y los demás que conozca; una opción escrita junto a ella prevalece</translation>
-    </message>
-    <message>
-        <source>intervals; N + 1 instants, both ends (200)</source>
-        <translation>intervalos; N + 1 instantes, con ambos extremos (200)</translation>
-    </message>
-    <message>
         <source>length of the run, &gt; 0 (1)</source>
         <translation>duración del recorrido, &gt; 0 (1)</translation>
     </message>
@@ -570,64 +558,24 @@
         <translation>primer instante (0)</translation>
     </message>
     <message>
-        <source>one instant instead of a run: the first from --start at which θ2 is this angle, whole turns apart</source>
-        <translation>un instante en vez de un recorrido: el primero desde --start en que θ2 es este ángulo, salvo vueltas enteras</translation>
-    </message>
-    <message>
         <source>how the motion is computed (newton)</source>
         <translation>cómo se calcula el movimiento (newton)</translation>
-    </message>
-    <message>
-        <source>of Newton-Raphson, an instant, &gt;= 1 (10)</source>
-        <translation>de Newton-Raphson, por instante, &gt;= 1 (10)</translation>
     </message>
     <message>
         <source>residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)</source>
         <translation>residuo ‖C‖ con el que Newton-Raphson se detiene; 0: cuando deja de disminuir (1e-8)</translation>
     </message>
     <message>
-        <source>relative: the length rows of C divided by a + b + |c| (absolute: mm and rad as they are)</source>
-        <translation>relative: las filas de longitud de C divididas entre a + b + |c| (absolute: mm y rad tal cual)</translation>
-    </message>
-    <message>
-        <source>all, or names with commas: theta3,R4_x_diff (all)</source>
-        <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
-    </message>
-    <message>
         <source>unit of the angles written (deg)</source>
         <translation>unidad de los ángulos que se escriben (deg)</translation>
-    </message>
-    <message>
-        <source>what to write (csv)</source>
-        <translation>qué se escribe (csv)</translation>
-    </message>
-    <message>
-        <source>write there, not to standard output</source>
-        <translation>escribe ahí, y no en la salida estándar</translation>
-    </message>
-    <message>
-        <source>what to write (text: a table)</source>
-        <translation>qué se escribe (text: una tabla)</translation>
     </message>
     <message>
         <source>exit status 1 when a channel differs</source>
         <translation>estado de salida 1 cuando un canal difiere</translation>
     </message>
     <message>
-        <source>what to write (text)</source>
-        <translation>qué se escribe (text)</translation>
-    </message>
-    <message>
-        <source>nominal: the mechanism of these options; hard: the named hard cases, behind the mechanism if one is given; all: the named nominal and hard cases (nominal)</source>
-        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles con nombre, después del mecanismo si se da uno; all: los casos con nombre, nominales y difíciles (nominal)</translation>
-    </message>
-    <message>
         <source>a simulation&apos;s CSV file to draw beside it</source>
         <translation>un archivo CSV de una simulación, para dibujarlo al lado</translation>
-    </message>
-    <message>
-        <source>of a PNG&apos;s pixels, 0.1 to 10 (1)</source>
-        <translation>de los píxeles de un PNG, de 0.1 a 10 (1)</translation>
     </message>
     <message>
         <source>colours (light)</source>
@@ -636,10 +584,6 @@
     <message>
         <source>instant of the pose, marked in the plots (--start)</source>
         <translation>instante de la posición dibujada, marcado en las gráficas (--start)</translation>
-    </message>
-    <message>
-        <source>the same by crank angle: the first instant from --start at which θ2 is this angle</source>
-        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start en que θ2 es este ángulo</translation>
     </message>
     <message>
         <source>a simulation&apos;s CSV file to open</source>
@@ -681,26 +625,6 @@ second (theta3_diff2), 17 significant digits, nan where a value does not exist.
 Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canales pedidos: posiciones
 (R1_x, R1_y, theta1, R2_x … theta4; mm, °), sus primeras derivadas (theta3_diff) y las segundas
 (theta3_diff2), con 17 cifras significativas; nan donde no existe un valor.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank study [options]
-
-Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
-worst of the six plotted channels, relative to the channel&apos;s peak, over the instants that the method calls
-solved. Beside it the bound κ·u: the error that rounding the given numbers makes by itself. newton-dense is the
-report&apos;s way, with its absolute tolerance; the others measure the residual relative to a + b + |c|.
-finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps N harmonics.
-Times depend on the machine: compare them within one run.
-</source>
-        <translation>Uso: slidercrank study [opciones]
-
-Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
-peor de los seis canales graficados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
-lado, la cota κ·u: el error que causa por sí solo redondear los datos. newton-dense es el procedimiento del informe,
-con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
-muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
-Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
 </translation>
     </message>
     <message>
@@ -904,10 +828,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
     <message>
-        <source>%1 of %2 instants, first at t = %3 s (θ2 = %4°)</source>
-        <translation>%1 de %2 instantes, el primero en t = %3 s (θ2 = %4°)</translation>
-    </message>
-    <message>
         <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to turn round (--b).</source>
         <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé la vuelta completa (--b).</translation>
     </message>
@@ -958,10 +878,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
     <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
-    </message>
-    <message>
-        <source>of frames, 30 a second: seconds of the motion in a second of the film (1)</source>
-        <translation>de frames, a 30 por segundo: segundos del movimiento en un segundo de la película (1)</translation>
     </message>
     <message>
         <source>forget what the window remembers: layout, recent files, language, theme, choices of columns</source>
@@ -1043,28 +959,6 @@ CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el vered
 </translation>
     </message>
     <message>
-        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
-      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      Of the outcome nearest the mechanism is no more than what comes nearest.
-      Of several files: {&quot;files&quot;:[…]}.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
-      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que lo más cercano.
-      De varios archivos: {&quot;files&quot;:[…]}.
-</translation>
-    </message>
-    <message>
         <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
 standard output cannot be read or written, or a file is not what it should be; 4 the mechanism cannot be
 assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
@@ -1076,60 +970,6 @@ o la salida estándar no se puede leer o escribir, o un archivo no es lo que deb
 ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
 aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
 4, 5, 1, en ese orden.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. What rounding makes of a value is half
-a step of its own, and what the motion does in half a step of its instant (evenly spaced instants count as exact).
-A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close when
-none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is told on
-standard error, and the others are still compared. FILE may be - for standard input.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. Lo que el redondeo hace de un valor es
-medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan
-como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
-se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
-informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE… [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
-above all, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are counted from the crank&apos;s pivot O2,
-angles counter-clockwise from x. A file that cannot be read is told on standard error, and the others are still
-looked at. FILE may be - for standard input.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       nothing found explains the file: what comes nearest, as just that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
-y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
-encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O2 de la manivela, los ángulos
-en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
-examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       nada de lo hallado explica el archivo: lo más cercano, solo como tal
-none          ni siquiera eso
 </translation>
     </message>
     <message>
@@ -1161,7 +1001,7 @@ where there is no pose at all.
 </source>
         <translation>Uso: slidercrank limits [opciones]
 
-Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, razón de tiempos,
+Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, relación de tiempos,
 ángulo de transmisión, velocidades medias y máximas, aceleraciones máximas, y dónde y cuándo se dan. Si la manivela oscila hay
 menos; código de salida 4 si no hay ninguna posición.
 </translation>
@@ -1175,10 +1015,6 @@ menos; código de salida 4 si no hay ninguna posición.
        &quot;reason&quot;, &quot;limits&quot;:[{&quot;name&quot;,&quot;value&quot;,&quot;unit&quot;,&quot;theta2&quot;,&quot;time&quot;}]}; theta2 en grados, time en s, el primero
       desde 0; null donde no hay. CSV: una fila por límite.
 </translation>
-    </message>
-    <message>
-        <source>at θ2 = %1°</source>
-        <translation>en θ2 = %1°</translation>
     </message>
     <message>
         <source>, t = %1 s</source>
@@ -1259,7 +1095,7 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
 </translation>
     </message>
     <message>
-        <source>the crank&apos;s angle</source>
+        <source>the crank angle</source>
         <comment>a column is taken for</comment>
         <translation>el ángulo de la manivela</translation>
     </message>
@@ -1268,16 +1104,8 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
     </message>
     <message>
-        <source>%1: θ2 = %3° to %4°, %2 angles, timed by ω2 = %5 rad/s and θ20 = %6°</source>
-        <translation>%1: θ2 = %3° a %4°, %2 ángulos; el tiempo, con ω2 = %5 rad/s y θ20 = %6°</translation>
-    </message>
-    <message>
         <source>%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.</source>
         <translation>%1: qué son estas columnas se ha supuesto: %2. Donde no sea así, dígalo con --column.</translation>
-    </message>
-    <message>
-        <source>at θ2 [°]</source>
-        <translation>en θ2 [°]</translation>
     </message>
     <message>
         <source>name and version of the program, and what it is built of</source>
@@ -1308,6 +1136,182 @@ los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
     <message>
         <source>Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
         <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
+    </message>
+    <message>
+        <source>crank length O₂-A, &gt; 0 (20)</source>
+        <translation>longitud de la manivela O₂-A, &gt; 0 (20)</translation>
+    </message>
+    <message>
+        <source>offset of the slider&apos;s line from O₂ (25)</source>
+        <translation>excentricidad: de O₂ a la línea de la corredera (25)</translation>
+    </message>
+    <message>
+        <source>a scene saved by the window: these and all else come from it; an option beside it wins</source>
+        <translation>una escena guardada en la ventana: de ella salen estos valores y todo lo demás; una opción escrita junto a ella prevalece</translation>
+    </message>
+    <message>
+        <source>equal steps of the run; N + 1 instants, both ends (200)</source>
+        <translation>pasos iguales del recorrido; N + 1 instantes, con ambos extremos (200)</translation>
+    </message>
+    <message>
+        <source>one instant instead of a run: the first from --start on with the crank at this angle</source>
+        <translation>un instante en vez de un recorrido: el primero desde --start con la manivela en este ángulo</translation>
+    </message>
+    <message>
+        <source>most iterations of Newton-Raphson at an instant, &gt;= 1 (10)</source>
+        <translation>iteraciones máximas de Newton-Raphson por instante, &gt;= 1 (10)</translation>
+    </message>
+    <message>
+        <source>absolute: ‖C‖ in mm and rad as they are; relative: lengths divided by a + b + |c| (absolute)</source>
+        <translation>absolute: ‖C‖ en mm y rad tal cual; relative: longitudes divididas entre a + b + |c| (absolute)</translation>
+    </message>
+    <message>
+        <source>all, or names separated by commas: theta3,R4_x_diff (all)</source>
+        <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
+    </message>
+    <message>
+        <source>form of the output (csv)</source>
+        <translation>formato de la salida (csv)</translation>
+    </message>
+    <message>
+        <source>write to this file, not to standard output</source>
+        <translation>escribe en este archivo, y no en la salida estándar</translation>
+    </message>
+    <message>
+        <source>form of the output (text: a table)</source>
+        <translation>formato de la salida (text: una tabla)</translation>
+    </message>
+    <message>
+        <source>form of the output (text)</source>
+        <translation>formato de la salida (text)</translation>
+    </message>
+    <message>
+        <source>nominal: the mechanism of these options; hard: the hard cases, after the mechanism if one is given; all: ten ordinary and the hard cases (nominal)</source>
+        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles, después del mecanismo si se da uno; all: diez casos corrientes y los difíciles (nominal)</translation>
+    </message>
+    <message>
+        <source>pixels of a PNG for each one of --size, 0.1 to 10 (1)</source>
+        <translation>píxeles de un PNG por cada uno de --size, de 0.1 a 10 (1)</translation>
+    </message>
+    <message>
+        <source>the same by crank angle: the first instant from --start on with the crank at this angle</source>
+        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start con la manivela en ese ángulo</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank study [options]
+
+Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
+worst of the six plotted channels, relative to the channel&apos;s peak, over the instants that the method calls
+solved. Beside it, what rounding the given numbers may cost by itself. newton-dense is the
+report&apos;s way, with its absolute tolerance; the others measure the residual relative to a + b + |c|.
+finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps N harmonics.
+Times depend on the machine: compare them within one run.
+</source>
+        <translation>Uso: slidercrank study [opciones]
+
+Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
+peor de los seis canales representados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
+lado, lo que puede costar por sí solo redondear los datos. newton-dense es el procedimiento del informe,
+con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
+muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
+Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
+</translation>
+    </message>
+    <message>
+        <source>%1 of %2 instants, first at t = %3 s (θ₂ = %4°)</source>
+        <translation>%1 de %2 instantes, el primero en t = %3 s (θ₂ = %4°)</translation>
+    </message>
+    <message>
+        <source>for frames, 30 a second: seconds of motion in a second of film (1)</source>
+        <translation>para frames, a 30 por segundo: segundos de movimiento en un segundo de película (1)</translation>
+    </message>
+    <message>
+        <source>at θ₂ = %1°</source>
+        <translation>en θ₂ = %1°</translation>
+    </message>
+    <message>
+        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
+      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
+      With the outcome nearest, the mechanism is no more than the nearest one.
+      Of several files: {&quot;files&quot;:[…]}.
+</source>
+        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
+       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
+       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
+       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
+       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
+      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
+      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
+      Con el resultado nearest, el mecanismo no es más que el más cercano.
+      De varios archivos: {&quot;files&quot;:[…]}.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank compare FILE… [options]
+
+Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
+columns is from the exact motion of the mechanism at the file&apos;s own instants. Rounding makes a value uncertain by half
+a unit of its last digit, and by how far the motion goes in half a unit of its instant&apos;s (evenly spaced instants count
+as exact). A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close
+when none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
+the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is named on
+standard error, and the others are still compared. FILE may be - for standard input.
+</source>
+        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
+
+Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
+columna del movimiento exacto del mecanismo en los instantes del propio archivo. El redondeo hace incierto un valor en media
+unidad de su última cifra, y en lo que el movimiento avanza en media unidad de la de su instante (los instantes a
+intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
+</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank identify FILE… [options]
+
+Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
+above all, and how certain each of its parameters is. Where the file means something else by a column than its
+heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
+The options of the mechanism give what the file cannot fix. R4_x and R4_y are measured from the crank&apos;s pivot O₂,
+angles counter-clockwise from x. A file that cannot be read is named on standard error, and the others are still
+looked at. FILE may be - for standard input.
+
+identified    what is left is rounding, or noise that looks like noise
+ambiguous     several mechanisms explain the file equally: all are listed
+insufficient  too few values, instants a turn or columns to tell
+nearest       no mechanism found explains the file: the nearest, as no more than that
+none          not even that
+</source>
+        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
+
+Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
+y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
+encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
+del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O₂ de la manivela, los ángulos
+en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
+examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
+
+identified    lo que queda es redondeo, o ruido que parece ruido
+ambiguous     varios mecanismos explican el archivo por igual: se dan todos
+insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
+nearest       ningún mecanismo hallado explica el archivo: el más cercano, solo como tal
+none          ni siquiera eso
+</translation>
+    </message>
+    <message>
+        <source>%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°</source>
+        <translation>%1: θ₂ = %3° a %4°, %2 ángulos; el tiempo, con ω₂ = %5 rad/s y θ₂₀ = %6°</translation>
+    </message>
+    <message>
+        <source>at θ₂ [°]</source>
+        <translation>en θ₂ [°]</translation>
     </message>
 </context>
 <context>
@@ -1676,8 +1680,8 @@ los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
         <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
     </message>
     <message>
-        <source>The file goes by the angle of the crank: ω₂ is what its derivatives say.</source>
-        <translation>El archivo va por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
+        <source>The file is a table by crank angle: ω₂ follows from its derivatives.</source>
+        <translation>El archivo es una tabla por ángulo de la manivela: ω₂ resulta de sus derivadas.</translation>
     </message>
     <message>
         <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
@@ -2752,6 +2756,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>The study compares every method with a computation in 50 digits or more, and with κ·u: how much a channel f can change just because each given number p is rounded to the 16 digits of a double, by u of itself at most.</source>
         <translation>El estudio compara cada método con un cálculo de 50 cifras o más, y con κ·u: cuánto puede cambiar un canal f solo porque cada número dado p se redondea a las 16 cifras de la doble precisión, a lo sumo en u veces su valor.</translation>
     </message>
+    <message>
+        <source>Leave what fills the screen</source>
+        <translation>Salir de la pantalla completa</translation>
+    </message>
+    <message>
+        <source>Make it large, and small again</source>
+        <translation>Agrandarlo y reducirlo</translation>
+    </message>
+    <message>
+        <source>Double click a link, or Enter</source>
+        <translation>Doble clic en una barra, o Intro</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::IterationPlot</name>
@@ -3406,6 +3422,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Rese&amp;t all parameters</source>
         <translation>Restablecer todos los &amp;parámetros</translation>
     </message>
+    <message>
+        <source>In &amp;front of a class</source>
+        <translation>&amp;Ante una clase</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
@@ -3469,8 +3489,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 filas están en el portapapeles, como CSV con sus encabezados.</translation>
     </message>
     <message>
-        <source>%1 has no time: its rows go by the angle of the crank, of which ω₂ and θ₂₀ make the time.</source>
-        <translation>%1 no tiene tiempo: sus filas van por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo.</translation>
+        <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
+        <translation>%1 es una tabla por ángulo de la manivela: ω₂ y θ₂₀ dan su tiempo.</translation>
     </message>
 </context>
 <context>
@@ -4147,6 +4167,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>Back to the initial value</source>
         <translation>Volver al valor inicial</translation>
     </message>
+    <message>
+        <source>Parameter to change</source>
+        <translation>Parámetro que se cambia</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotFigure</name>
@@ -4253,6 +4281,22 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1: %2</source>
         <comment>kept motion, its value</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>velocity </source>
+        <translation>velocidad </translation>
+    </message>
+    <message>
+        <source>acceleration </source>
+        <translation>aceleración </translation>
+    </message>
+    <message>
+        <source>angle </source>
+        <translation>ángulo </translation>
+    </message>
+    <message>
+        <source>position </source>
+        <translation>posición </translation>
     </message>
 </context>
 <context>
@@ -4513,20 +4557,20 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
     </message>
     <message>
-        <source>the crank&apos;s angle turns back behind %1: sort the rows by it, one row for each angle.</source>
-        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
-    </message>
-    <message>
         <source>The file is JSON, not a table of text: export the table as CSV.</source>
         <translation>El archivo es JSON, no una tabla de texto: exporte la tabla como CSV.</translation>
     </message>
     <message>
-        <source>its name does not tell what moves so</source>
-        <translation>su nombre no dice qué se mueve así</translation>
-    </message>
-    <message>
         <source>the columns beside the time are unknown (%1: %2): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
         <translation>las columnas aparte del tiempo son desconocidas (%1: %2): nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+    </message>
+    <message>
+        <source>its name does not say of which body it is</source>
+        <translation>su nombre no dice de qué eslabón es</translation>
+    </message>
+    <message>
+        <source>the crank angle goes back after %1: sort the rows by it, one row for each angle.</source>
+        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
     </message>
 </context>
 <context>
@@ -4560,8 +4604,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Están: %1.</translation>
     </message>
     <message>
-        <source>%1 goes by the angle of the crank, and with ω₂ = %2 the crank does not come to its angles one after the other: choose another ω₂.</source>
-        <translation>%1 va por el ángulo de la manivela, y con ω₂ = %2 la manivela no llega a sus ángulos uno tras otro: elija otra ω₂.</translation>
+        <source>%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its angles in that order: choose another ω₂.</source>
+        <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
     </message>
 </context>
 <context>
@@ -4687,10 +4731,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>1.ª columna: ángulo de manivela</translation>
     </message>
     <message>
-        <source>Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ make the time</source>
-        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
-    </message>
-    <message>
         <source>Which mechanism the file belongs to, and how else it may be read</source>
         <translation>A qué mecanismo pertenece el archivo, y de qué otro modo puede leerse</translation>
     </message>
@@ -4721,6 +4761,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Use the first</source>
         <translation>Usar el primero</translation>
+    </message>
+    <message>
+        <source>Whether the rows are by time or by crank angle; from the angle, ω₂ and θ₂₀ give the time</source>
+        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
     </message>
 </context>
 <context>
@@ -6080,10 +6124,6 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::MechanismCentre</name>
     <message>
-        <source>no velocity: the coupler stands square to the slider&apos;s line</source>
-        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
-    </message>
-    <message>
         <source>P at infinity: the coupler does not turn,</source>
         <translation>P en el infinito: la biela no gira,</translation>
     </message>
@@ -6099,6 +6139,61 @@ SHA-256: %2</translation>
         <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
         <comment>of a point: |ω₃| times its distance</comment>
         <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
+    </message>
+    <message>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::AnimationForm</name>
+    <message>
+        <source>Export animation</source>
+        <translation>Exportar animación</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Unit of the length</source>
+        <translation>Unidad de la duración</translation>
+    </message>
+    <message>
+        <source>s of the motion</source>
+        <translation>s del movimiento</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>%1 frames: %2 s at the speed of playing, %3×.</source>
+        <translation>%1 fotogramas: %2 s a la velocidad de reproducción, %3×.</translation>
+    </message>
+    <message>
+        <source>More than %1 frames: choose a shorter length, fewer frames a second or a higher speed of playing.</source>
+        <translation>Más de %1 fotogramas: elija una duración menor, menos fotogramas por segundo o una velocidad de reproducción mayor.</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 // Writes what the fuzz targets begin with into a folder for each subject: make_fuzz_corpus FOLDER
 
 #include "tests/support/file_variants.h"
+#include "tests/support/simulation_files.h"
 #include "ui/document/scene.h"
 
 #include <cstdio>
@@ -39,6 +40,12 @@ std::vector<std::string> tables()
         texts.push_back(file.bytes.substr(0, 1500));
     }
     for (const BadFile &file : badFiles()) {
+        texts.push_back(file.bytes.substr(0, 1500));
+    }
+    for (const SimulationFile &file : simulationFiles()) {
+        texts.push_back(file.bytes.substr(0, 1500));
+    }
+    for (const OtherFile &file : otherFiles()) {
         texts.push_back(file.bytes.substr(0, 1500));
     }
     return texts;

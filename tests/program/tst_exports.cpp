@@ -89,8 +89,9 @@ QStringList wordsIn(Subject subject)
 {
     switch (subject) {
     case Subject::Figure:
-        return {"t [s]", "θ³ [°]", "Rₓ⁴ [mm]", "dθ³/dt [°/s]", "d²Rₓ⁴/dt² [mm/s²]", "error [%]", "inventor_sample.csv"};
-    case Subject::Plot: return {"t [s]", "θ³ [°]", "model", "inventor_sample.csv"};
+        return {"t [s]",     "coupler angle θ³ [°]", "slider position Rₓ⁴ [mm]", "dθ³/dt [°/s]", "d²Rₓ⁴/dt² [mm/s²]",
+                "error [%]", "inventor_sample.csv"};
+    case Subject::Plot: return {"t [s]", "coupler angle θ³ [°]", "model", "inventor_sample.csv"};
     case Subject::Errors: return {"t [s]", "error [%]", "error of θ³"};
     case Subject::Mechanism: return {"mm", "-20", "60"};
     case Subject::Study: return {"closed form"};

@@ -12,6 +12,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/document/scene.h"
 #include "ui/document/whole_file.h"
+#include "ui/export/animation_export.h"
 #include "ui/study/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
@@ -321,7 +322,7 @@ QList<Save> TstFaults::savesOfTheWindow()
         };
     };
     const auto frames = [this, &exports](const QString &path) {
-        exports.writeAnimation(path);
+        exports.writeAnimation(path, exports.animationOnShow());
         if (const auto *question = m_window->findChild<QMessageBox *>()) {
             for (QAbstractButton *button : question->buttons()) {
                 if (question->buttonRole(button) == QMessageBox::AcceptRole) {

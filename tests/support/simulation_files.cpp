@@ -310,7 +310,7 @@ std::vector<SimulationFile> simulationFiles()
             "there is no time column");
     refused("MotionGen, curves over the time", "the names as in gripper-curves.csv; the time is a plausible form",
             {{"time", Time}, {"J1_x", X}, {"J1_y", Offset}, {"J2_x", V}, {"J2_y", Zero}}, {},
-            "its name does not tell what moves so");
+            "its name does not say of which body it is");
     read("MotionGen, differences", "no header found in public: a plausible form",
          {{"time", Time}, {"x", X}, {"vx", ForwardV}}, {}, "time[] R4_x?[] R4_x_diff?[]");
 

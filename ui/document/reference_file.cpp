@@ -165,9 +165,8 @@ std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism 
     }
     std::optional<ReferenceData> data = timedBy(mechanism, reference->data);
     if (!data) {
-        return ReferenceFileText::tr(
-                   "%1 goes by the angle of the crank, and with ω₂ = %2 the crank does not come to its "
-                   "angles one after the other: choose another ω₂.")
+        return ReferenceFileText::tr("%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its "
+                                     "angles in that order: choose another ω₂.")
             .arg(shownNameOf(reference->path), parameterText(Parameter::Omega2, mechanism.omega2()));
     }
     auto timed = std::make_shared<Reference>(*reference);

@@ -334,7 +334,7 @@ std::vector<ReportBlock> reportOf(const ReportContent &content)
     }
     blocks.push_back(heading(Report::tr("Method")));
     blocks.push_back(paragraph(methodText(result)));
-    blocks.push_back(heading(result.isCompared() ? Report::tr("Motion and errors") : Report::tr("Motion")));
+    blocks.push_back(heading(result.reference ? Report::tr("Motion and errors") : Report::tr("Motion")));
     if (const QString kept = keptText(result); !kept.isEmpty()) {
         blocks.push_back(paragraph(kept));
     }

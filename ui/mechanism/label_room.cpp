@@ -52,7 +52,7 @@ double LabelRoom::crossedBy(const QRectF &label) const
 {
     constexpr double kOutside = 8.0;
     constexpr double kLink = 4.0;
-    constexpr double kBox = 4.0;
+    constexpr double kBox = 6.0; // a label over another is not to be read
     constexpr double kLine = 1.0;
     double crossed = m_drawing.contains(label) ? 0.0 : kOutside;
     for (const Link &link : m_links) {
@@ -94,7 +94,7 @@ std::vector<QPointF> placesAround(QPointF point, QPointF direction, double reach
     constexpr std::array kTurns{0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0};
     const QPointF ahead = unitVector(direction);
     std::vector<QPointF> places;
-    for (const double away : {reach, reach + label.height()}) {
+    for (const double away : {reach, reach + label.height(), reach + 2.0 * label.height()}) {
         for (const double turn : kTurns) {
             const double cosine = std::cos(turn * kEighth);
             const double sine = std::sin(turn * kEighth);

@@ -35,7 +35,7 @@ QStringList linesOf(const InstantCentre &centre, const Mechanism &mechanism)
     constexpr int kDigits = 4;
     const double speedOfA = mechanism.a() * std::abs(mechanism.omega2());
     if (!std::isfinite(centre.omega3)) {
-        return {MechanismCentre::tr("no velocity: the coupler stands square to the slider's line")};
+        return {MechanismCentre::tr("no velocity: the coupler is perpendicular to the slider's line")};
     }
     if (isBeyondAllBounds(centre, mechanism)) {
         return {MechanismCentre::tr("P at infinity: the coupler does not turn,"),
@@ -80,6 +80,33 @@ QPointF edgeOf(const QRectF &box, QPointF from, QPointF direction)
     return from + std::max(0.0, way) * direction;
 }
 
+/// From A and B to P, or to where it lies.
+void paintRays(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing, QPointF centre,
+               LabelRoom &room)
+{
+    const LinkageMotion motion = drawing.motion();
+    const double least = 1e-9 * drawing.mechanism().a() * std::abs(drawing.mechanism().omega2());
+    painter.setBrush(Qt::NoBrush);
+    for (const LinkagePoint point : {LinkagePoint::A, LinkagePoint::B}) {
+        const QPointF pin = on.toPixels(point == LinkagePoint::A ? drawing.pins->A : drawing.pins->B);
+        const PlaneVector &velocity = motion[static_cast<std::size_t>(point)].velocity;
+        const double length = std::hypot(centre.x() - pin.x(), centre.y() - pin.y());
+        if (length < 1.0) {
+            continue;
+        }
+        const QPointF ray = (centre - pin) / length;
+        const double seen = std::min(length, on.size.width() + on.size.height()); // painters do not like what is far
+        const QLineF drawn(pin, pin + seen * ray);
+        painter.setPen(QPen(on.muted, 1.0, Qt::DashLine));
+        painter.drawLine(drawn);
+        room.ratherKeepOff(drawn);
+        painter.setPen(QPen(on.muted, 1.0));
+        if (velocity.length() > least) {
+            paintRightAngle(painter, pin, ray, unitVector({velocity.x, -velocity.y}));
+        }
+    }
+}
+
 } // namespace
 
 void paintInstantCentre(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing, LabelRoom &room)
@@ -88,6 +115,11 @@ void paintInstantCentre(QPainter &painter, const MechanismCanvas &on, const Mech
     const std::optional<InstantCentre> centre = instantCentre(mechanism, drawing.pose.time);
     if (!centre) {
         return;
+    }
+    const QPointF at = on.toPixels({centre->position.x, centre->position.y});
+    const bool isWithinBounds = !isBeyondAllBounds(*centre, mechanism);
+    if (isWithinBounds) {
+        paintRays(painter, on, drawing, at, room);
     }
     int line = cornerLineCount(on, drawing);
     painter.setFont(on.smallFont);
@@ -100,30 +132,8 @@ void paintInstantCentre(QPainter &painter, const MechanismCanvas &on, const Mech
         painter.drawText(box.adjusted(kInset, 0.0, 0.0, 0.0), Qt::AlignVCenter | Qt::AlignLeft, text);
         room.keepOff(box);
     }
-    if (isBeyondAllBounds(*centre, mechanism)) {
+    if (!isWithinBounds) {
         return;
-    }
-    const QPointF at = on.toPixels({centre->position.x, centre->position.y});
-    const std::array pins{on.toPixels(drawing.pins->A), on.toPixels(drawing.pins->B)};
-    const std::array velocities{drawing.motion()[static_cast<std::size_t>(LinkagePoint::A)].velocity,
-                                drawing.motion()[static_cast<std::size_t>(LinkagePoint::B)].velocity};
-    painter.setBrush(Qt::NoBrush);
-    for (std::size_t i = 0; i < pins.size(); ++i) {
-        const QPointF way = at - pins[i];
-        const double length = std::hypot(way.x(), way.y());
-        if (length < 1.0) {
-            continue;
-        }
-        const QPointF ray = way / length;
-        const double seen = std::min(length, on.size.width() + on.size.height()); // painters do not like what is far
-        const QLineF drawn(pins[i], pins[i] + seen * ray);
-        painter.setPen(QPen(on.muted, 1.0, Qt::DashLine));
-        painter.drawLine(drawn);
-        room.ratherKeepOff(drawn);
-        painter.setPen(QPen(on.muted, 1.0));
-        if (velocities[i].length() > 1e-9 * mechanism.a() * std::abs(mechanism.omega2())) {
-            paintRightAngle(painter, pins[i], ray, unitVector({velocities[i].x, -velocities[i].y}));
-        }
     }
     constexpr double kInset = 12.0;
     const QRectF inside = QRectF(QPointF(), on.size).adjusted(kInset, kInset, -kInset, -kInset);
@@ -132,10 +142,10 @@ void paintInstantCentre(QPainter &painter, const MechanismCanvas &on, const Mech
     QPointF away(1.0, 0.0);
     if (inside.contains(at)) {
         paintCross(painter, at, ink);
-    } else if (inside.contains(pins[0])) {
-        const QPointF direction = unitVector(at - pins[0]);
+    } else if (const QPointF pin = on.toPixels(drawing.pins->A); inside.contains(pin)) {
+        const QPointF direction = unitVector(at - pin);
         constexpr double kHead = 12.0;
-        named = edgeOf(inside, pins[0], direction);
+        named = edgeOf(inside, pin, direction);
         paintArrowHead(painter, named, direction, kHead, ink);
         away = QPointF(-direction.y(), direction.x());
     } else {

@@ -46,9 +46,11 @@ std::vector<QPointF> placesBeside(const QLineF &link, QPointF away, double width
     }
     const double half = 0.5 * (std::abs(across.x()) * label.width() + std::abs(across.y()) * label.height());
     std::vector<QPointF> places;
-    for (const double part : {0.6, 0.75, 0.4, 0.25}) {
-        for (const double side : {1.0, -1.0}) {
-            places.push_back(link.pointAt(part) + side * (0.5 * width + kTextGap + half) * across);
+    for (const double farther : {0.0, label.height()}) {
+        for (const double part : {0.6, 0.75, 0.4, 0.25}) {
+            for (const double side : {1.0, -1.0}) {
+                places.push_back(link.pointAt(part) + side * (0.5 * width + kTextGap + half + farther) * across);
+            }
         }
     }
     return places;
@@ -119,6 +121,7 @@ public:
             constexpr double kSmallest = 14.0;
             constexpr double kBeyond = 8.0;
             constexpr double kArcHead = 7.0;
+            constexpr double kBesideVertex = 20.0;
             const double radius = std::clamp(0.5 * link.length(), kSmallest, widest);
             const QPointF vertex = link.p1();
             const auto towards = [](double direction) { return QPointF(std::cos(direction), -std::sin(direction)); };
@@ -137,8 +140,9 @@ public:
                            mixed(ink, m_on.colours.background, 0.7));
             m_room.ratherKeepOff(base);
             m_painter.setPen(ink);
-            paintAround(QStringLiteral("%1 = %2").arg(name, degreesText(angle)), vertex, towards(0.5 * angle),
-                        radius + 3.0);
+            // On the other side of the base than the arc, where the label can stay while the angle changes.
+            const QPointF beside(link.dx() < 0.0 && &link == &m_coupler ? -1.0 : 1.0, angle < 0.0 ? -0.5 : 0.5);
+            paintAround(QStringLiteral("%1 = %2").arg(name, degreesText(angle)), vertex, beside, kBesideVertex);
         };
         constexpr double kWidestOfCrank = 30.0;
         constexpr double kWidestOfCoupler = 36.0;
@@ -159,8 +163,8 @@ public:
         const double passing = QFontMetricsF(m_on.font).height() + 2.0;
         const double below = kDeadCentreMark + kRailBelowLine + kHatchLength + kTextGap + 0.5 * size.height();
         std::vector<QPointF> places;
-        for (const double y :
-             {-passing - 0.5 * size.height(), -passing - 1.6 * size.height(), below, below + 1.1 * size.height()}) {
+        for (const double y : {-passing - 0.5 * size.height(), -passing - 1.6 * size.height(), below,
+                               below + 1.1 * size.height(), below + 2.2 * size.height(), below + 3.3 * size.height()}) {
             for (const double side : {0.0, 0.5, -0.5}) {
                 places.emplace_back(std::clamp(mark.x() + side * outwards * size.width(), least, most), mark.y() + y);
             }
@@ -181,7 +185,10 @@ private:
 
     void paintIn(const QRectF &place, const QString &text)
     {
-        constexpr double kSpare = 4.0; // around the letters themselves
+        constexpr double kSpare = 4.0;          // around the letters themselves
+        QColor paper = m_on.colours.background; // for what lies beneath: the grid, the rail
+        paper.setAlphaF(0.7F);
+        m_painter.fillRect(place, paper);
         m_painter.drawText(place.adjusted(-kSpare, -kSpare, kSpare, kSpare), Qt::AlignCenter, text);
     }
 
@@ -202,19 +209,22 @@ private:
 
 } // namespace
 
+QRectF ghostWordPlace(const MechanismCanvas &on, QPointF slider)
+{
+    constexpr double kHalfWidth = 20.0;
+    return {slider.x() - kHalfWidth, slider.y() + kRailBelowLine + kHatchLength, 2.0 * kHalfWidth,
+            QFontMetricsF(on.smallFont).height()};
+}
+
 LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing)
 {
     LabelRoom room(on.size);
+    constexpr double kCornerWidth = 240.0; // of a line there, about
+    for (int line = 0; line < cornerLineCount(on, drawing); ++line) {
+        room.keepOff(cornerLine(on, line, kCornerWidth));
+    }
     const QPointF pivot = on.toPixels({0.0, 0.0});
     room.keepOff(QRectF(pivot.x() - kGroundHalfWidth, pivot.y(), 2.0 * kGroundHalfWidth, kGroundDepth));
-    const double line = on.toPixels({0.0, drawing.mechanism().c()}).y();
-    room.ratherKeepOff({0.0, line, on.size.width(), line});
-    const Rail rail = railOf(drawing);
-    const double left = on.toPixels({rail.left, 0.0}).x() - kRailOverhang;
-    const double right = on.toPixels({rail.right, 0.0}).x() + kRailOverhang;
-    for (const double below : {kRailBelowLine, kRailBelowLine + kHatchLength}) {
-        room.ratherKeepOff({left, line + below, right, line + below});
-    }
     if (drawing.settings.dimensions) {
         constexpr double kAroundLetter = 8.0;
         const QLineF offset = offsetLine(on, drawing.mechanism());
@@ -232,8 +242,10 @@ LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing
     }
     if (drawing.ghost.exists) {
         const QPointF crank = on.toPixels({drawing.ghost.pinX, drawing.ghost.pinY});
+        const QPointF slider = on.toPixels({drawing.ghost.sliderX, drawing.ghost.sliderY});
         room.ratherKeepOff({pivot, crank});
-        room.ratherKeepOff({crank, on.toPixels({drawing.ghost.sliderX, drawing.ghost.sliderY})});
+        room.ratherKeepOff({crank, slider});
+        room.keepOff(ghostWordPlace(on, slider));
     }
     return room;
 }

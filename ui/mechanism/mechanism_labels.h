@@ -14,6 +14,9 @@ namespace slidercrank
 /// Between links, slider, ground, the slider's line and the offset's dimension.
 LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing);
 
+/// Where the slider of the reference's linkage is named, which is there.
+QRectF ghostWordPlace(const MechanismCanvas &on, QPointF slider);
+
 /// All that are on show and may have to give way to what moves, in that ink.
 void paintLabels(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing, const QColor &ink,
                  LabelRoom &room);

@@ -162,9 +162,7 @@ void paintGhost(QPainter &painter, const MechanismCanvas &on, const MechanismDra
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(on.smallFont);
-    painter.drawText(QRectF(slider.x() - kAroundFile, slider.y() + kRailBelowLine + kHatchLength, 2.0 * kAroundFile,
-                            QFontMetricsF(on.smallFont).height()),
-                     Qt::AlignHCenter | Qt::AlignTop,
+    painter.drawText(ghostWordPlace(on, slider), Qt::AlignCenter,
                      isOfFile ? MechanismLinkage::tr("file") : MechanismLinkage::tr("kept"));
 }
 

@@ -385,7 +385,13 @@ void MechanismView::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Down: pan(0.0, -1.0); break;
     case Qt::Key_PageDown: pointAtNext(1); break;
     case Qt::Key_PageUp: pointAtNext(-1); break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter: emit enlarged(); break;
     case Qt::Key_Escape:
+        if (!m_hold && m_pointed == DrawnPart::Background) {
+            QWidget::keyPressEvent(event); // the window may have a use for it
+            break;
+        }
         cancelDrag();
         pointAt(DrawnPart::Background, false);
         break;
@@ -464,6 +470,8 @@ void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
     if (event->button() == Qt::LeftButton &&
         partAt(m_drawing, projection(), event->position()) == DrawnPart::Background) {
         fit();
+    } else if (event->button() == Qt::LeftButton) {
+        emit enlarged();
     } else {
         mousePressEvent(event);
     }

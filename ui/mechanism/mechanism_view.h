@@ -80,6 +80,7 @@ signals:
     /// A length is taken hold of, is let go: what is asked for between belongs together.
     void dragBegan();
     void dragEnded();
+    void enlarged(); ///< somebody wants it as large as can be, or no longer
 
 protected:
     void paintEvent(QPaintEvent *event) override;

@@ -202,24 +202,24 @@ ParameterPanel::ParameterPanel(QWidget *parent)
 {
     named("parameterPanel", this, tr("Parameters of the mechanism"));
 
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(6, 4, 6, 4);
-    grid->setHorizontalSpacing(4);
-    grid->setVerticalSpacing(3);
-    grid->setColumnStretch(1, 1);
+    m_grid = new QGridLayout(this);
+    m_grid->setContentsMargins(6, 4, 6, 4);
+    m_grid->setHorizontalSpacing(4);
+    m_grid->setVerticalSpacing(3);
+    m_grid->setColumnStretch(1, 1);
     for (Row &row : m_rows) {
-        addRow(grid, row);
+        addRow(row);
     }
 
-    auto *label = new QLabel(tr("assembly"));
+    m_branchLabel = new QLabel(tr("assembly"));
     m_branch = named("branchBox", new QComboBox, tr("Assembly"));
     m_branch->addItem(tr("open: slider to the right of A"));
     m_branch->addItem(tr("crossed: slider to the left of A"));
     m_branch->setToolTip(tr("The two ways to put the same parts together"));
     m_branch->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    label->setBuddy(m_branch);
-    grid->addWidget(label, grid->rowCount(), 0);
-    grid->addWidget(m_branch, grid->rowCount() - 1, 1, 1, 4);
+    m_branchLabel->setBuddy(m_branch);
+    m_grid->addWidget(m_branchLabel, m_grid->rowCount(), 0);
+    m_grid->addWidget(m_branch, m_grid->rowCount() - 1, 1, 1, 4);
     connect(m_branch, &QComboBox::activated, this, [this](int index) {
         const Branch branch = static_cast<Branch>(index);
         if (branch != m_parameters.branch) {
@@ -227,11 +227,48 @@ ParameterPanel::ParameterPanel(QWidget *parent)
             emit edited(m_parameters);
         }
     });
-    grid->setRowStretch(grid->rowCount(), 1);
+    m_chosen = named("parameterBox", new QComboBox(this), tr("Parameter to change"));
+    m_chosen->setToolTip(tr("Parameter to change"));
+    for (const Row &row : m_rows) {
+        m_chosen->addItem(tr("%1 %2").arg(symbolOf(row.parameter), nounOf(row.parameter)));
+    }
+    m_chosen->addItem(tr("assembly"));
+    m_chosen->setCurrentIndex(static_cast<int>(Parameter::B)); // what classes vary first
+    m_chosen->hide();
+    connect(m_chosen, &QComboBox::currentIndexChanged, this, &ParameterPanel::showBriefly);
+    m_grid->setRowStretch(m_grid->rowCount(), 1);
     showParameters();
 }
 
-void ParameterPanel::addRow(QGridLayout *grid, Row &row)
+void ParameterPanel::setBrief(bool brief)
+{
+    m_isBrief = brief;
+    showBriefly();
+}
+
+void ParameterPanel::showBriefly()
+{
+    const auto isShown = [this](int line) { return !m_isBrief || line == m_chosen->currentIndex(); };
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const Row &row = m_rows[i];
+        const bool shown = isShown(static_cast<int>(i));
+        row.label->setVisible(!m_isBrief);
+        for (QWidget *part : {static_cast<QWidget *>(row.slider), static_cast<QWidget *>(row.box),
+                              static_cast<QWidget *>(row.unit), static_cast<QWidget *>(row.reset)}) {
+            if (part) {
+                part->setVisible(shown);
+            }
+        }
+    }
+    m_branchLabel->setVisible(!m_isBrief);
+    m_branch->setVisible(isShown(static_cast<int>(m_rows.size())));
+    m_chosen->setVisible(m_isBrief);
+    if (m_isBrief) {
+        m_grid->addWidget(m_chosen, m_chosen->currentIndex(), 0);
+    }
+}
+
+void ParameterPanel::addRow(Row &row)
 {
     const QLatin1String key(wordOf(row.parameter));
     const QString symbol = symbolOf(row.parameter);
@@ -239,13 +276,13 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     const int line = static_cast<int>(&row - m_rows.data());
     const QString name = tr("%1 (%2)").arg(explanation, symbol);
 
-    auto *label = new QLabel(tr("<b>%1</b> %2").arg(symbol, nounOf(row.parameter)));
-    label->setToolTip(explanation);
-    grid->addWidget(label, line, 0);
+    row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, nounOf(row.parameter)));
+    row.label->setToolTip(explanation);
+    m_grid->addWidget(row.label, line, 0);
 
     row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
     row.slider->setToolTip(explanation);
-    grid->addWidget(row.slider, line, 1);
+    m_grid->addWidget(row.slider, line, 1);
     connect(row.slider, &QSlider::valueChanged, this,
             [this, &row] { edit(row, fromUnitOf(row, row.slider->number())); });
     connect(row.slider, &QSlider::sliderPressed, this, &ParameterPanel::dragBegan);
@@ -253,7 +290,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
 
     row.box = named(QStringLiteral("box_") + key, new NumberBox, name);
     row.box->setToolTip(explanation);
-    label->setBuddy(row.box);
+    row.label->setBuddy(row.box);
     connect(row.box, &NumberBox::edited, this, [this, &row](double value) { edit(row, fromUnitOf(row, value)); });
     if (isLength(row.parameter)) {
         row.box->setSuffix(tr(" mm"));
@@ -261,17 +298,17 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
         if (isPositive(row.parameter)) {
             row.box->setRange({.smallest = 0.0, .isOpen = true});
         }
-        grid->addWidget(row.box, line, 2, 1, 2);
+        m_grid->addWidget(row.box, line, 2, 1, 2);
     } else {
-        row.box->setWidestText(QStringLiteral("-000.00"));
-        grid->addWidget(row.box, line, 2);
+        row.box->setWidestText(QStringLiteral("-0.0·10⁻⁰"));
+        m_grid->addWidget(row.box, line, 2);
         row.unit = named(QStringLiteral("unit_") + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
         const bool speed = row.parameter == Parameter::Omega2;
         for (int i = 0; i < (speed ? 3 : 2); ++i) {
             row.unit->addItem(speed ? omegaUnit(i).name : angleUnit(i).name);
         }
-        grid->addWidget(row.unit, line, 3);
+        m_grid->addWidget(row.unit, line, 3);
         connect(row.unit, &QComboBox::currentIndexChanged, this, [this, &row] {
             showRow(row);
             shadeForbidden();
@@ -283,7 +320,7 @@ void ParameterPanel::addRow(QGridLayout *grid, Row &row)
     row.reset->setAutoRaise(true);
     row.reset->setFixedSize(20, 22); // beside five sliders, which need the width more
     row.reset->setToolTip(tr("Back to the initial value"));
-    grid->addWidget(row.reset, line, 4);
+    m_grid->addWidget(row.reset, line, 4);
     connect(row.reset, &QToolButton::clicked, this, [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
 }
 

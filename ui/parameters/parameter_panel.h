@@ -12,6 +12,7 @@
 
 class QComboBox;
 class QGridLayout;
+class QLabel;
 class QToolButton;
 
 namespace slidercrank
@@ -26,6 +27,9 @@ class ParameterPanel : public QWidget
 
 public:
     explicit ParameterPanel(QWidget *parent = nullptr);
+
+    /// One parameter at a time, the one that is chosen; else all of them.
+    void setBrief(bool brief);
 
 public slots:
     /// Shows them; emits nothing.
@@ -42,13 +46,15 @@ signals:
 private:
     struct Row {
         Parameter parameter;
+        QLabel *label = nullptr;
         ParameterSlider *slider = nullptr;
         NumberBox *box = nullptr;
         QComboBox *unit = nullptr; ///< null: mm
         QToolButton *reset = nullptr;
     };
 
-    void addRow(QGridLayout *grid, Row &row);
+    void addRow(Row &row);
+    void showBriefly();
     void showParameters();
     void showRow(const Row &row);
     void shadeForbidden();
@@ -63,7 +69,11 @@ private:
 
     Parameters m_parameters;
     std::array<Row, 5> m_rows;
+    QLabel *m_branchLabel = nullptr;
     QComboBox *m_branch = nullptr;
+    QGridLayout *m_grid = nullptr;
+    QComboBox *m_chosen = nullptr; ///< while brief: the row on show
+    bool m_isBrief = false;
 };
 
 } // namespace slidercrank

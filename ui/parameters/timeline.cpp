@@ -9,6 +9,7 @@
 #include "ui/parameters/run_form.h"
 #include "ui/words/written_number.h"
 
+#include <QFontInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -65,7 +66,7 @@ public:
         update();
     }
 
-    QSize sizeHint() const override { return {28, 26}; }
+    QSize sizeHint() const override { return (factor() * QSizeF(28.0, 26.0)).toSize(); }
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
@@ -76,6 +77,7 @@ protected:
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.translate(QRectF(rect()).center());
+        painter.scale(factor(), factor());
         const QPalette::ColorGroup group = isEnabled() ? QPalette::Normal : QPalette::Disabled;
         const QColor colour = palette().color(group, chosen ? QPalette::Link : QPalette::ButtonText);
         painter.setBrush(colour);
@@ -84,6 +86,13 @@ protected:
     }
 
 private:
+    /// Larger beside large letters.
+    double factor() const
+    {
+        constexpr double kUsual = 15.0; // px, at most
+        return std::max(1.0, QFontInfo(font()).pixelSize() / kUsual);
+    }
+
     static void paintTriangle(QPainter &painter, double left, double right)
     {
         painter.drawPolygon(QPolygonF{{left, -6.0}, {right, 0.0}, {left, 6.0}});
@@ -325,7 +334,7 @@ void Timeline::toEnd()
 
 void Timeline::setSpeed(double speed)
 {
-    m_speed = std::clamp(speed, kSlowest, kFastest);
+    m_speed = speed > 0.0 ? std::clamp(speed, kSlowest, kFastest) : kSlowest; // not a number, too
     m_runForm->setSpeed(m_speed);
     showRun();
     if (isPlaying()) {

@@ -47,6 +47,8 @@ PlotTypography::PlotTypography(const QFont &base)
     const QFontMetricsF tickMetrics(tick);
     tickHeight = static_cast<int>(std::ceil(tickMetrics.height()));
     digitWidth = tickMetrics.horizontalAdvance(u'0');
+    constexpr double kUsual = 15.0; // px, at most
+    lineFactor = std::max(1.0, pixels / kUsual);
 }
 
 int PlotTypography::legendHeight() const
@@ -57,14 +59,14 @@ int PlotTypography::legendHeight() const
 
 QMargins PlotTypography::margins(int labelLength, bool hasTimeLabels, std::optional<int> rightLabelLength) const
 {
-    constexpr int kUsualLength = 6; // "-0.005"
-    constexpr int kRight = 13;      // half a label of the time axis
+    constexpr int kUsualLength = 6;                                     // "-0.005"
+    const int right = std::max(13, static_cast<int>(1.9 * digitWidth)); // half a label of the time axis
     const auto beside = [&](int length) {
         const int labels = static_cast<int>(std::ceil(digitWidth * std::max(length, kUsualLength)));
         return labels + kLabelGap + kTickLength + 1;
     };
     const int bottom = hasTimeLabels ? tickHeight + kLabelGap + kTickLength + 1 : tickHeight / 2;
-    return {beside(labelLength), titleHeight + 2, rightLabelLength ? beside(*rightLabelLength) : kRight, bottom};
+    return {beside(labelLength), titleHeight + 2, rightLabelLength ? beside(*rightLabelLength) : right, bottom};
 }
 
 PlotArrangement::PlotArrangement(const QSize &figure, const PlotTypography &typography, bool hasErrors,
@@ -116,10 +118,10 @@ QColor colourOf(Ink ink, const SeriesColours &colours)
     return {};
 }
 
-QPen penOf(Ink ink, const SeriesColours &colours)
+QPen penOf(Ink ink, const SeriesColours &colours, double lineFactor)
 {
     // Flat ends: round ones would cost five times as much and close the gaps between dashes.
-    return QPen(colourOf(ink, colours), lineWidth(ink), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    return QPen(colourOf(ink, colours), lineFactor * lineWidth(ink), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
 }
 
 QColor bandColourOf(Ink ink, const SeriesColours &colours)
@@ -188,7 +190,8 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
     for (LegendEntry &entry : std::views::reverse(shown)) {
         const double length = metrics.horizontalAdvance(entry.text);
         if (entry.mayBeElided && excess > 0.0 && length > kShortest) {
-            entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, std::max(kShortest, length - excess));
+            const Qt::TextElideMode elide = entry.ink == Ink::Kept ? Qt::ElideRight : Qt::ElideMiddle; // "b = 65 …"
+            entry.text = metrics.elidedText(entry.text, elide, std::max(kShortest, length - excess));
             excess -= length - metrics.horizontalAdvance(entry.text);
         }
     }
@@ -214,11 +217,11 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
             }
             break;
         case LegendEntry::Sample::Solid:
-            painter.setPen(penOf(entry.ink, colours));
+            painter.setPen(penOf(entry.ink, colours, typography.lineFactor));
             painter.drawLine(QPointF(x, middle), QPointF(x + lineSample, middle));
             break;
         case LegendEntry::Sample::Dashed:
-            painter.setPen(penOf(entry.ink, colours));
+            painter.setPen(penOf(entry.ink, colours, typography.lineFactor));
             for (double start = 0.0; start < lineSample; start += entry.dashes.length + entry.dashes.gap) {
                 const double end = std::min<double>(start + entry.dashes.length, lineSample);
                 painter.drawLine(QPointF(x + start, middle), QPointF(x + end, middle));

@@ -39,6 +39,7 @@ struct PlotTypography {
     int titleHeight = 0;
     int tickHeight = 0;
     double digitWidth = 0.0; ///< of the tick font
+    double lineFactor = 1.0; ///< beside large letters lines are wider
 };
 
 /// Where legend and plots are in a figure of that size: all nine, those of the model with all the room where there are
@@ -57,7 +58,7 @@ struct PlotArrangement {
 };
 
 QColor colourOf(Ink ink, const SeriesColours &colours);
-QPen penOf(Ink ink, const SeriesColours &colours);
+QPen penOf(Ink ink, const SeriesColours &colours, double lineFactor);
 
 /// The same, faint, for what lies under curves.
 QColor bandColourOf(Ink ink, const SeriesColours &colours);

@@ -52,6 +52,7 @@ void PlotCanvas::setStyle(const PlotTypography &typography, const SeriesColours 
 {
     m_titleFont = typography.title;
     m_tickFont = typography.tick;
+    m_lineFactor = typography.lineFactor;
     m_colours = colours;
     setBackground(QBrush(colours.background));
     constexpr double kFrameStrength = 0.55;
@@ -90,7 +91,7 @@ void PlotCanvas::display(const PlotPicture &picture, const QMargins &margins)
     yAxis2->setTickLabelColor(colourOf(picture.curves[1].ink, m_colours));
     xAxis->setRange(picture.time.lower, picture.time.upper);
     yAxis->setRange(picture.values.lower, picture.values.upper);
-    QString description = picture.title;
+    QString description = picture.words[0] + picture.title;
     for (const InkedText &remark : picture.remarks) {
         description += remark.text;
     }
@@ -104,7 +105,7 @@ void PlotCanvas::display(const PlotPicture &picture, const QMargins &margins)
             points.append(QCPGraphData(point.t, point.value));
         }
         line->data()->set(points, true);
-        line->setPen(penOf(curve.ink, m_colours));
+        line->setPen(penOf(curve.ink, m_colours, m_lineFactor));
     };
     for (std::size_t i = 0; i < picture.curves.size(); ++i) {
         QCPGraph *line = graph(static_cast<int>(i));
@@ -271,7 +272,17 @@ void PlotCanvas::Lettering::drawTitle(QCPPainter &painter, const QRect &axes) co
     // Title and remarks over the axes; what is too long for that takes the margins too.
     double left = axes.left();
     double right = axes.right();
-    const double titleWidth = titleMetrics.horizontalAdvance(picture.title) + 2.0 * kLabelGap;
+    const double room = picture.remarks.empty() ? m_plot->viewport().width() - kLabelGap - left
+                                                : right - left - widthOf(picture.remarks);
+    QString title = picture.title;
+    for (const QString &words : picture.words) {
+        const QString whole = words + picture.title;
+        if (titleMetrics.horizontalAdvance(whole) + 2.0 * kLabelGap <= room) {
+            title = whole;
+            break;
+        }
+    }
+    const double titleWidth = titleMetrics.horizontalAdvance(title) + 2.0 * kLabelGap;
     const std::vector<InkedText> *remarks = &picture.remarks;
     if (titleWidth + widthOf(*remarks) > right - left) {
         remarks = &picture.shortRemarks;
@@ -279,11 +290,11 @@ void PlotCanvas::Lettering::drawTitle(QCPPainter &painter, const QRect &axes) co
     const double excess = titleWidth + widthOf(*remarks) - (right - left);
     if (excess > 0.0) {
         right = m_plot->viewport().width() - kLabelGap;
-        left = std::max<double>(kLabelGap, right - widthOf(*remarks) - titleWidth);
+        left = std::min(left, std::max<double>(kLabelGap, right - widthOf(*remarks) - titleWidth));
     }
     painter.setFont(m_plot->m_titleFont);
     painter.setPen(QPen(m_plot->m_colours.text));
-    painter.drawText(QPointF(left, baseline), picture.title);
+    painter.drawText(QPointF(left, baseline), title);
     double x = right - widthOf(*remarks);
     if (x < left + titleWidth - kLabelGap) {
         return; // a plot narrower than any window makes it

@@ -23,8 +23,6 @@ public:
     const Interval &timeRange() const { return m_picture.time; }
     const Interval &valueRange() const { return m_picture.values; }
     bool hasValues() const { return m_picture.hasValues; }
-    Ink inkOf(std::size_t curve) const { return m_picture.curves[curve].ink; }
-
     /// In parts without gaps.
     std::vector<QPolygonF> curvesInPixels() const;
 
@@ -112,6 +110,7 @@ private:
     std::vector<QCPGraph *> m_kept; ///< lines under the others; made when one is kept
     QFont m_titleFont;
     QFont m_tickFont;
+    double m_lineFactor = 1.0;
     SeriesColours m_colours;
     QSharedPointer<Ticker> m_timeTicker;
     QSharedPointer<Ticker> m_valueTicker;

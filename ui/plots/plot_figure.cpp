@@ -178,6 +178,19 @@ Interval errorRange(const Interval &extent, bool isLogarithmic)
     return {std::min(lower, upper - 1.0), upper};
 }
 
+/// "coupler angular velocity ", and without the body, which the plot above names.
+std::array<QString, 2> wordsBefore(Channel channel)
+{
+    const QString whole = quantityOf(channel) + u' ';
+    switch (channel.order) {
+    case Order::Position:
+        return {whole, isAngle(channel.coordinate) ? PlotFigure::tr("angle ") : PlotFigure::tr("position ")};
+    case Order::Velocity: return {whole, PlotFigure::tr("velocity ")};
+    case Order::Acceleration: return {whole, PlotFigure::tr("acceleration ")};
+    }
+    return {};
+}
+
 } // namespace
 
 QString quantity(std::size_t channel)
@@ -476,6 +489,7 @@ void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::
     ShownData &shown = data();
     const ShownChannel &channel = shown.channels[index];
     picture.title = quantity(index);
+    picture.words = wordsBefore(kPlottedChannels[index]);
     picture.curves[0].ink = Ink::Model;
     picture.curves[1].ink = Ink::Reference;
     picture.curves[1].dashes = kReferenceDashes;

@@ -53,6 +53,7 @@ struct InkedText {
 /// All that one plot shows, for one size of its axes.
 struct PlotPicture {
     QString title;
+    std::array<QString, 2> words;        ///< before the title where there is room, the longer first: "coupler angle "
     std::vector<InkedText> remarks;      ///< right of the title
     std::vector<InkedText> shortRemarks; ///< where those do not fit
     QString note;                        ///< in the middle, where there is no curve

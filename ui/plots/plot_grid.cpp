@@ -275,7 +275,7 @@ void PlotGrid::maximize(const QString &name)
 void PlotGrid::toggleMaximized(std::size_t plot)
 {
     maximize(m_maximized ? QString() : plotName(plot));
-    m_plots[plot]->setFocus(Qt::OtherFocusReason); // Escape brings the nine back
+    m_plots[plot]->setFocus(Qt::OtherFocusReason); // Escape brings all back
 }
 
 void PlotGrid::setMeasuring(bool measuring)
@@ -327,10 +327,10 @@ OverlayContent PlotGrid::overlayOf(std::size_t plot)
             sight.lines.push_back(x);
         }
         for (const ReadPoint &read : pointsReadAt(m_figure, plot, time)) {
-            const QPointF at(shown.xAxis->coordToPixel(read.point.t),
-                             shown.valueAxisOf(read.curve)->coordToPixel(read.point.value));
+            const QCPAxis *valueAxis = shown.valueAxisOf(read.ink == Ink::ErrorOther ? 1 : 0);
+            const QPointF at(shown.xAxis->coordToPixel(read.point.t), valueAxis->coordToPixel(read.point.value));
             if (QRectF(content.axes).contains(at)) {
-                content.dots.push_back({at, shown.inkOf(read.curve)});
+                content.dots.push_back({at, read.ink});
                 sight.dots.push_back(at);
             }
         }
@@ -349,13 +349,13 @@ OverlayContent PlotGrid::overlayOf(std::size_t plot)
     double leastHidden = 0.0;
     for (const Wording wording : {Wording::Full, Wording::Brief}) { // briefly only where that hides less
         const std::vector<InkedRow> rows = readingsOf(m_figure, plot, m_read, wording);
-        const std::optional<ReadingPlace> place = placeOfReading(m_overlays[plot]->sizeOf(rows), room, sight);
-        if (!rows.empty() && place && (content.box.empty() || place->hidden < leastHidden)) {
+        const ReadingPlace place = placeOfReading(m_overlays[plot]->sizeOf(rows), room, sight);
+        if (content.box.empty() || place.hidden < leastHidden) {
             content.box = rows;
-            content.boxPlace = place->topLeft;
-            leastHidden = place->hidden;
+            content.boxPlace = place.topLeft;
+            leastHidden = place.hidden;
         }
-        if (!content.box.empty() && leastHidden == 0.0) {
+        if (rows.empty() || leastHidden == 0.0) {
             break;
         }
     }
@@ -441,8 +441,11 @@ bool PlotGrid::pressKey(std::size_t plot, int key)
 void PlotGrid::pressOn(std::size_t plot, const QMouseEvent &mouse)
 {
     const bool isLeft = mouse.button() == Qt::LeftButton;
-    if (m_drag || !(isLeft || mouse.button() == Qt::MiddleButton)) {
+    if (!(isLeft || mouse.button() == Qt::MiddleButton) || (m_drag && m_drag->button != mouse.button())) {
         return;
+    }
+    if (m_drag) { // its release went elsewhere
+        endDrag();
     }
     Drag drag;
     drag.plot = plot;

@@ -219,9 +219,9 @@ std::vector<ReadPoint> pointsReadAt(PlotFigure &figure, std::size_t plot, double
 {
     const ShownData &data = figure.data();
     std::vector<ReadPoint> points;
-    const auto addUnlessMissing = [&points](std::size_t curve, double instant, double value) {
+    const auto addUnlessMissing = [&points](Ink ink, double instant, double value) {
         if (std::isfinite(value)) {
-            points.push_back({curve, {instant, value}});
+            points.push_back({{instant, value}, ink});
         }
     };
     if (data.model.empty()) {
@@ -230,21 +230,25 @@ std::vector<ReadPoint> pointsReadAt(PlotFigure &figure, std::size_t plot, double
     const std::size_t k = data.referenceTime.empty() ? 0 : nearestIndex(data.referenceTime, t);
     if (isErrorPlot(plot)) {
         for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
-            const ShownChannel &channel = data.channels[plot / kPlotColumns * kChannelsPerRow + i];
-            if (!channel.errors.empty()) {
-                addUnlessMissing(i, data.referenceTime[k], channel.errors[k]);
+            const std::size_t index = plot / kPlotColumns * kChannelsPerRow + i;
+            const Ink ink = i == 0 ? Ink::Error : Ink::ErrorOther;
+            if (const std::vector<double> &errors = data.channels[index].errors; !errors.empty()) {
+                addUnlessMissing(ink, data.referenceTime[k], errors[k]);
             } else if (figure.result->difference) {
                 const double now = data.model.instantNear(t);
-                addUnlessMissing(i, now, figure.differenceAt(plot / kPlotColumns * kChannelsPerRow + i, now));
+                addUnlessMissing(ink, now, figure.differenceAt(index, now));
             }
         }
         return points;
     }
     const std::size_t index = channelOf(plot);
     const double now = data.model.instantNear(t);
-    addUnlessMissing(0, now, data.model.value(index, now));
+    for (const PlotFigure::KeptMotion &motion : figure.kept()) {
+        addUnlessMissing(Ink::Kept, now, motion.curves.value(index, now));
+    }
+    addUnlessMissing(Ink::Model, now, data.model.value(index, now));
     if (const std::span<const double> reference = data.channels[index].reference; !reference.empty()) {
-        addUnlessMissing(1, data.referenceTime[k], reference[k]);
+        addUnlessMissing(Ink::Reference, data.referenceTime[k], reference[k]);
     }
     return points;
 }

@@ -28,10 +28,10 @@ enum class Wording { Full, Brief };
 /// What the plot shows under the pointer, or else at the measuring cursors, a row each.
 std::vector<InkedRow> readingsOf(PlotFigure &figure, std::size_t plot, const ReadInstants &read, Wording wording);
 
-/// A place of a curve at which it is read; the curve counts as in PlotPicture.
+/// A place of a curve at which it is read; the ink tells which.
 struct ReadPoint {
-    std::size_t curve = 0;
     CurvePoint point;
+    Ink ink = Ink::Model;
 };
 std::vector<ReadPoint> pointsReadAt(PlotFigure &figure, std::size_t plot, double t);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace slidercrank
 {
@@ -101,10 +102,12 @@ double distance(const QRectF &box, const QPointF &point)
 
 } // namespace
 
-std::optional<ReadingPlace> placeOfReading(const QSizeF &box, const QRect &room, const PlotSight &sight)
+ReadingPlace placeOfReading(const QSizeF &box, const QRect &room, const PlotSight &sight)
 {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    ReadingPlace best{room.topLeft(), kInfinity};
     if (box.width() > room.width() || box.height() > room.height()) {
-        return std::nullopt;
+        return best;
     }
     const SightSums sums(room, sight);
     const int width = static_cast<int>(std::ceil(box.width() / kCell));
@@ -114,21 +117,20 @@ std::optional<ReadingPlace> placeOfReading(const QSizeF &box, const QRect &room,
         near.push_back(sight.axes.topLeft());
     }
     constexpr double kPerHidden = 100.0; // px farther away rather than one more hidden
-    std::optional<ReadingPlace> best;
-    double leastCost = 0.0;
+    double leastCost = kInfinity;
     for (int row = 0; kCell * row + box.height() <= room.height(); ++row) {
         for (int column = 0; kCell * column + box.width() <= room.width(); ++column) {
             const QPointF topLeft(room.left() + kCell * column, room.top() + kCell * row);
             const double hidden = sums.hiddenBy(column, row, width, height);
             double cost = kPerHidden * hidden;
-            if (best && cost >= leastCost) {
+            if (cost >= leastCost) {
                 continue;
             }
             for (const QPointF &dot : near) {
                 cost += distance(QRectF(topLeft, box), dot);
             }
-            if (!best || cost < leastCost) {
-                best = ReadingPlace{topLeft, hidden};
+            if (cost < leastCost) {
+                best = {topLeft, hidden};
                 leastCost = cost;
             }
         }

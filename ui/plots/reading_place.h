@@ -8,7 +8,6 @@
 #include <QRect>
 #include <QSizeF>
 
-#include <optional>
 #include <vector>
 
 namespace slidercrank
@@ -24,10 +23,10 @@ struct PlotSight {
 
 struct ReadingPlace {
     QPointF topLeft;
-    double hidden = 0.0; ///< how much of the curves and numbers, px
+    double hidden = 0.0; ///< how much of the curves and numbers, px; infinite where the room is too small
 };
 
-/// In the room; where it hides least, and of these places next to the dots. None where the room is too small.
-std::optional<ReadingPlace> placeOfReading(const QSizeF &box, const QRect &room, const PlotSight &sight);
+/// In the room, where it hides least, and of these places next to the dots; in its corner where that is too small.
+ReadingPlace placeOfReading(const QSizeF &box, const QRect &room, const PlotSight &sight);
 
 } // namespace slidercrank

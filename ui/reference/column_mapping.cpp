@@ -183,8 +183,8 @@ void fillUnits(QComboBox &combo, int meaning, const FileColumn &column)
     QStringList units{QStringLiteral("s"), QStringLiteral("ms")};
     QString author = QStringLiteral("s");
     if (meaning != kTime) {
-        const Channel channel = meaning == kCrankAngle ? Channel{Theta2, Order::Position}
-                                                       : channelAt(static_cast<std::size_t>(meaning));
+        const Channel channel =
+            meaning == kCrankAngle ? Channel{Theta2, Order::Position} : channelAt(static_cast<std::size_t>(meaning));
         author = unitOf(channel);
         units = isAngle(channel.coordinate) ? QStringList{QStringLiteral("°"), QStringLiteral("rad")}
                                             : QStringList{QStringLiteral("mm"), QStringLiteral("cm"),
@@ -409,9 +409,15 @@ void ColumnMapping::showPreview()
     if (error) {
         m_problem->setText(sentenceOf(*error, QFileInfo(m_path).fileName()));
         setInk(*m_problem, seriesColours(palette()).warning);
-        return;
     }
     if (m_current >= m_rows.size()) {
+        return;
+    }
+    if (m_layout.columns[m_current].role == ColumnRole::Ignored) {
+        previewIgnored();
+        return;
+    }
+    if (error) {
         return;
     }
     const ReferenceData &read = std::get<ReferenceData>(m_outcome);
@@ -425,9 +431,7 @@ void ColumnMapping::showPreview()
     } else if (column.role == ColumnRole::CrankAngle) {
         m_caption->setText(tr("%1: %2").arg(heading, span));
         m_preview->setCurve(read.time, read.crank->degrees);
-    } else if (!series) {
-        m_caption->setText(tr("%1 is ignored").arg(heading));
-    } else {
+    } else if (series) {
         double low = INFINITY;
         double high = -INFINITY;
         for (const double value : series->values) {
@@ -438,6 +442,26 @@ void ColumnMapping::showPreview()
         m_caption->setText(tr("%1: %2 from %3 to %4 %5, %6")
                                .arg(heading, symbolOf(column.channel), numberText(low), numberText(high), unit, span));
         m_preview->setCurve(read.time, series->values);
+    }
+    m_preview->setAccessibleDescription(m_caption->text());
+}
+
+/// The numbers of the column all the same: they may tell what it is.
+void ColumnMapping::previewIgnored()
+{
+    const QString heading = headingText(m_layout, m_current);
+    m_caption->setText(tr("%1 is ignored").arg(heading));
+    const Channel any{R1x, Order::Position};
+    std::vector<ColumnChoice> choices = this->choices();
+    std::erase_if(choices, [this](const ColumnChoice &choice) { return choice.column == m_current; });
+    choices.push_back({m_current, ColumnRole::Channel, any, "mm"});
+    const std::variant<ReferenceData, ReadError> outcome = readWith(m_beginning, choices);
+    const ReferenceData *read = std::get_if<ReferenceData>(&outcome);
+    if (const ReferenceSeries *series = read ? read->find(any) : nullptr) {
+        const ValueRange range = rangeOf(series->values);
+        m_caption->setText(
+            tr("%1 is ignored: from %2 to %3").arg(heading, numberText(range.low), numberText(range.high)));
+        m_preview->setCurve(read->time, series->values);
     }
     m_preview->setAccessibleDescription(m_caption->text());
 }

@@ -54,6 +54,7 @@ private:
     void readAgain();
     void showRow(std::size_t row);
     void showPreview();
+    void previewIgnored();
 
     QString m_path;
     QByteArray m_beginning;

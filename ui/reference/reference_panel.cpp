@@ -109,8 +109,8 @@ QWidget *ReferencePanel::createFilePage()
     m_abscissa = named("abscissaBox", new QComboBox, tr("What the first column is"));
     m_abscissa->addItem(tr("First column: time"), QVariant::fromValue(ColumnRole::Time));
     m_abscissa->addItem(tr("First column: crank angle"), QVariant::fromValue(ColumnRole::CrankAngle));
-    m_abscissa->setToolTip(tr("Whether the rows count by the time, or by the angle of the crank, of which ω₂ and θ₂₀ "
-                              "make the time"));
+    m_abscissa->setToolTip(
+        tr("Whether the rows are by time or by crank angle; from the angle, ω₂ and θ₂₀ give the time"));
     connect(m_abscissa, &QComboBox::activated, this, [this](int index) {
         showAbscissa(); // it may be refused
         emit abscissaRequested(m_abscissa->itemData(index).value<ColumnRole>());

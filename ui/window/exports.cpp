@@ -4,6 +4,7 @@
 #include "ui/controls/save_dialog.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
+#include "ui/export/animation_form.h"
 #include "ui/export/motion_csv.h"
 #include "ui/export/report_pages.h"
 #include "ui/mechanism/mechanism_view.h"
@@ -151,14 +152,33 @@ void Exports::writeReport(const QString &path)
     writeAside(path, prepareAside, write);
 }
 
+Animation Exports::animationOnShow() const
+{
+    const Sampling &sampling = m_session->sampling();
+    Animation animation;
+    animation.start = sampling.start;
+    animation.duration = sampling.duration;
+    animation.size = {m_rooms.mechanism->size(), kScale};
+    animation.speed = m_rooms.timeline->speed();
+    return animation;
+}
+
 void Exports::chooseAnimation()
+{
+    auto *form = new AnimationForm(animationOnShow(), m_session->parameters(), m_window);
+    form->setAttribute(Qt::WA_DeleteOnClose);
+    connect(form, &QDialog::accepted, this, [this, form] { chooseAnimationFile(form->animation()); });
+    form->open();
+}
+
+void Exports::chooseAnimationFile(const Animation &animation)
 {
     const QString frames = QStringLiteral("png");
     SaveRequest request{tr("Export animation"),
                         {},
                         lastFolder(QStandardPaths::MoviesLocation),
                         QStringLiteral("motion.png"),
-                        [this](const QString &path, const QString &) { writeAnimation(path); }};
+                        [this, animation](const QString &path, const QString &) { writeAnimation(path, animation); }};
     for (const QString &suffix : AnimationExport::suffixes()) {
         request.filters << (suffix == frames ? tr("Numbered frames (*.png)") : tr("Videos (*.%1)").arg(suffix));
     }
@@ -168,17 +188,11 @@ void Exports::chooseAnimation()
     chooseFileToSave(m_window, request);
 }
 
-void Exports::writeAnimation(const QString &path)
+void Exports::writeAnimation(const QString &path, const Animation &animation)
 {
     if (m_animation) {
         return;
     }
-    const Sampling &sampling = m_session->sampling();
-    Animation animation;
-    animation.start = sampling.start;
-    animation.duration = sampling.duration;
-    animation.size = {m_rooms.mechanism->size(), kScale};
-    animation.speed = m_rooms.timeline->speed();
     const QStringList older = AnimationExport::olderFrames(path, animation.frameCount());
     if (older.isEmpty()) {
         film(path, animation);

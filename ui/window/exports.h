@@ -64,10 +64,13 @@ public:
     void chooseReport();
     void writeReport(const QString &path);
 
-    /// The mechanism moving through the run: numbered PNG frames, or a video where ffmpeg is installed. Older frames
-    /// are replaced when the person says so.
+    /// The mechanism moving: asks how fast, how large and how long, then for a file: numbered PNG frames, or a video
+    /// where ffmpeg is installed. Older frames are replaced when the person says so.
     void chooseAnimation();
-    void writeAnimation(const QString &path);
+    void writeAnimation(const QString &path, const Animation &animation);
+
+    /// Of the run, at the speed of playing, twice as large as it is seen.
+    Animation animationOnShow() const;
 
 signals:
     void done(const QString &sentence); ///< what was written or copied
@@ -76,6 +79,7 @@ signals:
     void progressed(double part);
 
 private:
+    void chooseAnimationFile(const Animation &animation);
     void film(const QString &path, const Animation &animation);
 
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a

@@ -82,7 +82,8 @@ QString shortcutsText(const QMenuBar &menus)
                     {{HelpPage::tr("To the next control, to the one before"), HelpPage::tr("Tab, Shift+Tab")},
                      {HelpPage::tr("Press a button, open a list"), HelpPage::tr("Enter")},
                      {HelpPage::tr("Open a menu"), HelpPage::tr("Alt and the underlined letter")},
-                     {HelpPage::tr("Open a file"), HelpPage::tr("Drop it on the window")}});
+                     {HelpPage::tr("Open a file"), HelpPage::tr("Drop it on the window")},
+                     {HelpPage::tr("Leave what fills the screen"), QKeySequence(Qt::Key_Escape).toString()}});
     html += tableOf(
         HelpPage::tr("Mechanism"),
         {{HelpPage::tr("Move through time"), HelpPage::tr("Drag A, or B along its line")},
@@ -90,6 +91,7 @@ QString shortcutsText(const QMenuBar &menus)
           HelpPage::tr("Pull the crank, the coupler or the slider's line; with Control to a finer length")},
          {HelpPage::tr("Zoom"), HelpPage::tr("Wheel, + and -")},
          {HelpPage::tr("Show all"), HelpPage::tr("Double click beside the mechanism, or 0")},
+         {HelpPage::tr("Make it large, and small again"), HelpPage::tr("Double click a link, or Enter")},
          {HelpPage::tr("Move the drawing"), HelpPage::tr("Drag beside the mechanism, or Control and the arrows")},
          {HelpPage::tr("Read about a part"), HelpPage::tr("Point at it, or Page Down and Page Up")}});
     html += tableOf(

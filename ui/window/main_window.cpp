@@ -20,6 +20,7 @@
 #include "ui/window/key_owner.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
+#include "ui/window/presentation.h"
 #include "ui/window/recovery.h"
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
@@ -98,6 +99,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_session(new Session(this))
     , m_scene(new SceneFile(m_session, m_rooms, this))
     , m_exports(new Exports(m_session, m_rooms, this))
+    , m_presentation(new Presentation(m_rooms, this))
     , m_status(new StatusBar(this))
 {
     setWindowIcon(QIcon(QStringLiteral(":/slidercrank.svg")));
@@ -195,6 +197,7 @@ void MainWindow::makeRooms(bool withGhost)
 /// In the language now in use: of the same session, and arranged as they were.
 void MainWindow::remakeRooms()
 {
+    m_presentation->setOn(false);
     WindowLayout layout = windowLayoutOf(*this, m_foldedByHand);
     layout.window.clear(); // it stays where it is
     const PlotSettings plots = m_rooms.plots->settings();
@@ -204,7 +207,6 @@ void MainWindow::remakeRooms()
     const MechanismView::Look drawing = m_rooms.mechanism->look();
     const bool hasGhost = m_rooms.ghost->isWanted();
     const bool isPlaying = m_rooms.timeline->isPlaying();
-    const double speed = m_rooms.timeline->speed();
     auto *study = m_rooms.tabs->findChild<StudyPanel *>(); // made anew only where it has been opened
     const int studyTab = m_rooms.tabs->indexOf(study);
     if (study) {
@@ -225,7 +227,6 @@ void MainWindow::remakeRooms()
     m_rooms.plots->maximize(maximized);
     m_rooms.plots->setMeasured(measured);
     m_rooms.mechanism->setLook(drawing);
-    m_rooms.timeline->setSpeed(speed);
     if (study) {
         m_rooms.tabs->setCurrent(studyTab);
         m_rooms.tabs->findChild<StudyPanel *>()->takeOver(*study);
@@ -269,6 +270,8 @@ void MainWindow::connectRooms()
     connect(m_rooms.mechanism, &MechanismView::lengthRequested, m_session, &Session::setParameter);
     connect(m_rooms.mechanism, &MechanismView::dragBegan, m_session, &Session::beginDrag);
     connect(m_rooms.mechanism, &MechanismView::dragEnded, m_session, &Session::endDrag);
+    connect(m_rooms.mechanism, &MechanismView::enlarged, m_presentation,
+            [this] { m_presentation->setAlone(m_rooms.plots->isVisible()); });
 
     follow(&Session::resultChanged, m_rooms.plots, &PlotGrid::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
@@ -442,6 +445,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         });
         return;
     }
+    m_presentation->setOn(false);
     rememberLayout(windowLayoutOf(*this, m_foldedByHand));
     QMainWindow::closeEvent(event);
 }
@@ -469,7 +473,7 @@ void MainWindow::resizeEvent(QResizeEvent *event)
 
 void MainWindow::foldWhereLow()
 {
-    if (!m_foldedByHand) {
+    if (!m_foldedByHand && !m_presentation->isOn()) {
         m_rooms.tabs->setFolded(height() < kFoldBelowHeight);
         m_foldedByHand = false;
     }

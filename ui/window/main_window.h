@@ -14,6 +14,7 @@ namespace slidercrank
 
 class Exports;
 class Messages;
+class Presentation;
 class Recovery;
 class SceneFile;
 class StatusBar;
@@ -30,6 +31,8 @@ public:
     SceneFile &scene() { return *m_scene; }
 
     Exports &exports() { return *m_exports; }
+
+    Presentation &presentation() { return *m_presentation; }
 
     /// With all of its frame; it fills a screen that has no room for that.
     void showWithinScreen();
@@ -76,6 +79,7 @@ private:
     Rooms m_rooms;
     SceneFile *m_scene;
     Exports *m_exports;
+    Presentation *m_presentation;
     Messages *m_messages;
     StatusBar *m_status;
     Recovery *m_recovery;

@@ -9,6 +9,7 @@
 #include "ui/window/ghost.h"
 #include "ui/window/help_page.h"
 #include "ui/window/main_window.h"
+#include "ui/window/presentation.h"
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
 #include "ui/words/language.h"
@@ -171,6 +172,11 @@ void Menus::addView()
                     &PlotGrid::showAll);
     view->addMenu(tr("M&echanism"))->addActions(m_rooms.mechanism->choices());
     view->addMenu(tr("Pl&ots"))->addActions(m_rooms.plots->choices());
+    Presentation *presentation = &m_window.presentation();
+    QAction *present = addSwitch(view, tr("In &front of a class"), presentation->isOn());
+    present->setShortcut(QKeySequence(Qt::Key_F11));
+    connect(present, &QAction::triggered, presentation, &Presentation::setOn);
+    connect(presentation, &Presentation::changed, present, &QAction::setChecked);
     QAction *fold = addSwitch(view, tr("Show the &panels below"), true);
     fold->setShortcut(QKeySequence(Qt::Key_F9));
     connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });

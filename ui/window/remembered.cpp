@@ -2,6 +2,8 @@
 #include "ui/window/remembered.h"
 
 #include "ui/controls/folding_tabs.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/parameters/timeline.h"
 #include "ui/words/remember.h"
 
 #include <QAbstractButton>
@@ -9,6 +11,9 @@
 #include <QMainWindow>
 #include <QSettings>
 #include <QSplitter>
+
+#include <array>
+#include <utility>
 
 namespace slidercrank
 {
@@ -22,6 +27,22 @@ const QString kTheme = QStringLiteral("theme");
 const QString kLayout = QStringLiteral("layout");
 const QString kWindow = QStringLiteral("window");
 const QString kFolded = QStringLiteral("folded");
+const QString kTab = QStringLiteral("view/tab");
+const QString kSpeed = QStringLiteral("view/speed");
+const QString kView = QStringLiteral("view/%1");
+
+/// What is drawn beside the linkage, by name.
+constexpr std::array<std::pair<const char *, bool MechanismSettings::*>, 7> kDrawn{{
+    {"velocity", &MechanismSettings::velocity},
+    {"acceleration", &MechanismSettings::acceleration},
+    {"path", &MechanismSettings::path},
+    {"names", &MechanismSettings::names},
+    {"dimensions", &MechanismSettings::dimensions},
+    {"angles", &MechanismSettings::angles},
+    {"instantCentre", &MechanismSettings::instantCentre},
+}};
+
+const QStringList kUnitBoxes{QStringLiteral("unit_omega2"), QStringLiteral("unit_theta20")};
 
 } // namespace
 
@@ -63,6 +84,8 @@ WindowLayout windowLayoutOf(const QMainWindow &window, bool foldedByHand)
         layout.folded = tabs.isFolded();
     }
     layout.tab = tabs.current();
+    layout.speed = rooms.findChild<Timeline *>()->speed();
+    layout.drawing = rooms.findChild<MechanismView *>()->settings();
     for (const auto *box : rooms.findChildren<QComboBox *>()) {
         layout.choices[box->objectName()] = box->currentIndex();
     }
@@ -83,6 +106,8 @@ void arrange(QMainWindow &window, const WindowLayout &layout)
     auto &tabs = *rooms.findChild<FoldingTabs *>();
     window.restoreGeometry(layout.window);
     tabs.setCurrent(layout.tab); // first: its controls are made now
+    rooms.findChild<Timeline *>()->setSpeed(layout.speed);
+    rooms.findChild<MechanismView *>()->setSettings(layout.drawing);
     for (auto *splitter : rooms.findChildren<QSplitter *>()) {
         splitter->restoreState(layout.splitters.value(splitter->objectName()));
     }
@@ -91,7 +116,7 @@ void arrange(QMainWindow &window, const WindowLayout &layout)
     }
     for (auto *box : rooms.findChildren<QComboBox *>()) {
         const int index = layout.choices.value(box->objectName(), box->currentIndex());
-        if (index != box->currentIndex() && index < box->count()) {
+        if (index != box->currentIndex() && index >= 0 && index < box->count()) {
             box->setCurrentIndex(index);
             emit box->activated(index);
         }
@@ -118,6 +143,14 @@ void rememberLayout(const WindowLayout &layout)
     if (layout.folded) {
         choices.insert(group + kFolded, *layout.folded);
     }
+    choices.insert(kTab, layout.tab);
+    choices.insert(kSpeed, layout.speed);
+    for (const auto &[name, member] : kDrawn) {
+        choices.insert(kView.arg(QLatin1String(name)), layout.drawing.*member);
+    }
+    for (const QString &box : kUnitBoxes) {
+        choices.insert(kView.arg(box), layout.choices.value(box));
+    }
     remember(choices);
 }
 
@@ -134,6 +167,15 @@ WindowLayout rememberedLayout()
     }
     if (const QVariant folded = settings.value(kFolded); folded.isValid()) {
         layout.folded = folded.toBool();
+    }
+    settings.endGroup();
+    layout.tab = settings.value(kTab, layout.tab).toInt();
+    layout.speed = settings.value(kSpeed, layout.speed).toDouble();
+    for (const auto &[name, member] : kDrawn) {
+        layout.drawing.*member = settings.value(kView.arg(QLatin1String(name)), false).toBool();
+    }
+    for (const QString &box : kUnitBoxes) {
+        layout.choices[box] = settings.value(kView.arg(box), 0).toInt();
     }
     return layout;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a window remembers beside its scene: from one run to the next the files, the theme and how the panes were
-// arranged; while it is made anew in another language also what is chosen in its controls.
+// What a window remembers beside its scene: from one run to the next the files, the theme, how the panes were arranged,
+// the units, what is drawn beside the linkage and the speed of playing; while it is made anew in another language also
+// what else is chosen in its controls.
 
+#include "ui/document/view_settings.h"
 #include "ui/words/theme.h"
 
 #include <QByteArray>
@@ -33,10 +35,12 @@ struct WindowLayout {
     QByteArray window; ///< its place and size
     QHash<QString, QByteArray> splitters;
     std::optional<bool> folded; ///< the tabs; none: as the height has it
+    int tab = 0;
+    double speed = 1.0; ///< of playing
+    MechanismSettings drawing;
+    QHash<QString, int> choices; ///< of combo boxes, and of buttons that stay down; for the next run those of units
 
     // While the window is there:
-    int tab = 0;
-    QHash<QString, int> choices; ///< of combo boxes, and of buttons that stay down
     QString focus;
 };
 

@@ -157,7 +157,8 @@ void SceneFile::finishOpening(const QString &problem)
 
 void SceneFile::chooseAndOpen()
 {
-    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path), tr("Scenes (*.slidercrank *.json);;All files (*)"));
+    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path),
+                                   tr("Scenes (*.slidercrank *.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });

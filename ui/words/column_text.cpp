@@ -116,7 +116,7 @@ QString roleReason(const FileLayout &layout, std::size_t column)
     case ColumnReason::AngleForTime:
         return ColumnText::tr("guessed: no column is the time, and this is the angle of the crank");
     case ColumnReason::UnknownName: return ColumnText::tr("ignored: its name is not known");
-    case ColumnReason::UnknownBody: return ColumnText::tr("ignored: its name does not tell what moves so");
+    case ColumnReason::UnknownBody: return ColumnText::tr("ignored: its name does not say of which body it is");
     case ColumnReason::RowNumber: return ColumnText::tr("ignored: it counts the rows");
     case ColumnReason::Magnitude:
         return ColumnText::tr("ignored: a magnitude, without direction; “%1” is a component of it").arg(other);
@@ -171,7 +171,7 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::ModelicaName: return ColumnText::tr("guessed: named as in Modelica");
     case ColumnReason::AngleForTime: return ColumnText::tr("guessed: no time here");
     case ColumnReason::UnknownName: return ColumnText::tr("name not known");
-    case ColumnReason::UnknownBody: return ColumnText::tr("what moves so?");
+    case ColumnReason::UnknownBody: return ColumnText::tr("of which body?");
     case ColumnReason::RowNumber: return ColumnText::tr("counts the rows");
     case ColumnReason::Magnitude: return ColumnText::tr("magnitude of %1 …").arg(other);
     case ColumnReason::SameInstants: return ColumnText::tr("same instants as %1").arg(other);

@@ -61,31 +61,31 @@ QString symbolOf(Channel channel)
 
 QString quantityOf(Channel channel)
 {
-    const auto one = [channel](const QString &position, const QString &velocity, const QString &acceleration) {
-        switch (channel.order) {
-        case Order::Position: return position;
-        case Order::Velocity: return velocity;
-        case Order::Acceleration: return acceleration;
-        }
-        return QString();
-    };
-    const std::array bodies{FindingText::tr("ground"), FindingText::tr("crank"), FindingText::tr("coupler"),
-                            FindingText::tr("slider")};
-    QString quantity;
-    if (isAngle(channel.coordinate)) {
-        quantity = one(FindingText::tr("%1 angle"), FindingText::tr("%1 angular velocity"),
-                       FindingText::tr("%1 angular acceleration"));
-    } else if (channel.coordinate == R4x) {
-        quantity =
-            one(FindingText::tr("%1 position"), FindingText::tr("%1 velocity"), FindingText::tr("%1 acceleration"));
-    } else if (static_cast<int>(channel.coordinate) % 3 == 0) {
-        quantity = one(FindingText::tr("%1 centre in x"), FindingText::tr("%1 centre's velocity in x"),
-                       FindingText::tr("%1 centre's acceleration in x"));
-    } else {
-        quantity = one(FindingText::tr("%1 centre in y"), FindingText::tr("%1 centre's velocity in y"),
-                       FindingText::tr("%1 centre's acceleration in y"));
-    }
-    return quantity.arg(bodies[static_cast<std::size_t>(channel.coordinate) / 3]);
+    static constexpr const char *kBodies[] = {QT_TRANSLATE_NOOP("slidercrank::FindingText", "ground"),
+                                              QT_TRANSLATE_NOOP("slidercrank::FindingText", "crank"),
+                                              QT_TRANSLATE_NOOP("slidercrank::FindingText", "coupler"),
+                                              QT_TRANSLATE_NOOP("slidercrank::FindingText", "slider")};
+    static constexpr const char *kAngle[] = {QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 angle"),
+                                             QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 angular velocity"),
+                                             QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 angular acceleration")};
+    static constexpr const char *kStroke[] = {QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 position"),
+                                              QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 velocity"),
+                                              QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 acceleration")};
+    static constexpr const char *kInX[] = {
+        QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 centre in x"),
+        QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 centre's velocity in x"),
+        QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 centre's acceleration in x")};
+    static constexpr const char *kInY[] = {
+        QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 centre in y"),
+        QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 centre's velocity in y"),
+        QT_TRANSLATE_NOOP("slidercrank::FindingText", "%1 centre's acceleration in y")};
+    const auto coordinate = static_cast<std::size_t>(channel.coordinate);
+    const auto &quantities = isAngle(channel.coordinate) ? kAngle
+                             : channel.coordinate == R4x ? kStroke
+                             : coordinate % 3 == 0       ? kInX
+                                                         : kInY;
+    return FindingText::tr(quantities[static_cast<std::size_t>(channel.order)])
+        .arg(FindingText::tr(kBodies[coordinate / 3]));
 }
 
 QString columnNameOf(Channel channel)

@@ -23,7 +23,7 @@ QString clauseOf(ColumnReason reason)
     case ColumnReason::NotDerivative: return ReadFaultText::tr("its values are not the derivative that its name says");
     case ColumnReason::AngleOrLength:
         return ReadFaultText::tr("neither its unit nor its values tell an angle from a length");
-    case ColumnReason::UnknownBody: return ReadFaultText::tr("its name does not tell what moves so");
+    case ColumnReason::UnknownBody: return ReadFaultText::tr("its name does not say of which body it is");
     case ColumnReason::UnknownUnit:
     default: return ReadFaultText::tr("its unit is not known or does not suit the quantity");
     }
@@ -109,8 +109,7 @@ QString sentenceOf(const ReadFault &fault)
         return ReadFaultText::tr("the time does not increase from the row before: sort the rows by time and keep one "
                                  "of each instant.");
     case Kind::AngleTurnsBack:
-        return ReadFaultText::tr("the crank's angle turns back behind %1: sort the rows by it, one row for each "
-                                 "angle.")
+        return ReadFaultText::tr("the crank angle goes back after %1: sort the rows by it, one row for each angle.")
             .arg(QString::fromUtf8(fault.heading));
     case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
     case Kind::Unreadable: return ReadFaultText::tr("The file became shorter while it was read: open it again.");

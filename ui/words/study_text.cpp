@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/words/study_text.h"
 
-#include "core/newton/newton_options.h"
 #include "ui/words/axis_scale.h"
 #include "ui/words/column_text.h"
 #include "ui/words/written_number.h"
@@ -102,7 +101,7 @@ QString exactnessText(std::optional<double> closedForm, std::optional<double> re
 QString closedFormSentence(const CaseResult &which)
 {
     const MethodResult *closedForm = rowOf(which, MethodName::Kind::ClosedForm, std::nullopt);
-    const MethodResult *report = rowOf(which, MethodName::Kind::NewtonDense, NewtonOptions().tolerance);
+    const MethodResult *report = rowOf(which, MethodName::Kind::NewtonDense, kReportsTolerance);
     if (!closedForm || !report || closedForm->nsPerState <= 0.0 || report->nsPerState <= 0.0) {
         return {};
     }

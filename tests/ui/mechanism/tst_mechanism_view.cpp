@@ -497,9 +497,15 @@ private slots:
             for (std::size_t k = 0; k < recorder.texts.size(); ++k) {
                 const auto &[name, place] = recorder.texts[k];
                 ++labels;
-                overLinks += isOver(place, pivot, crank, 4.0) || isOver(place, crank, slider, 3.0) ? 1 : 0;
+                if (isOver(place, pivot, crank, 4.0) || isOver(place, crank, slider, 3.0)) {
+                    ++overLinks;
+                    qWarning("%s over a link at %d", qPrintable(name), i);
+                }
                 for (std::size_t other = 0; other < k; ++other) {
-                    overEachOther += place.intersects(recorder.texts[other].second) ? 1 : 0;
+                    if (place.intersects(recorder.texts[other].second)) {
+                        ++overEachOther;
+                        qWarning("%s over %s at %d", qPrintable(name), qPrintable(recorder.texts[other].first), i);
+                    }
                 }
             }
         }

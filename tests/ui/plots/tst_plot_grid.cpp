@@ -168,6 +168,7 @@ private slots:
     void keepsReadingsWithinNarrowPlots();
     void framesThePlotWithTheFocusAndNoMore();
     void keepsTheLegendWithinTheFigure();
+    void saysInWordsWhatAPlotIsOfWhereThereIsRoom();
     void recoloursWithThePalette();
 };
 
@@ -1038,6 +1039,28 @@ void TstPlotGrid::keepsTheLegendWithinTheFigure()
         }
         QVERIFY(width < 1400 || shown.endsWith(QLatin1String("file's roundingreference is 0")));
     }
+}
+
+void TstPlotGrid::saysInWordsWhatAPlotIsOfWhereThereIsRoom()
+{
+    ShownGrid shown(resultOf(withCoupler(60.0)));
+    const auto titleAt = [&](int width) {
+        TextRecorder recorder({width, 300});
+        QPainter painter(&recorder);
+        shown.grid.paintPlot(painter, QStringLiteral("plot_theta3_diff2"), {width, 300}, paletteFor(Theme::Light));
+        painter.end();
+        QString drawn; // in pieces where a sign is of another font
+        for (const auto &[text, place] : recorder.texts) {
+            drawn += text;
+        }
+        return drawn.contains(QString::fromUtf8("coupler angular acceleration d²")) ? 2
+               : drawn.contains(QString::fromUtf8("acceleration d²"))               ? 1
+               : drawn.contains(QString::fromUtf8("d²θ³/dt²"))                      ? 0
+                                                                                    : -1;
+    };
+    QCOMPARE(titleAt(600), 2);
+    QCOMPARE(titleAt(300), 1);
+    QCOMPARE(titleAt(180), 0);
 }
 
 void TstPlotGrid::recoloursWithThePalette()

@@ -459,7 +459,9 @@ private slots:
         SolverSettings solver;
         solver.method = Method::ClosedForm;
         const auto figureOf = [&](const Parameters &one, const Parameters &other) {
-            PlotFigure figure;
+            PlotFigure figure; // which showed something else before
+            figure.setResult(compute({Mechanism(other), {0.0, 2.0 * duration, 7}, solver, nullptr, {other, one}}, {}));
+            figure.picture(0, {300, 200}, 6.0);
             figure.setResult(compute({Mechanism(one), {0.0, duration, 7}, solver, nullptr, {other}}, {}));
             figure.timeZoom = time;
             return figure;

@@ -162,6 +162,22 @@ private slots:
         QVERIFY(dialog.preview() != before);
     }
 
+    void previewsWhatIsIgnoredToo()
+    {
+        const QByteArray bytes = "time,J1_x,J2_x\n0,10,1\n1,30,2\n2,20,1\n"; // nothing can be read yet
+        Dialog dialog(bytes);
+        QCOMPARE(dialog.caption(), "J1_x is ignored: from 10 to 30");
+        const QImage first = dialog.preview();
+        QFocusEvent comes(QEvent::FocusIn);
+        QApplication::sendEvent(dialog.combo("meaning", 2), &comes);
+        QCOMPARE(dialog.caption(), "J2_x is ignored: from 1 to 2");
+        QVERIFY(dialog.preview() != first);
+        QVERIFY(!dialog.child<QPushButton>("useButton")->isEnabled());
+        dialog.choose("meaning", 2, QStringLiteral("R4_x"));
+        QVERIFY(dialog.caption().contains("from 1 to 2 mm"));
+        QVERIFY(dialog.child<QPushButton>("useButton")->isEnabled());
+    }
+
     void aChoiceIsTakenAndRemembered()
     {
         Dialog dialog(inventorFile());

@@ -126,6 +126,7 @@ void tst_study_panel::runsBesideTheWindowAndShowsEveryMethod()
     QVERIFY(table->isVisible());
     QCOMPARE(table->model()->rowCount(), 24);
     QVERIFY(part<QLabel>(panel, "studySummary")->text().contains("nothing silently wrong"));
+    QVERIFY(part<QLabel>(panel, "studyAnswer")->text().startsWith("Closed form: ")); // of what was measured
 }
 
 void tst_study_panel::cancelsAtOnce()

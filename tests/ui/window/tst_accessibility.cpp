@@ -5,6 +5,7 @@
 #include "ui/controls/folding_tabs.h"
 #include "ui/controls/number_slider.h"
 #include "ui/window/main_window.h"
+#include "ui/window/presentation.h"
 
 #include "tests/support/waiting.h"
 
@@ -248,6 +249,8 @@ private slots:
         }
         onEveryPage([this] { judge(m_window.get()); });
         judge(openRun());
+        m_window->presentation().setOn(true);
+        judge(m_window.get());
         m_faults.removeDuplicates();
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
@@ -264,7 +267,7 @@ private slots:
         for (QAction *action : m_window->findChildren<QAction *>()) {
             const QString name = action->text().remove(u'&');
             if (name == QLatin1String("What is this program") || name == QLatin1String("Keyboard and mouse") ||
-                name == QLatin1String("About")) {
+                name == QLatin1String("About") || name == QStringLiteral("Animation…")) {
                 action->trigger();
             }
         }
@@ -280,7 +283,7 @@ private slots:
                 }
             }
         }
-        QCOMPARE(dialogs, 5);
+        QCOMPARE(dialogs, 6);
         m_faults.removeDuplicates();
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
@@ -309,6 +312,10 @@ private slots:
         }
         onEveryPage([this] { walk(m_window.get()); });
         walk(openRun());
+        m_window->presentation().setOn(true);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        walk(m_window.get());
         m_faults.removeDuplicates();
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }

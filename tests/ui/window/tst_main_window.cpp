@@ -4,6 +4,7 @@
 
 #include "ui/controls/folding_tabs.h"
 #include "ui/controls/message_bar.h"
+#include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/newton/newton_panel.h"
 #include "ui/parameters/timeline.h"
@@ -420,7 +421,7 @@ private slots:
         QVERIFY(loaded.wait(kPatience));
         QCOMPARE(session.result()->comparison.front().verdict, Verdict::Agrees);
         const QString said = m_window->findChild<MessageBar *>()->text();
-        QVERIFY2(said.contains(QStringLiteral("named.csv has no time: its rows go by the angle of the crank")),
+        QVERIFY2(said.contains(QStringLiteral("named.csv is a table by crank angle: ω₂ and θ₂₀ give its time.")),
                  qPrintable(said));
 
         init(); // another window, which knows it of the scene
@@ -763,7 +764,7 @@ private slots:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("motion.png"));
         const auto *bar = m_window->findChild<MessageBar *>();
-        m_window->exports().writeAnimation(path);
+        m_window->exports().writeAnimation(path, m_window->exports().animationOnShow());
         AWAIT_COMPARE(bar->text(), QStringLiteral("Written: 31 frames, motion_001.png to motion_031.png, in ") +
                                        QDir::toNativeSeparators(folder.path()));
         const QStringList frames = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
@@ -777,7 +778,7 @@ private slots:
         sampling.duration = 0.1;
         m_window->session().setSampling(sampling);
         for (const auto answer : {QMessageBox::RejectRole, QMessageBox::AcceptRole}) {
-            m_window->exports().writeAnimation(path);
+            m_window->exports().writeAnimation(path, m_window->exports().animationOnShow());
             auto *question = m_window->findChild<QMessageBox *>(QStringLiteral("framesQuestion"));
             QVERIFY(question);
             QVERIFY2(question->text().contains(QStringLiteral("31, from motion_001.png to motion_031.png")),
@@ -1114,6 +1115,101 @@ private slots:
         QVERIFY(loaded.wait(kPatience));
         QCOMPARE(m_window->session().reference()->path, kSample);
         QCOMPARE(m_window->scene().path(), path);
+    }
+
+    void inFrontOfAClassMechanismAndPlotsFillTheScreen()
+    {
+        m_window->resize(1250, 850);
+        QCoreApplication::processEvents();
+        auto *columns = m_window->findChild<QSplitter *>(QStringLiteral("columns"));
+        auto *tabs = m_window->findChild<FoldingTabs *>();
+        auto *plots = m_window->findChild<PlotGrid *>();
+        auto *mechanism = m_window->findChild<MechanismView *>();
+        const auto *chosen = m_window->findChild<QComboBox *>(QStringLiteral("parameterBox"));
+        const auto *boxA = m_window->findChild<QWidget *>(QStringLiteral("box_a"));
+        auto *boxC = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("box_c"));
+        const QList<int> sizes = columns->sizes();
+        const int letters = QFontInfo(plots->font()).pixelSize();
+        QVERIFY(!chosen->isVisible());
+
+        const auto key = [this](Qt::Key pressed, Qt::KeyboardModifiers modifiers = {}) {
+            QTest::keyClick(m_window->focusWidget() ? m_window->focusWidget() : m_window.get(), pressed, modifiers);
+            QCoreApplication::processEvents();
+        };
+        key(Qt::Key_F11);
+        QVERIFY(m_window->isFullScreen());
+        QVERIFY(plots->isVisible() && mechanism->isVisible() && !tabs->isVisible());
+        QVERIFY(m_window->menuBar()->height() <= 1 && !m_window->statusBar()->isVisible());
+        const int largest = m_window->screen()->size().height() / 45;
+        QCOMPARE(QFontInfo(plots->font()).pixelSize(), std::max(letters, largest));
+        QCOMPARE(QFontInfo(mechanism->font()).pixelSize(), std::max(letters, largest));
+        QVERIFY(chosen->isVisible() && !boxA->isVisible() && !boxC->isVisible()); // one of them at a time
+        m_window->findChild<QComboBox *>(QStringLiteral("parameterBox"))->setCurrentIndex(2);
+        QVERIFY(boxC->isVisible());
+        boxC->setFocus();
+        key(Qt::Key_Up);
+        QCOMPARE(m_window->session().parameters().c, 26.0);
+        key(Qt::Key_Z, Qt::ControlModifier); // the menus' keys are there all the same
+        QCOMPARE(m_window->session().parameters().c, 25.0);
+        key(Qt::Key_Escape);
+        QVERIFY(!m_window->isFullScreen());
+        QVERIFY(tabs->isVisible() && boxA->isVisible() && boxC->isVisible() && !chosen->isVisible());
+        QVERIFY(m_window->menuBar()->height() > 1 && m_window->statusBar()->isVisible());
+        QCOMPARE(QFontInfo(plots->font()).pixelSize(), letters);
+        AWAIT_COMPARE(columns->sizes().first(), sizes.first());
+
+        key(Qt::Key_F11);
+        key(Qt::Key_F11);
+        QVERIFY(!m_window->isFullScreen() && tabs->isVisible());
+        key(Qt::Key_F11);
+        m_window->close(); // nothing of it is remembered
+        init();
+        QVERIFY(m_window->findChild<FoldingTabs *>()->isVisible() && !m_window->isFullScreen());
+    }
+
+    void theMechanismFillsTheWindowByADoubleClick()
+    {
+        auto *mechanism = m_window->findChild<MechanismView *>();
+        auto *plots = m_window->findChild<PlotGrid *>();
+        const int width = mechanism->width();
+        QVERIFY(plots->isVisible());
+        emit mechanism->enlarged();
+        QVERIFY(!plots->isVisible());
+        AWAIT(mechanism->width() > width + 100);
+        mechanism->setFocus();
+        QTest::keyClick(mechanism, Qt::Key_Escape);
+        QVERIFY(plots->isVisible());
+        QTest::keyClick(mechanism, Qt::Key_Return);
+        QVERIFY(!plots->isVisible());
+        QTest::keyClick(mechanism, Qt::Key_Return);
+        QVERIFY(plots->isVisible());
+    }
+
+    void remembersWhatIsDrawnTheUnitsTheTabAndTheSpeed()
+    {
+        const auto box = [this](const char *name) { return m_window->findChild<QComboBox *>(QLatin1String(name)); };
+        QCOMPARE(m_window->findChild<FoldingTabs *>()->current(), 0);
+        const MechanismSettings drawing{true, false, false, true};
+        m_window->findChild<MechanismView *>()->setSettings(drawing);
+        box("unit_theta20")->setCurrentIndex(1);
+        box("unit_omega2")->setCurrentIndex(2);
+        m_window->findChild<FoldingTabs *>()->setCurrent(4);
+        m_window->findChild<Timeline *>()->setSpeed(0.005);
+        m_window->close();
+        m_window = std::make_unique<MainWindow>();
+        QVERIFY(m_window->findChild<MechanismView *>()->settings() == drawing);
+        QCOMPARE(box("unit_theta20")->currentIndex(), 1);
+        QCOMPARE(box("unit_omega2")->currentIndex(), 2);
+        QCOMPARE(m_window->findChild<FoldingTabs *>()->current(), 4);
+        QCOMPARE(m_window->findChild<Timeline *>()->speed(), 0.005);
+        QVERIFY(!m_window->isWindowModified());
+        m_window->close();
+        QSettings().setValue(QStringLiteral("view/speed"), QStringLiteral("fast")); // somebody's hand
+        QSettings().setValue(QStringLiteral("view/tab"), 99);
+        QSettings().setValue(QStringLiteral("view/unit_theta20"), -7);
+        m_window = std::make_unique<MainWindow>();
+        QVERIFY(m_window->findChild<Timeline *>()->speed() > 0.0);
+        QVERIFY(box("unit_theta20")->currentIndex() >= 0);
     }
 
     void remembersItsLayout()

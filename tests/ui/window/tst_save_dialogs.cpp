@@ -2,7 +2,9 @@
 
 // The names of the files that are written, as a person types them into the dialogs.
 
+#include "ui/controls/number_box.h"
 #include "ui/controls/save_dialog.h"
+#include "ui/export/animation_form.h"
 #include "ui/study/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
@@ -15,8 +17,10 @@
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -116,11 +120,71 @@ private slots:
         QFETCH(const QString, written);
         QFETCH(const QByteArray, beginning);
         trigger(menus);
+        if (auto *form = m_window->findChild<AnimationForm *>()) {
+            form->accept();
+            settle();
+        }
         choose(QStringLiteral("new"), filter);
         AWAIT(QFile::exists(m_folder->filePath(written)));
         AWAIT(!m_window->exports().isWriting());
         QCOMPARE(startOf(m_folder->filePath(written)), beginning);
         QCOMPARE(lastFolder(QStandardPaths::HomeLocation), m_folder->path());
+    }
+
+    void theAnimationIsAsItsFormSays()
+    {
+        trigger({QStringLiteral("Export"), QStringLiteral("Animation…")});
+        auto *form = m_window->findChild<AnimationForm *>();
+        QVERIFY(form);
+        const auto number = [form](const char *name) { return form->findChild<NumberBox *>(QLatin1String(name)); };
+        const auto *outcome = form->findChild<QLabel *>(QStringLiteral("outcomeLabel"));
+        QVERIFY(outcome->text().startsWith(QLatin1String("31 frames: 1 s")));
+        number("rateBox")->edit(8.0);
+        number("widthBox")->edit(201.0); // videos want even sides
+        number("heightBox")->edit(120.0);
+        form->findChild<QComboBox *>(QStringLiteral("lengthUnitBox"))->setCurrentIndex(1);
+        QCOMPARE(number("lengthBox")->value(), 1.0); // a turn a second
+        number("lengthBox")->edit(1.5);
+        QVERIFY(outcome->text().startsWith(QLatin1String("13 frames: 1.5 s")));
+        number("rateBox")->edit(0.0); // refused
+        QCOMPARE(form->animation().framesPerSecond, 8);
+        form->accept();
+        settle();
+        choose(QStringLiteral("new"));
+        AWAIT(QFile::exists(m_folder->filePath(QStringLiteral("new_013.png"))));
+        AWAIT(!m_window->exports().isWriting());
+        QVERIFY(!QFile::exists(m_folder->filePath(QStringLiteral("new_014.png"))));
+        QCOMPARE(QImage(m_folder->filePath(QStringLiteral("new_001.png"))).size(), QSize(200, 120));
+        const auto frame = [this](const char *name) { return QImage(m_folder->filePath(QLatin1String(name))); };
+        QVERIFY(frame("new_001.png") != frame("new_013.png")); // a turn and a half later
+        QCOMPARE(frame("new_001.png"), frame("new_009.png"));  // a turn later
+    }
+
+    void offersVideosOnlyWhereTheyCanBeMade()
+    {
+#ifdef Q_OS_WIN
+        QSKIP("There is no shell to write a program in.");
+#endif
+        const auto offered = [this] {
+            trigger({QStringLiteral("Export"), QStringLiteral("Animation…")});
+            m_window->findChild<AnimationForm *>()->accept();
+            settle();
+            auto *dialog = m_window->findChild<QFileDialog *>();
+            const QStringList filters = dialog->nameFilters();
+            dialog->reject();
+            settle();
+            return filters;
+        };
+        const QByteArray path = qgetenv("PATH");
+        const auto restore = qScopeGuard([&path] { qputenv("PATH", path); });
+        const QTemporaryDir programs;
+        qputenv("PATH", QFile::encodeName(programs.path()));
+        QCOMPARE(offered(), QStringList{QStringLiteral("Numbered frames (*.png)")});
+        QFile program(programs.filePath(QStringLiteral("ffmpeg")));
+        QVERIFY(program.open(QIODevice::WriteOnly) && program.write("#!/bin/sh\n") > 0);
+        QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
+        program.close();
+        QVERIFY(offered().contains(QStringLiteral("Videos (*.mp4)")));
     }
 
     void theNameFollowsTheFilter()
@@ -196,7 +260,10 @@ private:
         qFatal("no dialog");
     }
 
-    QLineEdit *name() { return dialog()->findChild<QLineEdit *>(QStringLiteral("fileNameEdit")); }
+    QLineEdit *name()
+    {
+        return dialog()->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
+    }
 
     QMessageBox *box(const char *name)
     {

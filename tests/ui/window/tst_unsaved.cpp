@@ -3,6 +3,7 @@
 // What would be lost is asked about first: edits made while a scene is on its way, and files still being written.
 
 #include "ui/controls/message_bar.h"
+#include "ui/export/animation_export.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
@@ -124,7 +125,8 @@ private slots:
 
     void aFailureIsSeen()
     {
-        m_window->exports().writeAnimation(QStringLiteral("/no/such/folder/motion.png"));
+        m_window->exports().writeAnimation(QStringLiteral("/no/such/folder/motion.png"),
+                                           m_window->exports().animationOnShow());
         startWriting(QStringLiteral("/no/such/folder/motion.csv"));
         m_window->close();
         QVERIFY(question("writingQuestion"));

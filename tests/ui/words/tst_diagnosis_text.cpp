@@ -98,6 +98,16 @@ private slots:
         QCOMPARE(measuredText(Parameter::B, found.identification), QString("60.00000 ± 0.00001 mm"));
     }
 
+    void saysThatLengthsMayBeMetres()
+    {
+        Diagnosis found = authorsFile();
+        found.rounded.a = 0.04;
+        found.mayBeInMetres = true;
+        QCOMPARE(caveatsOf(found),
+                 QString("The file does not say the unit of its lengths, and they were read as mm: if "
+                         "they are metres, a = 40 mm; then write [m] behind the names."));
+    }
+
     void saysWhatElseMovesAlike_data()
     {
         QTest::addColumn<Why>("why");

@@ -2,6 +2,7 @@
 #include "ui/words/finding_text.h"
 
 #include <QLocale>
+#include <QSet>
 #include <QTest>
 
 #include <limits>
@@ -122,6 +123,28 @@ private slots:
         QVERIFY(verdictFormula(missing).contains("At 7 instants the model has no value"));
         missing.count = 0;
         QVERIFY(!verdictFormula(missing).contains("Here"));
+    }
+
+    void namesChannelsInWords()
+    {
+        QCOMPARE(quantityOf({Theta3, Order::Position}), QString("coupler angle"));
+        QCOMPARE(quantityOf({Theta2, Order::Velocity}), QString("crank angular velocity"));
+        QCOMPARE(quantityOf({R4x, Order::Position}), QString("slider position"));
+        QCOMPARE(quantityOf({R4x, Order::Acceleration}), QString("slider acceleration"));
+        QCOMPARE(quantityOf({R3x, Order::Position}), QString("coupler centre in x"));
+        QCOMPARE(quantityOf({R4y, Order::Velocity}), QString("slider centre's velocity in y"));
+        // Each its own, in words and as a symbol; the crank's angle as on the controls.
+        QSet<QString> words;
+        QSet<QString> symbols;
+        for (std::size_t i = 0; i < kChannelCount; ++i) {
+            words.insert(quantityOf(channelAt(i)));
+            symbols.insert(symbolOf(channelAt(i)));
+        }
+        QCOMPARE(words.size(), qsizetype(kChannelCount));
+        QCOMPARE(symbols.size(), qsizetype(kChannelCount));
+        QCOMPARE(symbolOf({Theta2, Order::Position}), QString("θ₂"));
+        QCOMPARE(symbolOf({Theta2, Order::Velocity}), QString("dθ₂/dt"));
+        QCOMPARE(symbolOf({Theta3, Order::Position}), QString("θ³"));
     }
 
     void judgesAWholeFile()

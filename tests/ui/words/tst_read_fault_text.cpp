@@ -57,6 +57,10 @@ const std::vector<Said> &allFaults()
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::LikeOther},
          "the columns beside the time are unknown (x: another column could be the same quantity): name them "
          "as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
+        {{.kind = Kind::NoCertainChannel, .heading = "J1_x", .column = ColumnReason::UnknownBody},
+         "no column beside the time can be told for certain (J1_x: its name does not say of which body it is): name them as "
+         "in "
+         "theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownUnit},
          "the columns beside the time are unknown (x: its unit is not known or does not suit the quantity): "
          "name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
@@ -71,7 +75,7 @@ const std::vector<Said> &allFaults()
         {{Kind::TimeNotRising},
          "the time does not increase from the row before: sort the rows by time and keep one of each instant."},
         {{.kind = Kind::AngleTurnsBack, .heading = "20°"},
-         "the crank's angle turns back behind 20°: sort the rows by it, one row for each angle."},
+         "the crank angle goes back after 20°: sort the rows by it, one row for each angle."},
         {{Kind::LineTooLong}, "the line has more than a million characters: export the table as CSV, a row a line."},
         {{Kind::Stopped}, "Reading was stopped."},
         {{Kind::Unreadable}, "The file became shorter while it was read: open it again."},
