@@ -82,7 +82,7 @@ QStringList guessesIn(const FileLayout &layout)
         }
         const QString meaning = column.role == ColumnRole::Time ? CommandLine::tr("the time", "a column is taken for")
                                 : column.role == ColumnRole::CrankAngle
-                                    ? CommandLine::tr("the crank's angle", "a column is taken for")
+                                    ? CommandLine::tr("the crank angle", "a column is taken for")
                                     : columnNameOf(column.channel);
         guesses +=
             CommandLine::tr("\"%1\" as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));

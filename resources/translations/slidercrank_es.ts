@@ -1113,11 +1113,6 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
 </translation>
     </message>
     <message>
-        <source>the crank&apos;s angle</source>
-        <comment>a column is taken for</comment>
-        <translation>el ángulo de la manivela</translation>
-    </message>
-    <message>
         <source>what the first column of the files is: the time, or the crank&apos;s angle, of which --omega2 and --theta20 make the time (by its name)</source>
         <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
     </message>
@@ -1312,6 +1307,11 @@ none          ni siquiera eso
     <message>
         <source>at θ₂ [°]</source>
         <translation>en θ₂ [°]</translation>
+    </message>
+    <message>
+        <source>the crank angle</source>
+        <comment>a column is taken for</comment>
+        <translation>el ángulo de la manivela</translation>
     </message>
 </context>
 <context>
@@ -1736,8 +1736,8 @@ none          ni siquiera eso
         <translation>Hay muy pocos valores del ángulo de la biela θ³, la posición de la corredera Rₓ⁴, el centro de la biela R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
     </message>
     <message>
-        <source>The file goes by the angle of the crank: ω₂ is what its derivatives say.</source>
-        <translation>El archivo va por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
+        <source>The file is a table by crank angle: ω₂ follows from its derivatives.</source>
+        <translation>El archivo es una tabla por ángulo de la manivela: ω₂ resulta de sus derivadas.</translation>
     </message>
 </context>
 <context>
@@ -3489,8 +3489,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 filas están en el portapapeles, como CSV con sus encabezados.</translation>
     </message>
     <message>
-        <source>%1 has no time: its rows go by the angle of the crank, of which ω₂ and θ₂₀ make the time.</source>
-        <translation>%1 no tiene tiempo: sus filas van por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo.</translation>
+        <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
+        <translation>%1 es una tabla por ángulo de la manivela: ω₂ y θ₂₀ dan su tiempo.</translation>
     </message>
 </context>
 <context>

@@ -421,7 +421,7 @@ private slots:
         QVERIFY(loaded.wait(kPatience));
         QCOMPARE(session.result()->comparison.front().verdict, Verdict::Agrees);
         const QString said = m_window->findChild<MessageBar *>()->text();
-        QVERIFY2(said.contains(QStringLiteral("named.csv has no time: its rows go by the angle of the crank")),
+        QVERIFY2(said.contains(QStringLiteral("named.csv is a table by crank angle: ω₂ and θ₂₀ give its time.")),
                  qPrintable(said));
 
         init(); // another window, which knows it of the scene
