@@ -7,6 +7,7 @@
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
 #include "ui/controls/message_bar.h"
+#include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/study/study_panel.h"
@@ -528,7 +529,8 @@ private slots:
         Sampling sampling;
         sampling.duration = 0.1;
         m_window->session().setSampling(sampling);
-        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")));
+        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")),
+                                           m_window->exports().animationOnShow());
         AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "frames", "--duration", "0.1", "--size", "400x300", "--output",
