@@ -39,10 +39,13 @@ void shift(ReferenceSeries &series, double amount)
     }
 }
 
-/// A column of one axis becomes that of the other.
+/// A column of one axis becomes that of the other, an angle one from the other.
 void turn(ReferenceSeries &series)
 {
-    if (series.channel.coordinate == R4x) {
+    constexpr double kQuarterTurn = 90.0;
+    if (isAngle(series.channel.coordinate)) {
+        shift(series, -kQuarterTurn);
+    } else if (series.channel.coordinate == R4x) {
         series.channel.coordinate = R4y;
         multiply(series, -1.0);
     } else {
@@ -72,14 +75,19 @@ void applyToAngles(const Convention &convention, ReferenceData &data)
 
 } // namespace
 
-std::optional<Convention> axisAlongY(const ReferenceData &data)
+std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 {
     constexpr double kStands = 1e-3; // of what moves: rounding, or an axis that is not quite upright
     Convention axis{Convention::Kind::Axis, {}, 1.0};
+    bool movesAlongY = false;
     for (const ReferenceSeries &series : data.series) {
+        if (withAngles && isAngle(series.channel.coordinate) && series.channel.order == Order::Position) {
+            axis.channels.push_back(series.channel);
+        }
         if (series.channel.coordinate != R4x && series.channel.coordinate != R4y) {
             continue;
         }
+        movesAlongY = true;
         axis.channels.push_back(series.channel);
         const ReferenceSeries *const other =
             data.find({series.channel.coordinate == R4x ? R4y : R4x, series.channel.order});
@@ -91,7 +99,7 @@ std::optional<Convention> axisAlongY(const ReferenceData &data)
             return std::nullopt;
         }
     }
-    return axis.channels.empty() ? std::nullopt : std::optional(std::move(axis));
+    return movesAlongY ? std::optional(std::move(axis)) : std::nullopt;
 }
 
 ReferenceData applied(const Convention &convention, ReferenceData data)

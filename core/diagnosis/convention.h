@@ -56,7 +56,7 @@ struct Convention {
         Branch,         ///< the motion of the other assembly: the model changes, not the data
         TimeShift,      ///< the clock of the file started early or late: amount (s) is added to its instants
         NotDerivative,  ///< a derivative column is not the derivative of its position column: it is left out
-        Axis            ///< the slider moves along y: the file is turned by -90°, y becoming x and x becoming -y
+        Axis            ///< the slider moves along y: its columns are turned by -90°, y becoming x and x becoming -y
     };
     Kind kind = Kind::AngleUnit;
 
@@ -68,8 +68,9 @@ struct Convention {
     friend bool operator==(const Convention &, const Convention &) = default;
 };
 
-/// The slider's columns, where it moves along y and not along x.
-std::optional<Convention> axisAlongY(const ReferenceData &data);
+/// Where the slider moves along y and not along x: its columns, and perhaps the angles, which are then counted from the
+/// file's x, too.
+std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles);
 
 /// The data as they read with that convention. Branch changes nothing here.
 ReferenceData applied(const Convention &convention, ReferenceData data);

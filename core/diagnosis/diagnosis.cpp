@@ -547,25 +547,48 @@ Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const
     return result;
 }
 
+/// Whether an angle is found to be counted from y.
+bool hasQuarterTurn(const Diagnosis &diagnosis)
+{
+    constexpr double kAbout = 1.0; // degrees
+    return std::ranges::any_of(diagnosis.conventions, [](const ConventionFinding &finding) {
+        const Convention &convention = finding.convention;
+        return convention.kind == Convention::Kind::ZeroPoint && isAngle(convention.channels.front().coordinate) &&
+               std::abs(std::remainder(convention.amount + 90.0, 360.0)) < kAbout;
+    });
+}
+
+/// Where the slider moves along y: the file turned, with what else is then found, if the slider's motion is.
+std::optional<Diagnosis> turnedDiagnosis(const ReferenceData &data, const Mechanism &mechanism, bool withAngles,
+                                         const std::stop_token &stop)
+{
+    const std::optional<Convention> axis = axisAlongY(data, withAngles);
+    if (!axis) {
+        return std::nullopt;
+    }
+    Diagnosis result = diagnosed(applied(*axis, data), mechanism, stop);
+    if (!isClaimed(result) || !isOfSlider(result)) {
+        return std::nullopt;
+    }
+    std::vector<Convention> conventions{*axis};
+    for (const ConventionFinding &finding : result.conventions) {
+        conventions.push_back(finding.convention);
+    }
+    const Parameters &of = result.isOfMechanismAtHand ? mechanism.parameters() : result.identification.parameters;
+    result.conventions = findingsOf(data, {of, conventions});
+    return result;
+}
+
 } // namespace
 
 Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
 {
-    Diagnosis result;
-    const std::optional<Convention> axis = axisAlongY(data);
-    if (axis) {
-        result = diagnosed(applied(*axis, data), mechanism, stop);
+    std::optional<Diagnosis> turned = turnedDiagnosis(data, mechanism, false, stop);
+    if (turned && hasQuarterTurn(*turned)) {
+        std::optional<Diagnosis> whole = turnedDiagnosis(data, mechanism, true, stop);
+        turned = whole && whole->conventions.size() < turned->conventions.size() ? std::move(whole) : std::move(turned);
     }
-    if (axis && isClaimed(result) && isOfSlider(result)) {
-        std::vector<Convention> conventions{*axis};
-        for (const ConventionFinding &finding : result.conventions) {
-            conventions.push_back(finding.convention);
-        }
-        const Parameters &of = result.isOfMechanismAtHand ? mechanism.parameters() : result.identification.parameters;
-        result.conventions = findingsOf(data, {of, conventions});
-    } else {
-        result = diagnosed(data, mechanism, stop);
-    }
+    Diagnosis result = turned ? *std::move(turned) : diagnosed(data, mechanism, stop);
     constexpr double kShort = 1.0; // mm
     result.mayBeInMetres = result.identification.stands() && !result.identification.onlyRatios &&
                            result.identification.parameters.a < kShort && isWithoutUnitOfLength(data.layout) &&

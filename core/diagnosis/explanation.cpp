@@ -321,7 +321,8 @@ std::vector<ConventionFinding> findingsOf(const ReferenceData &data, const Expla
         if (convention.kind == Kind::Axis) { // the columns have other names with it
             std::vector<Channel> turned;
             for (const ReferenceSeries &series : with.read.series) {
-                if (series.channel.coordinate == R4x || series.channel.coordinate == R4y) {
+                const bool isOfSlider = series.channel.coordinate == R4x || series.channel.coordinate == R4y;
+                if (isOfSlider || concerns(convention, series.channel)) {
                     turned.push_back(series.channel);
                 }
             }

@@ -143,7 +143,7 @@ std::optional<ReadError> findWhyUseless(const ReferenceData &data, std::size_t f
 }
 
 /// Makes instants of the angles that were read in their place.
-std::optional<ReadError> countByAngle(ReferenceData &data, const TableLayout &layout)
+std::optional<ReadError> countByAngle(ReferenceData &data, const TableLayout &layout, std::size_t firstDataLine)
 {
     data.crank.emplace();
     data.crank->degrees = goingOn(data.time);
@@ -160,7 +160,9 @@ std::optional<ReadError> countByAngle(ReferenceData &data, const TableLayout &la
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), std::move(data));
     if (!timed) {
-        return ReadError{0, 0, {}, {ReadFault::Kind::NoNumbers}};
+        ReadFault fault{ReadFault::Kind::NoRow};
+        fault.row = RowFault::TooLarge;
+        return ReadError{firstDataLine, layout.timeColumn + 1, {}, std::move(fault)};
     }
     data = *std::move(timed);
     return std::nullopt;
@@ -234,7 +236,7 @@ std::variant<ReferenceData, ReadError> read(const ByteSource &source, const std:
     const std::size_t firstDataLine = table.firstDataLine;
     ReferenceData data = rows.take(layout);
     if (layout.isByAngle && !data.time.empty()) {
-        if (std::optional<ReadError> error = countByAngle(data, layout)) {
+        if (std::optional<ReadError> error = countByAngle(data, layout, firstDataLine)) {
             return *std::move(error);
         }
     }

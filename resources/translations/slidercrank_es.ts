@@ -156,8 +156,8 @@
         <translation>%1: %2 de %3 a %4 %5, %6</translation>
     </message>
     <message>
-        <source>crank angle</source>
-        <translation>ángulo de la manivela</translation>
+        <source>crank angle, instead of a time</source>
+        <translation>ángulo de la manivela, en lugar del tiempo</translation>
     </message>
 </context>
 <context>
@@ -1684,10 +1684,6 @@ none          ni siquiera eso
         <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
     </message>
     <message>
-        <source>The file counts by the crank&apos;s angle: ω₂ is what its derivatives say.</source>
-        <translation>El archivo se rige por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
-    </message>
-    <message>
         <source>There are too few instants to find the mechanism: export more of them.</source>
         <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
     </message>
@@ -1738,6 +1734,10 @@ none          ni siquiera eso
     <message>
         <source>There are too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler&apos;s centre R³ and their derivatives to find the mechanism: export more instants, or more columns.</source>
         <translation>Hay muy pocos valores del ángulo de la biela θ³, la posición de la corredera Rₓ⁴, el centro de la biela R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
+    </message>
+    <message>
+        <source>The file goes by the angle of the crank: ω₂ is what its derivatives say.</source>
+        <translation>El archivo va por el ángulo de la manivela: ω₂ es lo que dicen sus derivadas.</translation>
     </message>
 </context>
 <context>
@@ -3488,6 +3488,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>%1 rows are in the clipboard, as CSV with their headings.</source>
         <translation>%1 filas están en el portapapeles, como CSV con sus encabezados.</translation>
     </message>
+    <message>
+        <source>%1 has no time: its rows go by the angle of the crank, of which ω₂ and θ₂₀ make the time.</source>
+        <translation>%1 no tiene tiempo: sus filas van por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MotionCsvText</name>
@@ -4720,11 +4724,11 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
     <message>
         <source>First column: time</source>
-        <translation>Primera columna: tiempo</translation>
+        <translation>1.ª columna: tiempo</translation>
     </message>
     <message>
         <source>First column: crank angle</source>
-        <translation>Primera columna: ángulo de la manivela</translation>
+        <translation>1.ª columna: ángulo de manivela</translation>
     </message>
     <message>
         <source>Which mechanism the file belongs to, and how else it may be read</source>

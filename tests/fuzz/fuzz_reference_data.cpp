@@ -49,12 +49,13 @@ void check(const ReferenceData &data)
     ChannelSet named;
     std::size_t times = 0;
     for (const FileColumn &column : data.layout.columns) {
-        times += column.role == ColumnRole::Time ? 1 : 0;
+        times += column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle ? 1 : 0;
         if (column.role == ColumnRole::Channel) {
             named.set(indexOf(column.channel));
         }
     }
     require(times == 1 && named == seen, "the columns are those of the data");
+    require(!data.crank || data.crank->degrees.size() == data.time.size(), "an angle for each instant");
     check(data.layout);
 }
 
@@ -76,6 +77,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t siz
         ReadOptions options;
         options.columns = {{layout.columns.size() - 1, ColumnRole::Time, {}, {}},
                            {0, ColumnRole::Channel, {Theta3, Order::Velocity}, "rad/s"}};
+        checked(text, options);
+        options.columns.front().role = ColumnRole::CrankAngle;
         checked(text, options);
     }
     return 0;

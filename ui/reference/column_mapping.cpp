@@ -150,7 +150,7 @@ void fillMeanings(QComboBox &combo)
 {
     combo.addItem(ColumnMapping::tr("ignored"), kIgnored);
     combo.addItem(ColumnMapping::tr("time"), kTime);
-    combo.addItem(ColumnMapping::tr("crank angle"), kCrankAngle);
+    combo.addItem(ColumnMapping::tr("crank angle, instead of a time"), kCrankAngle);
     struct Group {
         QString title;
         std::vector<Coordinate> coordinates;

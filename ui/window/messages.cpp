@@ -132,8 +132,14 @@ void Messages::announceReading()
         tell(runSentence());
     }
     if (guessed) {
+        const bool isAngleOnly = std::ranges::all_of(reference->data.layout.columns, [](const FileColumn &column) {
+            return !isGuess(column.reason) || column.reason == ColumnReason::AngleForTime;
+        });
         const QString sentence =
-            tr("The names in %1 do not tell what all of its columns are: some are guessed.").arg(reference->name);
+            (isAngleOnly
+                 ? tr("%1 has no time: its rows go by the angle of the crank, of which ω₂ and θ₂₀ make the time.")
+                 : tr("The names in %1 do not tell what all of its columns are: some are guessed."))
+                .arg(reference->name);
         m_bar->showMessage(MessageBar::Kind::Hint, (runSentence() + u' ' + sentence).trimmed(), tr("Choose columns…"),
                            [this] { emit columnsRequested(m_session->reference()->path); });
     }

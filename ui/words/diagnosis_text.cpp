@@ -218,7 +218,7 @@ QString caveatsOf(const Diagnosis &diagnosis)
         }
     }
     if (diagnosis.isSpeedOfDerivatives) {
-        sentences << DiagnosisText::tr("The file counts by the crank's angle: ω₂ is what its derivatives say.");
+        sentences << DiagnosisText::tr("The file goes by the angle of the crank: ω₂ is what its derivatives say.");
     }
     if (const QStringList kept = foundAndKept(identification).kept; !kept.isEmpty()) {
         sentences << DiagnosisText::tr("The data do not determine %1: kept as given.").arg(listed(kept));

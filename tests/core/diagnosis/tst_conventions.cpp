@@ -835,6 +835,7 @@ private slots:
         QTest::newRow("its derivatives, too") << kLengths << 0.0 << true;
         QTest::newRow("an angle from the slider's axis") << std::vector{kX, kTheta, kThetaDot} << 0.0 << false;
         QTest::newRow("an angle from the file's x") << std::vector{kX, kXDot, kTheta} << 90.0 << true;
+        QTest::newRow("an angle from elsewhere") << std::vector{kX, kTheta} << 40.0 << false;
     }
 
     void findsThatTheSliderMovesAlongY()
@@ -842,6 +843,7 @@ private slots:
         QFETCH(const std::vector<Channel>, kept);
         QFETCH(const double, angleAdded);
         QFETCH(const bool, hasX);
+        const bool isTurned = angleAdded == 90.0;
         RandomFiles files(21);
         for (int i = 0; i < filesOf(10); ++i) {
             const Parameters p = files.mechanism();
@@ -854,6 +856,9 @@ private slots:
                     expected[0].channels.push_back(channel);
                 } else if (channel == kTheta && angleAdded != 0.0) {
                     std::ranges::for_each(values, [&](double &value) { value += angleAdded; });
+                    if (isTurned) {
+                        expected[0].channels.push_back(kTheta); // the whole file is turned
+                    }
                 }
             }
             if (hasX) {
@@ -864,8 +869,9 @@ private slots:
             const std::vector<ConventionFinding> found = findConventions(data, Mechanism(p));
             QVERIFY2(!found.empty() && isSame(found[0].convention, expected[0]), inWords(found).c_str());
             QVERIFY2(found[0].before > 1.0 && found[0].after < 0.1, inWords(found).c_str());
-            QCOMPARE(found.size(), angleAdded == 0.0 ? std::size_t{1} : std::size_t{2});
-            if (angleAdded != 0.0) {
+            const bool hasZero = angleAdded != 0.0 && !isTurned;
+            QCOMPARE(found.size(), hasZero ? std::size_t{2} : std::size_t{1});
+            if (hasZero) {
                 QCOMPARE(found[1].convention.kind, Kind::ZeroPoint);
                 QVERIFY2(std::abs(found[1].convention.amount + angleAdded) < 1e-3, inWords(found).c_str());
             }

@@ -536,6 +536,8 @@ private slots:
                      qPrintable(described(outcome)));
             QCOMPARE(error->line, std::size_t(1));
         }
+        const auto large = read("theta2 (rad),R4_x\n0,3\n1e308,4\n");
+        QCOMPARE(std::get<ReadError>(large).fault.row, RowFault::TooLarge);
         const auto unit = read("a,R4_x\n0,3\n", {{0, ColumnRole::CrankAngle, {}, "mm"}});
         QVERIFY((std::get<ReadError>(unit).fault == ReadFault{Kind::UnknownUnit, {Theta2, Order::Position}}));
         const auto twice =

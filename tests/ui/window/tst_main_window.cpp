@@ -411,6 +411,19 @@ private slots:
         QVERIFY(loaded.wait(kPatience));
         QVERIFY(session.reference()->data.crank);
 
+        // One that is named so is known by itself, and it is said.
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray table = file.readAll().replace("phi", "Crank angle");
+        QFile named(folder.filePath(QStringLiteral("named.csv")));
+        QVERIFY(named.open(QIODevice::WriteOnly) && named.write(table) == table.size());
+        named.close();
+        drop(*m_window, named.fileName());
+        QVERIFY(loaded.wait(kPatience));
+        QCOMPARE(session.result()->comparison.front().verdict, Verdict::Agrees);
+        const QString said = m_window->findChild<MessageBar *>()->text();
+        QVERIFY2(said.contains(QStringLiteral("named.csv has no time: its rows go by the angle of the crank")),
+                 qPrintable(said));
+
         init(); // another window, which knows it of the scene
         QSignalSpy opened(&m_window->session(), &Session::opened);
         drop(*m_window, folder.filePath(QStringLiteral("rig.slidercrank")));
