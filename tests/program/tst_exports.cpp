@@ -7,6 +7,7 @@
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
 #include "ui/controls/message_bar.h"
+#include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/study/study_panel.h"

@@ -184,7 +184,7 @@ private slots:
         session.setParameter(Parameter::B, 80.0);
         const QString text = allText(reportOf({session.result(), {}, true}));
         QVERIFY(text.contains("Thin curves: motions that were kept, b = 65 mm."));
-        QVERIFY(text.contains("Thin: the linkage that was kept."));
+        QVERIFY(text.contains("Thin: the mechanism that was kept."));
         QVERIFY(text.contains("This mechanism − kept b = 65 mm"));
         QVERIFY2(text.contains("θ³ [°]|9.58|0.75|"), qPrintable(text)); // asin(45/65) − asin(45/80)
         session.forgetKept();
