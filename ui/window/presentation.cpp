@@ -2,6 +2,7 @@
 #include "ui/window/presentation.h"
 
 #include "ui/controls/folding_tabs.h"
+#include "ui/document/with.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/plots/plot_grid.h"
@@ -49,10 +50,13 @@ void Presentation::setOn(bool on)
     }
     m_isOn = on;
     setAlone(false);
+    const MechanismSettings drawn = m_rooms.mechanism->settings();
     if (on) {
         m_wasMaximized = m_window->isMaximized();
         m_widths = m_rooms.columns->sizes();
+        m_hadAngles = drawn.angles;
     }
+    m_rooms.mechanism->setSettings(with(drawn, &MechanismSettings::angles, on || (drawn.angles && m_hadAngles)));
     m_rooms.tabs->setVisible(!on);
     m_window->statusBar()->setVisible(!on);
     m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // hidden, its keys would not work

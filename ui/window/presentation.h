@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// In front of a class: mechanism and plots fill the screen, with letters and lines for the last row; under the
-// mechanism stays what moves it and one parameter at a time. Escape leaves.
+// In front of a class: mechanism and plots fill the screen, with letters and lines for the last row, and θ₂ and θ³ are
+// on the drawing; under the mechanism stays what moves it and one parameter at a time. Escape leaves.
 
 #include <QList>
 #include <QObject>
@@ -38,6 +38,7 @@ private:
     QMainWindow *m_window;
     bool m_isOn = false;
     bool m_wasMaximized = false;
+    bool m_hadAngles = false;
     QList<int> m_widths; ///< of the columns before, px
 };
 

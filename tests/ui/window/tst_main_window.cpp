@@ -1130,7 +1130,7 @@ private slots:
         auto *boxC = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("box_c"));
         const QList<int> sizes = columns->sizes();
         const int letters = QFontInfo(plots->font()).pixelSize();
-        QVERIFY(!chosen->isVisible());
+        QVERIFY(!chosen->isVisible() && !mechanism->settings().angles);
 
         const auto key = [this](Qt::Key pressed, Qt::KeyboardModifiers modifiers = {}) {
             QTest::keyClick(m_window->focusWidget() ? m_window->focusWidget() : m_window.get(), pressed, modifiers);
@@ -1139,6 +1139,7 @@ private slots:
         key(Qt::Key_F11);
         QVERIFY(m_window->isFullScreen());
         QVERIFY(plots->isVisible() && mechanism->isVisible() && !tabs->isVisible());
+        QVERIFY(mechanism->settings().angles);
         QVERIFY(m_window->menuBar()->height() <= 1 && !m_window->statusBar()->isVisible());
         const int largest = m_window->screen()->size().height() / 45;
         QCOMPARE(QFontInfo(plots->font()).pixelSize(), std::max(letters, largest));
@@ -1152,7 +1153,7 @@ private slots:
         key(Qt::Key_Z, Qt::ControlModifier); // the menus' keys are there all the same
         QCOMPARE(m_window->session().parameters().c, 25.0);
         key(Qt::Key_Escape);
-        QVERIFY(!m_window->isFullScreen());
+        QVERIFY(!m_window->isFullScreen() && !mechanism->settings().angles);
         QVERIFY(tabs->isVisible() && boxA->isVisible() && boxC->isVisible() && !chosen->isVisible());
         QVERIFY(m_window->menuBar()->height() > 1 && m_window->statusBar()->isVisible());
         QCOMPARE(QFontInfo(plots->font()).pixelSize(), letters);
