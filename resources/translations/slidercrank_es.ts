@@ -2938,8 +2938,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Abrir referencia</translation>
     </message>
     <message>
-        <source>Simulation results (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation>Resultados de simulación (*.csv *.txt *.tsv);;Todos los archivos (*)</translation>
+        <source>Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
+        <translation>Resultados de simulación (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Slider-crank[*]</source>
