@@ -2938,10 +2938,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Abrir referencia</translation>
     </message>
     <message>
-        <source>Simulation results (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation>Resultados de simulación (*.csv *.txt *.tsv);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Slider-crank[*]</source>
         <translation>Manivela-corredera[*]</translation>
     </message>
@@ -2960,6 +2956,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
         <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+    </message>
+    <message>
+        <source>Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
+        <translation>Resultados de simulación (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>

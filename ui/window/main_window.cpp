@@ -390,8 +390,9 @@ void MainWindow::chooseReference()
 {
     const QStringList recent = recentFiles(kRecentReferences);
     const QString folder = recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.first()).absolutePath();
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open reference"), folder,
-                                                      tr("Simulation results (*.csv *.txt *.tsv);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open reference"), folder,
+        tr("Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)"));
     if (!path.isEmpty()) {
         openReference(path);
     }
