@@ -164,23 +164,23 @@
     <name>slidercrank::ColumnText</name>
     <message>
         <source>columns separated by commas</source>
-        <translation>columnas separadas por comas</translation>
+        <translation>separado por comas</translation>
     </message>
     <message>
         <source>columns separated by semicolons</source>
-        <translation>columnas separadas por punto y coma</translation>
+        <translation>separado por punto y coma</translation>
     </message>
     <message>
         <source>columns separated by tabs</source>
-        <translation>columnas separadas por tabuladores</translation>
+        <translation>separado por tabuladores</translation>
     </message>
     <message>
         <source>columns separated by spaces</source>
-        <translation>columnas separadas por espacios</translation>
+        <translation>separado por espacios</translation>
     </message>
     <message>
         <source>columns separated by “%1”</source>
-        <translation>columnas separadas por «%1»</translation>
+        <translation>separado por «%1»</translation>
     </message>
     <message>
         <source>column %1</source>
