@@ -4724,11 +4724,11 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
     <message>
         <source>First column: time</source>
-        <translation>1.ª columna: tiempo</translation>
+        <translation>Columna 1: tiempo</translation>
     </message>
     <message>
         <source>First column: crank angle</source>
-        <translation>1.ª columna: ángulo de manivela</translation>
+        <translation>Columna 1: ángulo θ₂</translation>
     </message>
     <message>
         <source>Which mechanism the file belongs to, and how else it may be read</source>
