@@ -164,23 +164,23 @@
     <name>slidercrank::ColumnText</name>
     <message>
         <source>columns separated by commas</source>
-        <translation>columnas separadas por comas</translation>
+        <translation>separado por comas</translation>
     </message>
     <message>
         <source>columns separated by semicolons</source>
-        <translation>columnas separadas por punto y coma</translation>
+        <translation>separado por punto y coma</translation>
     </message>
     <message>
         <source>columns separated by tabs</source>
-        <translation>columnas separadas por tabuladores</translation>
+        <translation>separado por tabuladores</translation>
     </message>
     <message>
         <source>columns separated by spaces</source>
-        <translation>columnas separadas por espacios</translation>
+        <translation>separado por espacios</translation>
     </message>
     <message>
         <source>columns separated by “%1”</source>
-        <translation>columnas separadas por «%1»</translation>
+        <translation>separado por «%1»</translation>
     </message>
     <message>
         <source>column %1</source>
@@ -4724,11 +4724,11 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     </message>
     <message>
         <source>First column: time</source>
-        <translation>1.ª columna: tiempo</translation>
+        <translation>Columna 1: tiempo</translation>
     </message>
     <message>
         <source>First column: crank angle</source>
-        <translation>1.ª columna: ángulo de manivela</translation>
+        <translation>Columna 1: ángulo θ₂</translation>
     </message>
     <message>
         <source>Which mechanism the file belongs to, and how else it may be read</source>

@@ -58,7 +58,7 @@ const std::vector<Said> &allFaults()
          "the columns beside the time are unknown (x: another column could be the same quantity): name them "
          "as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "J1_x", .column = ColumnReason::UnknownBody},
-         "no column beside the time can be told for certain (J1_x: its name does not say of which body it is): name them as "
+         "the columns beside the time are unknown (J1_x: its name does not say of which body it is): name them as "
          "in "
          "theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2."},
         {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownUnit},
