@@ -256,6 +256,19 @@ void PlotCanvas::Lettering::draw(QCPPainter *painter)
     }
 }
 
+/// Whether the topmost number beside the axis reaches up to the line of the title.
+bool PlotCanvas::Lettering::hasValueBesideTitle(const QRect &axes) const
+{
+    const QCPAxis *axis = m_plot->valueAxisOf(0);
+    QVector<double> values;
+    axis->ticker()->generate(axis->range(), QLocale(), QLatin1Char('g'), 6, values, nullptr, nullptr);
+    const double half = 0.5 * QFontMetricsF(m_plot->m_tickFont).height();
+    return std::any_of(values.begin(), values.end(), [&](double value) {
+        const double y = axis->coordToPixel(value);
+        return y > axes.top() - half && y < axes.top() + half;
+    });
+}
+
 void PlotCanvas::Lettering::drawTitle(QCPPainter &painter, const QRect &axes) const
 {
     const PlotPicture &picture = m_plot->m_picture;
@@ -287,18 +300,17 @@ void PlotCanvas::Lettering::drawTitle(QCPPainter &painter, const QRect &axes) co
     if (titleWidth + widthOf(*remarks) > right - left) {
         remarks = &picture.shortRemarks;
     }
-    const double excess = titleWidth + widthOf(*remarks) - (right - left);
-    if (excess > 0.0) {
+    static const std::vector<InkedText> kNoRemarks;
+    const double leftmost = hasValueBesideTitle(axes) ? left : kLabelGap;
+    if (titleWidth + widthOf(*remarks) > right - left) {
         right = m_plot->viewport().width() - kLabelGap;
-        left = std::min(left, std::max<double>(kLabelGap, right - widthOf(*remarks) - titleWidth));
+        remarks = titleWidth + widthOf(*remarks) > right - leftmost ? &kNoRemarks : remarks;
+        left = std::min(left, std::max(leftmost, right - widthOf(*remarks) - titleWidth));
     }
     painter.setFont(m_plot->m_titleFont);
     painter.setPen(QPen(m_plot->m_colours.text));
     painter.drawText(QPointF(left, baseline), title);
     double x = right - widthOf(*remarks);
-    if (x < left + titleWidth - kLabelGap) {
-        return; // a plot narrower than any window makes it
-    }
     painter.setFont(m_plot->m_tickFont);
     for (const InkedText &part : *remarks) {
         painter.setPen(QPen(colourOf(part.ink, m_plot->m_colours)));

@@ -66,6 +66,7 @@ private:
         void draw(QCPPainter *painter) override;
 
     private:
+        bool hasValueBesideTitle(const QRect &axes) const;
         void drawTitle(QCPPainter &painter, const QRect &axes) const;
         PlotCanvas *m_plot;
     };

@@ -29,6 +29,7 @@ namespace
 {
 
 constexpr int kErrorDigits = 3;
+constexpr int kInstantDigits = 4; // of one that is computed
 
 /// Between two fillings while the parameters move: nobody reads faster, and a filling takes longer than nine plots.
 constexpr std::chrono::milliseconds kPause{100};
@@ -188,7 +189,7 @@ TableRow differenceRowOf(const ChannelDifference &channel)
                               ? ErrorPanel::tr("Without bounds where one of the two ends its stroke")
                               : ErrorPanel::tr("Click to go to the instant of the largest difference");
     TableCell at = cell(instant);
-    at.text = instant ? numberText(*instant) : dash();
+    at.text = instant ? numberText(*instant, kInstantDigits) : dash();
     TableRow row{MechanismPart::None,
                  {TableCell{.text = ErrorPanel::tr("%1 [%2]").arg(symbolOf(channel.channel), unit)}, largest, at,
                   cell(channel.rms), cell(channel.percentOfPeak)},
