@@ -15,11 +15,11 @@ inline int runs(int usual, int many)
     return qEnvironmentVariableIntValue("SLIDERCRANK_LONG_TESTS") > 0 ? many : usual;
 }
 
-/// Of cases about numbers. The sanitizers, many times slower, look at memory: a quarter is enough for them.
+/// Of cases about numbers. The sanitizers, many times slower, look at memory: an eighth is enough for them.
 inline int numericRuns(int usual, int many)
 {
 #ifdef __SANITIZE_ADDRESS__
-    return runs(std::max(usual / 4, 1), many);
+    return runs(std::max(usual / 8, 1), many);
 #else
     return runs(usual, many);
 #endif

@@ -73,7 +73,7 @@ int filesOf(int all)
 {
     const int some = (all + 9) / 10;
 #ifdef __SANITIZE_ADDRESS__
-    return runs((all + 24) / 25, some);
+    return runs((all + 49) / 50, some);
 #else
     return runs(some, all);
 #endif

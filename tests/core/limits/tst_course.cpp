@@ -118,7 +118,7 @@ private slots:
             check(which.parameters, QString::fromUtf8(which.name.data(), static_cast<qsizetype>(which.name.size())));
         }
         RandomMechanisms random(11);
-        for (int i = 0; i < runs(200, 5000); ++i) {
+        for (int i = 0; i < numericRuns(200, 5000); ++i) {
             Parameters p = random.next();
             if (i % 3 == 1) { // rockers, some of two arcs
                 p.b *= random.uniform(0.2, 0.95);
