@@ -556,7 +556,6 @@ private slots:
         QTest::newRow("from 90 degrees on") << turn << 0.25 * turn << "time -0.25 0 0.75; R4_x 3 4 5";
         QTest::newRow("the other way") << -turn << 0.0 << "time -1 -0.25 -0; R4_x 5 4 3";
         QTest::newRow("standing still") << 0.0 << 0.0 << "none";
-        QTest::newRow("too fast for doubles") << 1e308 << 1e300 << "none";
         QTest::newRow("too slow for doubles") << 1e-320 << 0.0 << "none";
     }
 

@@ -310,7 +310,8 @@ void tst_study_panel::everyMarkHasItsOwnShape()
     black.model = black.reference = black.error = black.errorOther = Qt::black;
     black.background = Qt::white;
     QList<QImage> marks;
-    for (const MethodResult &row : studyOfATurn()->cases.front().methods) {
+    const std::shared_ptr<const StudyResult> study = studyOfATurn();
+    for (const MethodResult &row : study->cases.front().methods) {
         QImage image(13, 13, QImage::Format_RGB32);
         image.fill(Qt::white);
         QPainter painter(&image);
@@ -357,7 +358,8 @@ void tst_study_panel::namesAndOutcomesAreWholeInAUsualWindow()
     QVERIFY(table->horizontalHeader()->length() <= table->viewport()->width()); // nothing to scroll sideways
     const auto *picture = part<QWidget>(panel, "studyPicture");
     double rightmost = 0.0;
-    for (const StudyPoint &point : studyPoints(studyOfATurn()->cases.front(), picture->size())) {
+    const std::shared_ptr<const StudyResult> study = studyOfATurn();
+    for (const StudyPoint &point : studyPoints(study->cases.front(), picture->size())) {
         rightmost = std::max(rightmost, point.at.x());
     }
     QVERIFY(rightmost < picture->width() - 120); // where the legend is
