@@ -505,7 +505,10 @@ Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const
     result.rounded = found.parameters;
     const bool isClaimed = found.outcome == Outcome::Identified || found.outcome == Outcome::Ambiguous;
     if (!isClaimed) {
-        if (found.outcome == Outcome::Nearest && !findFault(found.parameters)) {
+        if (found.outcome == Outcome::Nearest && findFault(found.parameters)) {
+            found.outcome = Outcome::None; // what the fit ran off to is no mechanism
+        }
+        if (found.outcome == Outcome::Nearest) {
             result.identified = compareExactly(Mechanism(found.parameters), data, stop).channels;
         }
         return result;
