@@ -507,6 +507,7 @@ Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const
     if (!isClaimed) {
         if (found.outcome == Outcome::Nearest && findFault(found.parameters)) {
             found.outcome = Outcome::None; // what the fit ran off to is no mechanism
+            found.parameters = result.rounded = mechanism.parameters();
         }
         if (found.outcome == Outcome::Nearest) {
             result.identified = compareExactly(Mechanism(found.parameters), data, stop).channels;
