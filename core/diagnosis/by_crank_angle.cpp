@@ -227,6 +227,14 @@ bool differsAny(const std::vector<ChannelComparison> &channels)
                                [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
 }
 
+Diagnosis nothingFound(const Parameters &given)
+{
+    Diagnosis result;
+    result.identification.parameters = result.rounded = given;
+    result.identification.claimNothing();
+    return result;
+}
+
 } // namespace
 
 Diagnosis diagnoseByCrankAngle(const ReferenceData &data, const Mechanism &mechanism, const std::stop_token &stop)
@@ -242,10 +250,9 @@ Diagnosis diagnoseByCrankAngle(const ReferenceData &data, const Mechanism &mecha
     for (int round = 0; round < (rough ? 2 : 1); ++round) { // by the rough speed, and by the refined one
         Parameters drive = given;
         drive.omega2 = speed.value;
-        const std::optional<ReferenceData> timed = timedBy(Mechanism(drive), data);
+        const std::optional<ReferenceData> timed = findFault(drive) ? std::nullopt : timedBy(Mechanism(drive), data);
         if (!timed) {
-            found.parameters = given;
-            return result;
+            return nothingFound(given);
         }
         ReferenceData byTime = *timed;
         byTime.crank.reset();
@@ -274,6 +281,9 @@ Diagnosis diagnoseByCrankAngle(const ReferenceData &data, const Mechanism &mecha
             std::erase_if(ofColumns, [](const Convention &one) { return one.kind == Kind::NotDerivative; });
             speed = refinedSpeed(allApplied(ofColumns, *timed), found);
             found.parameters.omega2 = speed.value;
+            if (findFault(found.parameters)) {
+                return nothingFound(given);
+            }
         }
     }
     const bool stands = found.stands();

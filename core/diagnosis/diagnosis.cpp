@@ -449,7 +449,7 @@ Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const
     Diagnosis result;
     Identification &found = result.identification;
     found.parameters = given;
-    found.standardError.fill(kNone);
+    found.claimNothing();
     result.rounded = given;
     result.isOfMechanismAtHand =
         !data.series.empty() && !isAnyDifferent(compareExactly(mechanism, data, stop).channels);
@@ -499,16 +499,13 @@ Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const
         candidates.push_back(one.candidate);
     }
     found = decisionOn(whole, candidates, given, stop);
+    found.keepToMechanisms(given);
     if (found.stopped) {
         return result;
     }
     result.rounded = found.parameters;
     const bool isClaimed = found.outcome == Outcome::Identified || found.outcome == Outcome::Ambiguous;
     if (!isClaimed) {
-        if (found.outcome == Outcome::Nearest && findFault(found.parameters)) {
-            found.outcome = Outcome::None; // what the fit ran off to is no mechanism
-            found.parameters = result.rounded = mechanism.parameters();
-        }
         if (found.outcome == Outcome::Nearest) {
             result.identified = compareExactly(Mechanism(found.parameters), data, stop).channels;
         }
@@ -523,14 +520,16 @@ Diagnosis diagnosed(const ReferenceData &data, const Mechanism &mechanism, const
     constexpr double kNextToNothing = 1e5;
     if (found.conditionNumber > kNextToNothing && std::ranges::any_of(conventions, isOfNumbers)) {
         found.outcome = Outcome::Nearest;
-        found.standardError.fill(kNone);
-        found.identifiable.fill(false);
-        found.alternatives.clear();
-        found.noise.clear();
+        found.claimNothing();
         result.identified = compareExactly(Mechanism(found.parameters), data, stop).channels;
         return result;
     }
     inSeconds(best.hypothesis.timeUnit, found);
+    found.keepToMechanisms(given);
+    if (!found.stands()) {
+        result.rounded = given;
+        return result;
+    }
     std::optional<ReferenceData> converted; // a file may be large: copied only where it reads otherwise
     for (const Convention &convention : conventions) {
         converted = applied(convention, converted ? std::move(*converted) : data);

@@ -168,14 +168,6 @@ void fillStandardErrors(const SearchRows &rows, const Uncertainty &uncertainty, 
     }
 }
 
-void clearStandardErrors(Identification &result)
-{
-    result.standardError.fill(kNone);
-    result.identifiable.fill(false);
-    result.alternatives.clear();
-    result.noise.clear();
-}
-
 } // namespace
 
 std::optional<Lack> lackOf(const Observations &observations)
@@ -209,7 +201,7 @@ Identification decisionOn(const SearchRows &rows, std::span<const Candidate> can
 {
     Identification result;
     result.parameters = given;
-    clearStandardErrors(result);
+    result.claimNothing();
     if (stop.stop_requested()) {
         result.stopped = true;
         return result;
@@ -244,7 +236,7 @@ Identification decisionOn(const SearchRows &rows, std::span<const Candidate> can
         result.outcome = Outcome::Insufficient;
         result.lack = lack;
         result.parameters = given;
-        clearStandardErrors(result);
+        result.claimNothing();
         return result;
     };
     constexpr double kLeastEvidence = 30.0; // nats

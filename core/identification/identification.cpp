@@ -1,22 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
+#include "core/identification/crank_speed.h"
 #include "core/identification/decision.h"
 #include "core/identification/file_search.h"
-#include "core/identification/crank_speed.h"
 #include "core/identification/motion_start.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace slidercrank
 {
+
+void Identification::claimNothing()
+{
+    standardError.fill(std::numeric_limits<double>::quiet_NaN());
+    identifiable.fill(false);
+    alternatives.clear();
+    noise.clear();
+}
+
+void Identification::keepToMechanisms(const Parameters &atHand)
+{
+    const auto isNone = [](const Alternative &alternative) { return findFault(alternative.parameters).has_value(); };
+    if (findFault(parameters) || std::ranges::any_of(alternatives, isNone)) {
+        outcome = Outcome::None;
+        parameters = atHand;
+        claimNothing();
+    }
+}
 
 Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop)
 {
     const Parameters &given = start.parameters();
     Identification nothing;
     nothing.parameters = given;
-    nothing.standardError.fill(kNone);
+    nothing.claimNothing();
     nothing.outcome = Identification::Outcome::Insufficient;
     nothing.lack = Identification::Lack::FewInstants;
     const std::optional<FileSearch> search = searchIn(data, given);
@@ -39,7 +58,9 @@ Identification identify(const ReferenceData &data, const Mechanism &start, std::
         candidate = grown(data, *search, whole, candidate, stop);
     }
     std::ranges::stable_sort(candidates, isBetter);
-    return decisionOn(whole, candidates, given, stop);
+    Identification found = decisionOn(whole, candidates, given, stop);
+    found.keepToMechanisms(given);
+    return found;
 }
 
 } // namespace slidercrank

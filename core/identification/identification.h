@@ -87,6 +87,13 @@ struct Identification {
     int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
     double rms = 0.0;             ///< of the residuals in steps of the file's rounding: 0.29 when only that is left
+
+    /// Nothing is known of the parameters any more, whatever they are.
+    void claimNothing();
+
+    /// Finds nothing where a parameter is beyond what a mechanism may have: a fit may run off to there, or the file may
+    /// be of lengths and speeds that nothing has. Then the mechanism at hand is what is given.
+    void keepToMechanisms(const Parameters &atHand);
 };
 
 /// `start` gives the crank's length where the data hold no length, is the mechanism given where none is found, and is

@@ -253,6 +253,8 @@ private slots:
     void identifiesTheAuthorsFile();
     void identifiesInWordsAndGoesOnWithIt();
     void identifiesWhatReadsOtherwise();
+    void identifiesNoMechanismThatItWouldRefuse_data();
+    void identifiesNoMechanismThatItWouldRefuse();
     void saysWhatAFileCannotFix();
     void namesTheMirrorImageOfASlider();
     void saysWhenItFindsNoMechanism();
@@ -1221,6 +1223,67 @@ void TestCommandLine::neverOverwritesWhatItReads()
         QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("would overwrite"), outcome.err.constData());
     }
     QCOMPARE(contentOf(path), content);
+}
+
+/// A turn and more of a = 20, b = 60, c = 10 mm at 2π rad/s, written with other names and other powers of ten.
+void TestCommandLine::identifiesNoMechanismThatItWouldRefuse_data()
+{
+    QTest::addColumn<QByteArray>("names");
+    QTest::addColumn<double>("length");
+    QTest::addColumn<double>("first"); // of the column of time or angle
+    QTest::addColumn<double>("velocity");
+    QTest::addColumn<bool>("isFound");
+    const auto row = [](const char *tag, const char *names, double length, double first, double velocity,
+                        bool isFound) {
+        QTest::newRow(tag) << QByteArray(names) << length << first << velocity << isFound;
+    };
+    const char *const byTime = "t [s],R4_x [mm],R4_x_diff [mm/s],R4_x_diff2 [mm/s2]\n";
+    const char *const byAngle =
+        "Crank angle (deg),Slider position (mm),Slider velocity (mm/s),Slider acceleration (mm/s2)\n";
+    row("as it is", byTime, 1.0, 1.0, 1.0, true);
+    row("by crank angle", byAngle, 1.0, 360.0, 1.0, true);
+    row("too long", byTime, 1e13, 1.0, 1e13, false);
+    row("too fast", byTime, 1.0, 1e-13, 1e13, false);
+    row("too fast in the unit of time that it has", byTime, 1.0, 1e-10, 1e13, false);
+    row("too long by crank angle", byAngle, 1e13, 360.0, 1e13, false);
+    row("too fast by crank angle", byAngle, 1.0, 360.0, 1e13, false);
+}
+
+void TestCommandLine::identifiesNoMechanismThatItWouldRefuse()
+{
+    QFETCH(QByteArray, names);
+    QFETCH(double, length);
+    QFETCH(double, first);
+    QFETCH(double, velocity);
+    QFETCH(bool, isFound);
+    constexpr int kRows = 120;
+    QByteArray text = names;
+    for (int i = 0; i < kRows; ++i) {
+        const double turns = 1.2 * i / kRows;
+        const double theta2 = 2.0 * std::numbers::pi * turns;
+        const double sine = (10.0 - 20.0 * std::sin(theta2)) / 60.0;
+        const double cosine = std::sqrt(1.0 - sine * sine);
+        const double position = 20.0 * std::cos(theta2) + 60.0 * cosine;
+        const double slope = -20.0 * std::sin(theta2) + 20.0 * std::cos(theta2) * sine / cosine;
+        const double bend = -20.0 * std::cos(theta2) - 20.0 * std::sin(theta2) * sine / cosine -
+                            400.0 / 60.0 * std::pow(std::cos(theta2), 2) / std::pow(cosine, 3);
+        const double speed = 2.0 * std::numbers::pi * velocity / length;
+        for (const double value :
+             {first * turns, length * position, length * slope * speed, length * bend * speed * speed}) {
+            text += QByteArray::number(value, 'g', 12) + ',';
+        }
+        text.back() = '\n';
+    }
+    const Outcome outcome = run({"identify", "-", "--format", "json"}, withoutDisplay(), text);
+    const QJsonObject found = QJsonDocument::fromJson(outcome.out).object();
+    const QJsonObject mechanism = found["mechanism"].toObject();
+    QCOMPARE(found["outcome"].toString() == QLatin1String("identified"), isFound);
+    QCOMPARE(mechanism.isEmpty(), !isFound);
+    QCOMPARE(outcome.status == 0, isFound);
+    if (isFound) {
+        QVERIFY(std::abs(mechanism["b"].toDouble() - 60.0) < 1e-6);
+        QVERIFY(std::abs(mechanism["omega2"].toDouble() - 2.0 * std::numbers::pi) < 1e-6);
+    }
 }
 
 void TestCommandLine::identifiesTheAuthorsFile_data()
