@@ -35,6 +35,11 @@ void check(const SolveOptions &options)
     require(options.solver.newton.maxIterations > 0 && options.solver.newton.tolerance >= 0.0, "it can be solved");
 }
 
+void check(const LimitsOptions &options)
+{
+    require(!findFault(options.mechanism.parameters()), "there is a mechanism");
+}
+
 void check(const CompareOptions &options)
 {
     require(!options.files.isEmpty(), "there are files");
@@ -42,7 +47,7 @@ void check(const CompareOptions &options)
 
 void check(const IdentifyOptions &options)
 {
-    require(!options.file.isEmpty() && options.format != Format::Csv, "there is a file");
+    require(!options.files.isEmpty() && options.format != Format::Csv, "there are files");
 }
 
 void check(const StudyOptions &options)
@@ -69,7 +74,7 @@ void check(const WrongCommandLine &wrong)
     check(wrong.sentence);
 }
 
-void check(const UnreadableScene &unreadable)
+void check(const UnreadableFile &unreadable)
 {
     check(unreadable.sentence);
 }
