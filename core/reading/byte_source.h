@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 
 namespace slidercrank
 {
@@ -19,6 +20,8 @@ struct ByteSource {
 
     /// How many a thread takes at a time: any number gives the same. These stay in the processor's cache.
     std::size_t piece = std::size_t{1} << 18U;
+
+    std::string name{}; ///< of the file: tells several apart that are read together
 };
 
 } // namespace slidercrank

@@ -84,9 +84,11 @@ struct FileColumn {
     ColumnReason reason = ColumnReason::UnknownName;
     std::optional<std::size_t> otherColumn; ///< that the reason speaks of
     std::optional<Difference> difference;   ///< what a column of derivatives is made of
+    std::size_t file = 0;                   ///< that it stands in, of FileLayout::files
 };
 
-/// What was found of a file's form.
+/// What was found of a file's form. Of several that are joined, the columns of one follow those of the other; the rest
+/// is that of the first.
 struct FileLayout {
     TextEncoding encoding = TextEncoding::Utf8;
     bool byteOrderMark = false;
@@ -97,6 +99,7 @@ struct FileLayout {
     std::size_t unitsLine = 0;                  ///< 0: none
     std::vector<FileColumn> columns;            ///< all of them, in the file's order
     std::vector<std::vector<std::string>> rows; ///< the first few rows of cells as printed, for a preview
+    std::vector<std::string> files;             ///< the names of those that are joined; empty: it is one
 
     /// Whether names did not tell all that was taken from the file: a person should look at the columns.
     bool isGuessed() const;

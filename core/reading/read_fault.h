@@ -52,6 +52,12 @@ struct ReadFault {
         NoValues,         ///< beside the time
         TimeNotRising,
         AngleTurnsBack, ///< the crank's, behind the angle `heading`
+
+        // Of a file that is to be joined with others, `heading` among them.
+        OtherInstants,
+        CountsOtherwise, ///< by the crank's angle and not the time, or the reverse
+        ChannelInBoth,
+
         Stopped,    ///< whoever wanted it wants it no longer
         Unreadable, ///< there is less of it than there was
         NoMemory

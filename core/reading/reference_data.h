@@ -53,6 +53,7 @@ struct SkippedRow {
     std::string text; ///< the offending cell, shortened
     RowFault fault = RowFault::NotANumber;
     std::size_t rows = 1; ///< that it stands for, itself among them
+    std::size_t file = 0; ///< of FileLayout::files
 };
 
 /// What a file counts by that has no time.
@@ -88,6 +89,10 @@ struct ReadError {
     std::string text{};
     ReadFault fault{};
     FileLayout layout{}; ///< what was found; with columns, a person's choice of them may still help
+
+    // Of several files that are to be joined.
+    std::optional<std::size_t> file{};      ///< where it is; none: in all of them, or there is one
+    std::optional<std::size_t> otherFile{}; ///< that ReadFault::heading is the name of
 };
 
 /// What the finite ones among some values span.

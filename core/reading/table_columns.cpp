@@ -20,6 +20,8 @@ namespace
 
 using Fault = ReadFault::Kind;
 
+constexpr std::size_t kBeginning = std::size_t{1} << 20U; ///< bytes of a large file that tell what it is
+
 /// The numbers of some rows.
 ColumnSamples sampleRows(const Table &table, std::string_view rowText)
 {
@@ -152,12 +154,9 @@ std::optional<ReadError> findZeroByte(std::string_view text)
 
 } // namespace
 
-std::variant<TableLayout, ReadError> layOut(const ByteSource &source, std::string &beginning,
-                                            const ReadOptions &options)
+std::variant<OpenedTable, ReadError> openTable(const ByteSource &source, std::string &beginning)
 {
     constexpr std::size_t kReadWhole = std::size_t{1} << 22U; // bytes
-    constexpr std::size_t kBeginning = std::size_t{1} << 20U;
-    constexpr std::size_t kSampledRows = 4096;
     const bool isWhole = source.size <= kReadWhole;
     beginning.resize(isWhole ? source.size : kBeginning);
     if (!source.read(0, beginning)) {
@@ -190,12 +189,26 @@ std::variant<TableLayout, ReadError> layOut(const ByteSource &source, std::strin
     table.layout.byteOrderMark = found.markLength > 0;
     const std::string_view above(beginning.data(), static_cast<std::size_t>(table.data.data() - beginning.data()));
     const std::size_t dataBegin = found.markLength + sizeIn(found.encoding, above);
-    std::variant<TableLayout, ReadError> layout = layOut(std::move(table), options, [&] {
-        return source.size <= kBeginning ? std::string(table.data)
-                                         : TextPieces(source, found.encoding, dataBegin).sample(kSampledRows);
+    return OpenedTable{std::move(table), dataBegin};
+}
+
+std::variant<TableLayout, ReadError> layOut(const ByteSource &source, std::string &beginning,
+                                            const ReadOptions &options)
+{
+    constexpr std::size_t kSampledRows = 4096;
+    std::variant<OpenedTable, ReadError> outcome = openTable(source, beginning);
+    if (ReadError *error = std::get_if<ReadError>(&outcome)) {
+        return std::move(*error);
+    }
+    OpenedTable &opened = std::get<OpenedTable>(outcome);
+    const std::string_view data = opened.table.data;
+    const TextEncoding encoding = opened.table.layout.encoding;
+    std::variant<TableLayout, ReadError> layout = layOut(std::move(opened.table), options, [&] {
+        return source.size <= kBeginning ? std::string(data)
+                                         : TextPieces(source, encoding, opened.dataBegin).sample(kSampledRows);
     });
     if (TableLayout *laidOut = std::get_if<TableLayout>(&layout)) {
-        laidOut->dataBegin = dataBegin;
+        laidOut->dataBegin = opened.dataBegin;
     }
     return layout;
 }

@@ -34,6 +34,14 @@ struct TableLayout {
     std::size_t dataBegin = 0; ///< offset of the table's data in the file
 };
 
+struct OpenedTable {
+    Table table;               ///< with the encoding; no column has its role yet
+    std::size_t dataBegin = 0; ///< offset of the table's data in the file
+};
+
+/// By what the file begins with. `beginning`: the text that the table refers to.
+std::variant<OpenedTable, ReadError> openTable(const ByteSource &source, std::string &beginning);
+
 /// By what the file begins with: all of it where it is not large. Where names do not tell, values from all over the
 /// file do. `beginning`: the text that the table refers to. The error has the table's layout, if there is one, for a
 /// person to choose from.

@@ -4572,6 +4572,18 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>the crank angle goes back after %1: sort the rows by it, one row for each angle.</source>
         <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
     </message>
+    <message>
+        <source>its instants are not those of %1: export the plots with the same start, end and step, or open one file at a time.</source>
+        <translation>sus instantes no son los de %1: exporte las gráficas con el mismo inicio, final y paso, o abra los archivos de uno en uno.</translation>
+    </message>
+    <message>
+        <source>of this file and %1, one goes by the time and the other by the crank angle: export both by the same, or open one file at a time.</source>
+        <translation>de este archivo y %1, uno va por el tiempo y el otro por el ángulo de la manivela: exporte los dos de la misma manera, o abra los archivos de uno en uno.</translation>
+    </message>
+    <message>
+        <source>it holds %1, and %2 does, too: leave one of the two out, or choose what their columns are.</source>
+        <translation>contiene %1, igual que %2: deje fuera uno de los dos, o elija qué son sus columnas.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>

@@ -111,6 +111,18 @@ QString sentenceOf(const ReadFault &fault)
     case Kind::AngleTurnsBack:
         return ReadFaultText::tr("the crank angle goes back after %1: sort the rows by it, one row for each angle.")
             .arg(QString::fromUtf8(fault.heading));
+    case Kind::OtherInstants:
+        return ReadFaultText::tr("its instants are not those of %1: export the plots with the same start, end and "
+                                 "step, or open one file at a time.")
+            .arg(QString::fromUtf8(fault.heading));
+    case Kind::CountsOtherwise:
+        return ReadFaultText::tr("of this file and %1, one goes by the time and the other by the crank angle: export "
+                                 "both by the same, or open one file at a time.")
+            .arg(QString::fromUtf8(fault.heading));
+    case Kind::ChannelInBoth:
+        return ReadFaultText::tr("it holds %1, and %2 does, too: leave one of the two out, or choose what their "
+                                 "columns are.")
+            .arg(QString::fromUtf8(nameOf(fault.channel)), QString::fromUtf8(fault.heading));
     case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
     case Kind::Unreadable: return ReadFaultText::tr("The file became shorter while it was read: open it again.");
     case Kind::NoMemory:

@@ -2,6 +2,7 @@
 #include "core/reading/reference_data.h"
 
 #include "core/reading/crank_angles.h"
+#include "core/reading/joined_files.h"
 
 #include "core/comparison/comparison.h"
 #include "core/run/trajectory.h"
@@ -245,7 +246,40 @@ std::variant<ReferenceData, ReadError> read(const QByteArray &bytes, const std::
     return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
 }
 
+/// Those columns of a table of commas.
+QByteArray columnsOf(const QByteArray &table, const QList<int> &columns)
+{
+    QByteArray plot;
+    for (const QByteArray &line : table.trimmed().split('\n')) {
+        QByteArrayList cells;
+        for (const int column : columns) {
+            cells << line.trimmed().split(',').value(column);
+        }
+        plot += cells.join(',') + '\n';
+    }
+    return plot;
+}
+
+/// As files "a", "b", "c".
+std::variant<ReferenceData, ReadError> readJoined(const QByteArrayList &files, const ReadOptions &options = {})
+{
+    std::vector<ByteSource> sources;
+    for (const QByteArray &file : files) {
+        sources.push_back(sourceOf(file, kOnePiece));
+        sources.back().name = static_cast<char>('a' + sources.size() - 1);
+    }
+    return slidercrank::readJoined(sources, {}, options);
+}
+
+QByteArray sampleTable()
+{
+    QFile file(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().replace("\xEF\xBB\xBF", "") : QByteArray();
+}
+
 } // namespace
+
+Q_DECLARE_METATYPE(ReadFault)
 
 class TestReferenceData : public QObject
 {
@@ -990,6 +1024,150 @@ private slots:
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         QCOMPARE(data.find({R4x, Order::Position}), &data.series[1]);
         QVERIFY(!data.find({R4x, Order::Velocity}));
+    }
+
+    void aPlotAFileIsReadAsTheWholeTable_data()
+    {
+        QTest::addColumn<QByteArrayList>("files");
+        const QByteArray table = sampleTable();
+        const QByteArray position = columnsOf(table, {0, 1});
+        const QByteArray velocity = columnsOf(table, {0, 2, 3});
+        const QByteArray coupler = columnsOf(table, {0, 4, 5, 6});
+        QTest::newRow("three files") << QByteArrayList{position, velocity, coupler};
+        QTest::newRow("in another order") << QByteArrayList{coupler, position, velocity};
+        QTest::newRow("a plot each") << QByteArrayList{position,
+                                                       columnsOf(table, {0, 2}),
+                                                       columnsOf(table, {0, 3}),
+                                                       columnsOf(table, {0, 4}),
+                                                       columnsOf(table, {0, 5}),
+                                                       columnsOf(table, {0, 6})};
+        QTest::newRow("written otherwise")
+            << QByteArrayList{position, "plot 2\n\n" + QByteArray(velocity).replace(',', ';').replace('.', ','),
+                              utf16Of(QByteArray(coupler).replace(',', '\t'))};
+        QTest::newRow("the instants elsewhere") << QByteArrayList{position, columnsOf(table, {2, 3, 0}), coupler};
+        // Of 201 instants every other needs the third decimal.
+        QByteArray coarse = position;
+        for (int i = 0; i <= 200; ++i) {
+            const QByteArray fine = QByteArray::number(0.005 * i, 'f', 6);
+            coarse.replace('\n' + fine + ',', '\n' + QByteArray::number(0.005 * i, 'f', 3) + ',');
+        }
+        QTest::newRow("instants of fewer digits") << QByteArrayList{coarse, velocity, coupler};
+    }
+
+    void aPlotAFileIsReadAsTheWholeTable()
+    {
+        QFETCH(const QByteArrayList, files);
+        const auto expected = read(sampleTable());
+        const ReferenceData &whole = std::get<ReferenceData>(expected);
+        const auto outcome = readJoined(files);
+        QVERIFY2(std::holds_alternative<ReferenceData>(outcome), qPrintable(told(outcome)));
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(data.time, whole.time);
+        QVERIFY(data.timeRounding == whole.timeRounding);
+        QCOMPARE(data.series.size(), whole.series.size());
+        for (const ReferenceSeries &series : whole.series) {
+            QVERIFY(data.find(series.channel));
+            QCOMPARE(data.find(series.channel)->values, series.values);
+            QVERIFY(data.find(series.channel)->rounding == series.rounding);
+        }
+        QCOMPARE(data.layout.files.size(), static_cast<std::size_t>(files.size()));
+        QCOMPARE(std::ranges::count(data.layout.columns, ColumnReason::SameInstants, &FileColumn::reason),
+                 files.size() - 1);
+    }
+
+    void whatIsLeftOutOfOnePlotIsLeftOutOfAll()
+    {
+        const auto outcome = readJoined({"time,R4_x\n0,1\n1,2\n2,?\n3,4\n", "time,theta3\n0,5\n1,\n2,7\n3,8\n"});
+        QCOMPARE(described(outcome),
+                 QStringLiteral("time 0 1 3; R4_x 1 2 4; theta3 5 gap 8; skipped 4:2 ? (not a number); ignored time"));
+        QCOMPARE(std::get<ReferenceData>(outcome).skipped.front().file, std::size_t(0));
+    }
+
+    void instantsAreThoseOfThePlotThatPrintsMostDigits()
+    {
+        QCOMPARE(described(readJoined(
+                     {"time,R4_x\n0,1\n0.033,2\n0.067,3\n0.1,4\n", "time,theta3\n0,5\n0.03333,6\n0.06667,7\n0.1,8\n"})),
+                 QStringLiteral("time 0 0.03333 0.06667 0.1; R4_x 1 2 3 4; theta3 5 6 7 8; ignored time"));
+    }
+
+    void plotsOfAnglesAreJoinedToo()
+    {
+        const auto outcome = readJoined({"theta2,R4_x\n0,1\n90,2\n180,3\n", "theta2,theta3\n0.0,4\n90.0,5\n180.0,6\n"});
+        QCOMPARE(described(outcome), QStringLiteral("time 0 0.25 0.5; R4_x 1 2 3; theta3 4 5 6; ignored theta2"));
+        QVERIFY(std::get<ReferenceData>(outcome).crank);
+    }
+
+    void derivativesInAFileOfTheirOwnAreKnownAsDifferences()
+    {
+        QByteArray position = "time,R4_x\n";
+        QByteArray velocity = "time,R4_x_diff\n";
+        const auto at = [](int row) { return std::round(80e3 + 20e3 * std::cos(0.1 * row)) / 1e3; };
+        for (int row = 0; row < 60; ++row) {
+            const QByteArray time = QByteArray::number(0.01 * row, 'f', 2) + ',';
+            position += time + QByteArray::number(at(row), 'f', 3) + '\n';
+            velocity += time + QByteArray::number((at(row + 1) - at(row)) / 0.01, 'f', 3) + '\n';
+        }
+        const auto outcome = readJoined({position, velocity});
+        QVERIFY(std::get<ReferenceData>(outcome).layout.columns.back().difference == Difference::Forward);
+    }
+
+    void choicesCountTheColumnsOfAllPlots()
+    {
+        const QByteArrayList files{"T,Value\n0,1\n1,2\n", "T,Value\n0,3\n1,4\n"};
+        const Channel x{R4x, Order::Position};
+        const Channel v{R4x, Order::Velocity};
+        QCOMPARE(
+            described(readJoined(files, {{{1, ColumnRole::Channel, x, {}}, {3, ColumnRole::Channel, v, "m/s"}}, {}})),
+            QStringLiteral("time 0 1; R4_x 1 2; R4_x_diff 3000 4000; ignored T"));
+        QCOMPARE(described(readJoined(
+                     files, {{}, {}, {{"#2", ColumnRole::Channel, x, {}}, {"#4", ColumnRole::Channel, v, {}}}})),
+                 QStringLiteral("time 0 1; R4_x 1 2; R4_x_diff 3 4; ignored T"));
+        // What the first column is, it is in all.
+        const auto byAngle =
+            readJoined({"q,R4_x\n0,1\n90,2\n", "q,theta3\n0,3\n90,4\n"}, {{{0, ColumnRole::CrankAngle, {}, {}}}, {}});
+        QCOMPARE(described(byAngle), QStringLiteral("time 0 0.25; R4_x 1 2; theta3 3 4; ignored q"));
+        const auto several = readJoined(files, {{}, {}, {{"Value", ColumnRole::Channel, x, {}}}});
+        QCOMPARE(std::get<ReadError>(several).fault.kind, Kind::SeveralColumns);
+        QCOMPARE(std::get<ReadError>(several).layout.columns.size(), std::size_t(4));
+    }
+
+    void refusesPlotsThatAreNotOfOneMotion_data()
+    {
+        QTest::addColumn<QByteArrayList>("files");
+        QTest::addColumn<ReadFault>("fault");
+        QTest::addColumn<std::size_t>("file");
+        const Channel x{R4x, Order::Position};
+        const QByteArray a = "time,R4_x\n0,1\n1,2\n2,3\n";
+        const auto row = [&](const char *name, const QByteArrayList &files, const ReadFault &fault, std::size_t file) {
+            QTest::newRow(name) << files << fault << file;
+        };
+        const auto ofFirst = [](Kind kind, Channel channel = {}) { return ReadFault{kind, channel, "a"}; };
+        row("twice the step", {a, "time,theta3\n0,1\n2,2\n4,3\n"}, ofFirst(Kind::OtherInstants), 1);
+        row("another start", {a, "time,theta3\n1,1\n2,2\n3,3\n"}, ofFirst(Kind::OtherInstants), 1);
+        row("a little later", {a, "time,theta3\n0.1,1\n1.1,2\n2.1,3\n"}, ofFirst(Kind::OtherInstants), 1);
+        row("one row more", {a, "time,theta3\n0,1\n1,2\n2,3\n3,4\n"}, ofFirst(Kind::OtherInstants), 1);
+        row("one row less", {a, "time,theta3\n0,1\n1,2\n"}, ofFirst(Kind::OtherInstants), 1);
+        row("another unit of time", {a, "time [ms],theta3\n0,1\n1,2\n2,3\n"}, ofFirst(Kind::OtherInstants), 1);
+        row("the third", {a, "time,theta3\n0,1\n1,2\n2,3\n", "time,theta2\n0,1\n1.5,2\n2,3\n"},
+            ofFirst(Kind::OtherInstants), 2);
+        row("a channel twice", {a, "time,x_slider\n0,1\n1,2\n2,3\n"}, ofFirst(Kind::ChannelInBoth, x), 1);
+        row("twice the same", {a, a}, ofFirst(Kind::ChannelInBoth, x), 1);
+        row("angles beside instants", {a, "theta2,theta3\n0,1\n1,2\n2,3\n"}, ofFirst(Kind::CountsOtherwise), 1);
+        row("one that is no table", {a, "%PDF-1.7\n"}, {Kind::Pdf}, 1);
+        row("the first that is none", {"", a}, {Kind::Empty}, 0);
+        row("a column that means nothing", {a, "time,humidity\n0,1\n1,2\n2,3\n"}, {Kind::NoChannel}, 1);
+    }
+
+    void refusesPlotsThatAreNotOfOneMotion()
+    {
+        QFETCH(const QByteArrayList, files);
+        QFETCH(const ReadFault, fault);
+        QFETCH(const std::size_t, file);
+        const auto outcome = readJoined(files);
+        QVERIFY2(std::holds_alternative<ReadError>(outcome), qPrintable(described(outcome)));
+        const ReadError &error = std::get<ReadError>(outcome);
+        QVERIFY2(error.fault == fault, qPrintable(described(outcome) + QString::fromStdString(error.fault.heading)));
+        QCOMPARE(error.file, std::optional(file));
     }
 
     void survivesDamage()
