@@ -4715,8 +4715,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Aplicar: %1</translation>
     </message>
     <message>
-        <source>Take over</source>
-        <translation>Adoptar</translation>
+        <source>Use this mechanism</source>
+        <translation>Usar este mecanismo</translation>
     </message>
     <message>
         <source>What the first column is</source>
