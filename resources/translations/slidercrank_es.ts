@@ -4727,10 +4727,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Aplicar: %1</translation>
     </message>
     <message>
-        <source>Take over</source>
-        <translation>Adoptar</translation>
-    </message>
-    <message>
         <source>What the first column is</source>
         <translation>Qué es la primera columna</translation>
     </message>
@@ -4777,6 +4773,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Whether the rows are by time or by crank angle; from the angle, ω₂ and θ₂₀ give the time</source>
         <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
+    </message>
+    <message>
+        <source>Use this mechanism</source>
+        <translation>Usar este mecanismo</translation>
     </message>
 </context>
 <context>

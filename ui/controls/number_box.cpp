@@ -27,6 +27,7 @@ NumberBox::NumberBox(QWidget *parent)
     setFocusPolicy(Qt::StrongFocus); // not by the wheel: scrolling past must change nothing
     setAlignment(Qt::AlignRight);
     connect(this, &QAbstractSpinBox::editingFinished, this, &NumberBox::commit);
+    lineEdit()->installEventFilter(this);
     // Not QLineEdit::isModified(): the spin box clears that before it says that Enter was pressed.
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
         m_typed = true;
@@ -202,6 +203,16 @@ bool NumberBox::event(QEvent *event)
         }
     }
     return QAbstractSpinBox::event(event);
+}
+
+/// The line of text itself would take a word, which ends at the number's point; afterwards, so that it counts clicks
+/// on.
+bool NumberBox::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::MouseButtonDblClick) {
+        QMetaObject::invokeMethod(this, &NumberBox::selectFromItsEnd, Qt::QueuedConnection);
+    }
+    return QAbstractSpinBox::eventFilter(watched, event);
 }
 
 void NumberBox::keyPressEvent(QKeyEvent *event)

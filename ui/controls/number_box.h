@@ -3,7 +3,7 @@
 
 // A box for one number: shows it shortened, in the user's locale and with its unit, and keeps it exact. What is typed
 // may have another unit behind it. What cannot be taken it leaves as it was typed, and says beside it why, until
-// somebody types something else or presses Escape.
+// somebody types something else or presses Escape. A double click selects the whole number.
 
 #include "core/mechanism/mechanism.h"
 #include "core/reading/quantity.h"
@@ -82,6 +82,7 @@ protected:
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     bool event(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void changeEvent(QEvent *event) override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/paragraph.h"
 
+#include <algorithm>
+
 namespace slidercrank
 {
 
@@ -23,6 +25,13 @@ int Paragraph::heightForWidth(int width) const
         height = m_heights.insert(width, QLabel::heightForWidth(width));
     }
     return *height;
+}
+
+QSize Paragraph::minimumSizeHint() const
+{
+    constexpr int kLongestWord = 40; // letters
+    const QSize size = QLabel::minimumSizeHint();
+    return {std::min(size.width(), kLongestWord * fontMetrics().averageCharWidth()), size.height()};
 }
 
 Paragraph *plainText(const QString &text)

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeDatabase>
 #include <QPushButton>
@@ -38,6 +39,16 @@ QStringList suffixesOf(const QStringList &filters)
     }
     suffixes.removeDuplicates();
     return suffixes;
+}
+
+/// What was typed, also with quotation marks in it: of those Qt's own dialog would take what stands between two.
+QString typedPath(const QFileDialog &dialog)
+{
+    const auto *edit = dialog.findChild<QLineEdit *>(QStringLiteral("fileNameEdit")); // null: the system's dialog
+    const QString typed = edit ? edit->text().trimmed() : QString();
+    const bool isQuoted = typed.startsWith(u'"') && typed.endsWith(u'"') && typed.count(u'"') == 2;
+    return typed.contains(u'"') && !isQuoted ? dialog.directory().absoluteFilePath(typed)
+                                             : dialog.selectedFiles().value(0);
 }
 
 /// The same again, with what the person has chosen so far.
@@ -104,7 +115,7 @@ void chooseFileToSave(QWidget *parent, const SaveRequest &request)
         }
     });
     QObject::connect(dialog, &QDialog::accepted, parent, [parent, request, dialog] {
-        take(parent, request, dialog->selectedFiles().value(0), dialog->selectedNameFilter());
+        take(parent, request, typedPath(*dialog), dialog->selectedNameFilter());
     });
     dialog->open();
 }

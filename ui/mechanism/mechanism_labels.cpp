@@ -209,11 +209,15 @@ private:
 
 } // namespace
 
-QRectF ghostWordPlace(const MechanismCanvas &on, QPointF slider)
+QRectF ghostWordPlace(const MechanismCanvas &on, const ReferencePose &ghost)
 {
     constexpr double kHalfWidth = 20.0;
-    return {slider.x() - kHalfWidth, slider.y() + kRailBelowLine + kHatchLength, 2.0 * kHalfWidth,
-            QFontMetricsF(on.smallFont).height()};
+    const double height = QFontMetricsF(on.smallFont).height();
+    const bool isCouplerBelow = ghost.pinY < ghost.sliderY;
+    const QPointF slider = on.toPixels({ghost.sliderX, ghost.sliderY});
+    return {slider.x() - kHalfWidth,
+            slider.y() + (isCouplerBelow ? -kDeadCentreMark - height : kRailBelowLine + kHatchLength), 2.0 * kHalfWidth,
+            height};
 }
 
 LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing)
@@ -245,7 +249,7 @@ LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing
         const QPointF slider = on.toPixels({drawing.ghost.sliderX, drawing.ghost.sliderY});
         room.ratherKeepOff({pivot, crank});
         room.ratherKeepOff({crank, slider});
-        room.keepOff(ghostWordPlace(on, slider));
+        room.keepOff(ghostWordPlace(on, drawing.ghost));
     }
     return room;
 }

@@ -14,8 +14,8 @@ namespace slidercrank
 /// Between links, slider, ground, the slider's line and the offset's dimension.
 LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing);
 
-/// Where the slider of the reference's linkage is named, which is there.
-QRectF ghostWordPlace(const MechanismCanvas &on, QPointF slider);
+/// Where the reference's linkage, which is there, is named: at its slider, off its coupler.
+QRectF ghostWordPlace(const MechanismCanvas &on, const ReferencePose &ghost);
 
 /// All that are on show and may have to give way to what moves, in that ink.
 void paintLabels(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing, const QColor &ink,

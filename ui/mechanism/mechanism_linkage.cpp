@@ -162,7 +162,7 @@ void paintGhost(QPainter &painter, const MechanismCanvas &on, const MechanismDra
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(on.smallFont);
-    painter.drawText(ghostWordPlace(on, slider), Qt::AlignCenter,
+    painter.drawText(ghostWordPlace(on, ghost), Qt::AlignCenter,
                      isOfFile ? MechanismLinkage::tr("file") : MechanismLinkage::tr("kept"));
 }
 

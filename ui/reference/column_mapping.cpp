@@ -19,6 +19,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
@@ -257,7 +258,9 @@ ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, Q
     rows->addWidget(m_preview);
     rows->addWidget(m_problem);
     rows->addWidget(buttons);
-    resize(1000, 600);
+    constexpr int kRoom = 1200; // px, for reasons in one or two lines
+    constexpr int kAround = 40; // of the screen, at least
+    resize(std::min(kRoom, screen()->availableGeometry().width() - kAround), 600);
 
     for (const ColumnChoice &choice : rememberedChoices(m_layout, path)) {
         Row &row = m_rows[choice.column];

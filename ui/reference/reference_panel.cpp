@@ -403,16 +403,15 @@ void ReferencePanel::fillFindings()
             const QString part = QString::fromUtf8(inOneLine);
             summary.replace(part, QString(part).replace(QLatin1Char(' '), QChar::Nbsp));
         }
-        QLabel *mechanism = named("identificationLabel", plainText(summary));
+        rows->addWidget(named("identificationLabel", plainText(summary)));
         if (const Identification &found = m_diagnosis->found.identification; found.stands()) {
             const bool isOne = found.outcome == Identification::Outcome::Identified;
-            auto *takeOver = named("takeOverButton", new QPushButton(isOne ? tr("Take over") : tr("Use the first")));
+            auto *takeOver =
+                named("takeOverButton", new QPushButton(isOne ? tr("Use this mechanism") : tr("Use the first")));
             takeOver->setToolTip(tr("Sets the sliders to this mechanism; can be undone"));
             takeOver->setEnabled(m_diagnosis->parameters != m_diagnosis->found.rounded); // else it is the one on show
             connect(takeOver, &QPushButton::clicked, this, &ReferencePanel::takeOverRequested, later);
-            rows->addLayout(rowOf(mechanism, takeOver));
-        } else {
-            rows->addWidget(mechanism);
+            rows->addWidget(takeOver, 0, Qt::AlignLeft);
         }
     }
     rows->addStretch(1);

@@ -432,6 +432,26 @@ private slots:
         QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
     }
 
+    void namesTheReferenceOffItsCoupler()
+    {
+        Bench bench;
+        for (const double pinY : {-12.0, 45.0}) { // below the slider's line, and above it
+            ReferencePose ghost = kGhost;
+            ghost.pinY = pinY;
+            ghost.pinX = ghost.sliderX - 10.0; // steep
+            bench.view.setGhost(ghost);
+            TextRecorder recorder(bench.view.size());
+            QPainter painter(&recorder);
+            bench.view.paintMechanism(painter, bench.view.size(), bench.view.palette());
+            painter.end();
+            const auto word = std::ranges::find(recorder.texts, QStringLiteral("file"), &TextRecorder::Text::first);
+            QVERIFY(word != recorder.texts.end());
+            const QPointF slider = bench.view.toPixels({ghost.sliderX, ghost.sliderY});
+            const QPointF crank = bench.view.toPixels({ghost.pinX, ghost.pinY});
+            QVERIFY((word->second.center().y() < slider.y()) == (crank.y() > slider.y()));
+        }
+    }
+
     void keepsLabelsOffLinksAndApart_data()
     {
         QTest::addColumn<Parameters>("parameters");

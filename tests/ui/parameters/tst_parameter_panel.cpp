@@ -162,6 +162,21 @@ private slots:
         QVERIFY(child<QSlider>(panel, "slider_b")->maximum() >= child<QSlider>(panel, "slider_b")->value());
     }
 
+    void aDoubleClickTakesTheWholeNumber()
+    {
+        ParameterPanel panel;
+        panel.setParameters(m_given);
+        listenTo(panel);
+        auto *box = child<NumberBox>(panel, "box_omega2");
+        box->edit(6.25);
+        auto *line = box->findChild<QLineEdit *>();
+        const int digit = line->fontMetrics().horizontalAdvance(u'5');
+        for (const int x : {line->width() - digit, line->width() - 4 * digit}) { // behind the point, before it
+            QTest::mouseDClick(line, Qt::LeftButton, Qt::NoModifier, QPoint(x, line->height() / 2));
+            QTRY_COMPARE(line->selectedText(), QStringLiteral("6.25"));
+        }
+    }
+
     void saysWhyNotAndKeepsTheText_data()
     {
         QTest::addColumn<QString>("typed");

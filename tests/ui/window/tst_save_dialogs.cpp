@@ -212,6 +212,25 @@ private slots:
         AWAIT_COMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList{QStringLiteral("report.pdf")});
     }
 
+    void writesToTheNameAsTyped_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("written");
+        QTest::newRow("inches") << QStringLiteral("b = 2\" and 3\" %1") << QStringLiteral("b = 2\" and 3\" %1.slidercrank");
+        QTest::newRow("all of it quoted") << QStringLiteral("\"my rig\"") << QStringLiteral("my rig.slidercrank");
+        QTest::newRow("letters of all kinds") << QStringLiteral("'θ₂ ñ 曲柄 <b>&") << QStringLiteral("'θ₂ ñ 曲柄 <b>&.slidercrank");
+    }
+
+    void writesToTheNameAsTyped()
+    {
+        QFETCH(const QString, typed);
+        QFETCH(const QString, written);
+        trigger({QStringLiteral("Save scene as…")});
+        choose(typed);
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList{written});
+        QCOMPARE(m_window->scene().path(), m_folder->filePath(written));
+    }
+
     void asksBeforeAnOlderFileGoes()
     {
         QFile older(m_folder->filePath(QStringLiteral("rig.slidercrank")));
