@@ -26,7 +26,7 @@ namespace slidercrank
 namespace
 {
 
-/// One file, held against the mechanism.
+/// One reference, held against the mechanism.
 struct Compared {
     QString file;
     std::shared_ptr<const Reference> reference;
@@ -64,21 +64,20 @@ QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
     const ReferenceData &data = compared.reference->data;
     QByteArrayList skipped;
     for (const SkippedRow &row : data.skipped) {
-        skipped += "{\"line\":" + QByteArray::number(row.line) + ",\"column\":" + QByteArray::number(row.column) +
+        skipped += '{' + jsonFile(data.layout, row.file) + "\"line\":" + QByteArray::number(row.line) +
+                   ",\"column\":" + QByteArray::number(row.column) +
                    ",\"text\":" + jsonString(QString::fromStdString(row.text)) +
                    ",\"reason\":" + jsonString(reasonOf(row)) + '}';
     }
     QByteArrayList ignored;
-    for (const FileColumn &column : data.layout.columns) {
-        if (column.role == ColumnRole::Ignored) {
-            const auto number = std::to_string(&column - data.layout.columns.data() + 1);
-            ignored += jsonString(QString::fromUtf8(column.heading.empty() ? "column " + number : column.heading));
-        }
+    for (const QString &heading : ignoredHeadings(data.layout)) {
+        ignored += jsonString(heading);
     }
-    return "{\"file\":" + jsonString(compared.file) + ",\"mechanism\":" + jsonMechanism(mechanism) + ",\"verdict\":\"" +
-           wordOf(compared.worstVerdict()) + "\",\"channels\":" + jsonOf(compared.channels) +
-           ",\"columns\":" + jsonColumns(data.layout) + ",\"explanation\":" + jsonExplanation(compared, mechanism) +
-           ",\"skipped\":[" + skipped.join(',') + "],\"ignoredColumns\":[" + ignored.join(',') + "]}";
+    return "{\"file\":" + jsonString(compared.file) + ',' + jsonJoined(compared.reference->paths) +
+           "\"mechanism\":" + jsonMechanism(mechanism) + ",\"verdict\":\"" + wordOf(compared.worstVerdict()) +
+           "\",\"channels\":" + jsonOf(compared.channels) + ",\"columns\":" + jsonColumns(data.layout) +
+           ",\"explanation\":" + jsonExplanation(compared, mechanism) + ",\"skipped\":[" + skipped.join(',') +
+           "],\"ignoredColumns\":[" + ignored.join(',') + "]}";
 }
 
 QString textOf(const Compared &compared, const Mechanism &mechanism)
@@ -150,13 +149,14 @@ private:
 
 ExitStatus compareFiles(const CompareOptions &options)
 {
-    const bool several = options.files.size() > 1;
+    const bool several = options.references.size() > 1;
     ExitStatus status = ExitStatus::Done;
     Tally tally;
     PartedOutput output = outputOf(options);
-    for (const QString &file : options.files) {
+    for (const QStringList &files : options.references) {
+        const QString file = joinedName(files);
         const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readTimed({file, {}, {}}, options.columns, options.mechanism);
+            readTimed({files, {}, {}}, options.columns, options.mechanism);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             status = ExitStatus::FileFailed;

@@ -92,6 +92,20 @@ QStringList guessesIn(const FileLayout &layout)
 
 } // namespace
 
+QString joinedName(const QStringList &files)
+{
+    return files.join(QStringLiteral(" + "));
+}
+
+QByteArray jsonJoined(const QStringList &files)
+{
+    QByteArrayList names;
+    for (const QString &file : files) {
+        names += jsonString(file);
+    }
+    return files.size() > 1 ? "\"joined\":[" + names.join(',') + "]," : QByteArray();
+}
+
 std::variant<std::shared_ptr<const Reference>, QString>
 readTimed(const ReferenceSource &source, const std::vector<NamedChoice> &columns, const Mechanism &mechanism)
 {
@@ -195,7 +209,7 @@ void warnOf(const QString &file, const ReferenceData &data)
         const SkippedRow &first = data.skipped.front();
         say(CommandLine::tr("%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 "
                             "(\"%5\"): %6.")
-                .arg(shownNameOf(file), QString::number(data.skippedRowCount()), QString::number(first.line),
+                .arg(shownNameOf(file), QString::number(data.skippedRowCount()), lineText(data.layout, first),
                      QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
     if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {

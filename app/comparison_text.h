@@ -8,6 +8,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <variant>
@@ -15,6 +16,12 @@
 
 namespace slidercrank
 {
+
+/// As answers call it: "file.csv", or "a.csv + b.csv" of files that are joined.
+QString joinedName(const QStringList &files);
+
+/// Of such files the list, as a member that others follow; empty for one.
+QByteArray jsonJoined(const QStringList &files);
 
 /// The file; where it counts by the crank's angle, with the instants of that mechanism.
 std::variant<std::shared_ptr<const Reference>, QString>

@@ -111,12 +111,19 @@ const char *wordOf(Identification::Outcome outcome)
     return "";
 }
 
+QByteArray jsonFile(const FileLayout &layout, std::size_t file)
+{
+    return file < layout.files.size() ? "\"file\":" + jsonString(QString::fromUtf8(layout.files[file])) + ','
+                                      : QByteArray();
+}
+
 QByteArray jsonColumns(const FileLayout &layout)
 {
     QByteArrayList columns;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
-        columns += "{\"heading\":" + stringOrNull(QString::fromUtf8(column.heading)) +
+        columns += '{' + jsonFile(layout, column.file) +
+                   "\"heading\":" + stringOrNull(QString::fromUtf8(column.heading)) +
                    ",\"unit\":" + stringOrNull(QString::fromUtf8(column.unit)) +
                    ",\"channel\":" + stringOrNull(roleOf(column)) +
                    ",\"guessed\":" + (isGuess(column.reason) ? "true" : "false") +

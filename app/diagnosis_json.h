@@ -7,6 +7,7 @@
 
 #include <QByteArray>
 
+#include <cstddef>
 #include <vector>
 
 namespace slidercrank
@@ -14,6 +15,9 @@ namespace slidercrank
 
 /// As the contract names it in JSON: "identified".
 const char *wordOf(Identification::Outcome outcome);
+
+/// Of a file that is joined with others its name, as a member that others follow; else empty.
+QByteArray jsonFile(const FileLayout &layout, std::size_t file);
 
 /// An array, an object a column of the file: what it was taken for, and why.
 QByteArray jsonColumns(const FileLayout &layout);

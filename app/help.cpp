@@ -61,6 +61,14 @@ constexpr OptionEntry kLimitsOptions[] = {
     {"output", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "write to this file, not to standard output")},
 };
 
+constexpr OptionEntry kJoinOptions[] = {
+    {"join", nullptr,
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "the files are of one motion, a plot each: read them as one, whose columns count on from file to "
+         "file")},
+};
+
 constexpr OptionEntry kFileOptions[] = {
     {"column", "HEADING=MEANING",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
@@ -106,7 +114,10 @@ constexpr OptionEntry kRenderOptions[] = {
          "slidercrank::CommandLine",
          "a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered, and older ones of "
          "that name go), or, a video by ffmpeg, in .mp4, .webm or .gif; needed")},
-    {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to draw beside it")},
+    {"reference", "FILE",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "a simulation's CSV file to draw beside it; the files of one motion, a plot each, one by one"),
+     true},
     {"size", "WxH",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)")},
@@ -124,7 +135,10 @@ constexpr OptionEntry kRenderOptions[] = {
 };
 
 constexpr OptionEntry kWindowOptions[] = {
-    {"reference", "FILE", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a simulation's CSV file to open")},
+    {"reference", "FILE",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "a simulation's CSV file to open; the files of one motion, a plot each, one by one"),
+     true},
     {"reset-settings", nullptr,
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "forget what the window remembers: layout, recent files, language, theme, choices of columns")},
@@ -148,7 +162,7 @@ QString introductionOf(Subcommand subcommand)
     switch (subcommand) {
     case Subcommand::Window:
         return CommandLine::tr(
-            "Usage: slidercrank [FILE] [options]            opens the window, with a scene or a "
+            "Usage: slidercrank [FILE…] [options]           opens the window, with a scene or a "
             "reference\n"
             "       slidercrank solve [options]             the motion as CSV or JSON\n"
             "       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks\n"
@@ -159,7 +173,8 @@ QString introductionOf(Subcommand subcommand)
             "       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF\n"
             "\n"
             "Motion of an offset slider-crank. \"slidercrank solve --help\" and so on tell the "
-            "options of each.\n");
+            "options of each.\n"
+            "Several files for the window are of one motion, a plot each: they are read as one reference.\n");
     case Subcommand::Solve:
         return CommandLine::tr("Usage: slidercrank solve [options]\n"
                                "\n"
@@ -322,11 +337,13 @@ std::vector<OptionGroup> optionGroupsOf(Subcommand subcommand)
         return {{kMechanism, kMechanismOptions}, {kResult, kLimitsOptions}, {kOther, kEverywhereOptions}};
     case Subcommand::Compare:
         return {{kMechanism, kMechanismOptions},
+                {kFiles, kJoinOptions},
                 {kFiles, kFileOptions},
                 {kResult, kCompareOptions},
                 {kOther, kEverywhereOptions}};
     case Subcommand::Identify:
         return {{kMechanism, kMechanismOptions},
+                {kFiles, kJoinOptions},
                 {kFiles, kFileOptions},
                 {kResult, kIdentifyOptions},
                 {kOther, kEverywhereOptions}};

@@ -27,9 +27,10 @@ namespace
 using Outcome = Identification::Outcome;
 
 /// What was not found is null; what comes nearest is the mechanism only under that name.
-QByteArray jsonOf(const QString &file, const ReferenceData &data, const Diagnosis &diagnosis)
+QByteArray jsonOf(const Reference &reference, const Diagnosis &diagnosis)
 {
     const InEnglish inEnglish;
+    const ReferenceData &data = reference.data;
     const Identification &found = diagnosis.identification;
     const bool isMechanism = found.stands() || found.outcome == Outcome::Nearest;
     const QByteArray none("null");
@@ -41,7 +42,8 @@ QByteArray jsonOf(const QString &file, const ReferenceData &data, const Diagnosi
         errors += name + (found.identifiable[i] ? jsonNumber(found.standardError[i]) : none);
         identifiable += name + (found.identifiable[i] ? "true" : "false");
     }
-    return "{\"file\":" + jsonString(file) + ",\"outcome\":\"" + wordOf(found.outcome) +
+    return "{\"file\":" + jsonString(joinedName(reference.paths)) + ',' + jsonJoined(reference.paths) +
+           "\"outcome\":\"" + wordOf(found.outcome) +
            "\",\"mechanism\":" + (isMechanism ? jsonMechanism(Mechanism(found.parameters)) : none) +
            ",\"standardError\":{" + errors.join(',') + "},\"identifiable\":{" + identifiable.join(',') +
            "},\"alternatives\":" + jsonOf(found.alternatives) + ",\"rounded\":" +
@@ -131,28 +133,30 @@ private:
 
 ExitStatus identifyFiles(const IdentifyOptions &options)
 {
-    const bool several = options.files.size() > 1;
+    const bool several = options.references.size() > 1;
     const bool isJson = options.format == Format::Json;
     ExitStatus status = ExitStatus::Done;
     OutcomeTally tally;
     PartedOutput output(options.output, isJson && several ? "{\"files\":[" : "", isJson ? "," : "\n");
-    for (const QString &file : options.files) {
+    for (const QStringList &files : options.references) {
+        const QString file = joinedName(files);
         const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readTimed({file, {}, {}}, options.columns, options.mechanism);
+            readTimed({files, {}, {}}, options.columns, options.mechanism);
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             say(*sentence);
             status = ExitStatus::FileFailed;
             tally.addUnreadable();
             continue;
         }
-        const ReferenceData &data = std::get<std::shared_ptr<const Reference>>(outcome)->data;
+        const Reference &reference = *std::get<std::shared_ptr<const Reference>>(outcome);
+        const ReferenceData &data = reference.data;
         const Diagnosis diagnosis = diagnose(data, options.mechanism);
         const bool stands = diagnosis.identification.stands();
         tally.add(diagnosis.identification);
 
         // Of one file without a mechanism there is nothing for a person to read but the sentence that says so.
         if ((stands || several || isJson) &&
-            !output.add(isJson ? jsonOf(file, data, diagnosis) : textOf(file, data, diagnosis).toUtf8())) {
+            !output.add(isJson ? jsonOf(reference, diagnosis) : textOf(file, data, diagnosis).toUtf8())) {
             break;
         }
         warnOf(file, data);

@@ -161,6 +161,12 @@ QString OptionReader::file(const char *name)
     return text(name);
 }
 
+QStringList OptionReader::files(const char *name)
+{
+    file(name);
+    return texts(name);
+}
+
 QString OptionReader::tooLarge(const char *name)
 {
     return CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(QLatin1String(name));

@@ -81,6 +81,7 @@ public:
 
     /// Empty when not given.
     QString file(const char *name);
+    QStringList files(const char *name); ///< all that were given
 
     static QString tooLarge(const char *name);
 

@@ -235,13 +235,20 @@ QString readOutputBeside(OptionReader &reader, const QStringList &files)
     return output;
 }
 
-/// FILE…
-QStringList readFiles(OptionReader &reader, const QStringList &positional, Subcommand subcommand)
+/// FILE…, and --join
+QList<QStringList> readReferences(OptionReader &reader, const QStringList &positional, Subcommand subcommand)
 {
     if (positional.isEmpty() || positional.contains(QString())) {
         reader.refuse(CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…").arg(wordOf(subcommand)));
     }
-    return positional;
+    if (reader.has("join")) {
+        return {positional};
+    }
+    QList<QStringList> references;
+    for (const QString &file : positional) {
+        references += QStringList(file);
+    }
+    return references;
 }
 
 Command readSolve(OptionReader &reader, const QStringList &positional)
@@ -288,7 +295,7 @@ Command readCompare(OptionReader &reader, const QStringList &positional)
     options.format =
         reader.choice("format", options.format, {{"text", Format::Text}, {"csv", Format::Csv}, {"json", Format::Json}});
     options.failOnDifference = reader.has("fail-on-difference");
-    options.files = readFiles(reader, positional, Subcommand::Compare);
+    options.references = readReferences(reader, positional, Subcommand::Compare);
     options.columns = readColumns(reader);
     options.output = readOutputBeside(reader, positional);
     return options;
@@ -299,7 +306,7 @@ Command readIdentify(OptionReader &reader, const QStringList &positional)
     IdentifyOptions options;
     options.mechanism = readMechanism(reader);
     options.format = reader.choice("format", options.format, {{"text", Format::Text}, {"json", Format::Json}});
-    options.files = readFiles(reader, positional, Subcommand::Identify);
+    options.references = readReferences(reader, positional, Subcommand::Identify);
     options.columns = readColumns(reader);
     options.output = readOutputBeside(reader, positional);
     return options;
@@ -432,8 +439,8 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     options.sampling = readSampling(reader);
     options.solver = readSolver(reader);
     options.reference = reader.scene().reference;
-    if (const QString file = reader.file("reference"); !file.isEmpty()) {
-        options.reference = ReferenceSource{file, {}, {}};
+    if (const QStringList files = reader.files("reference"); !files.isEmpty()) {
+        options.reference = ReferenceSource{files, {}, {}};
     }
     options.kept = reader.scene().kept;
     options.columns = readColumns(reader);
@@ -500,6 +507,19 @@ Command readRender(OptionReader &reader, const QStringList &positional)
     return options;
 }
 
+/// What is no file of a motion.
+void refuseAmong(OptionReader &reader, const QStringList &files)
+{
+    for (const QString &file : files) {
+        if (isNamedAsScene(file)) {
+            reader.refuse(CommandLine::tr("%1 is a scene: open it by itself, and files of one motion together.")
+                              .arg(QDir::toNativeSeparators(file)));
+        } else if (!QFileInfo::exists(file)) {
+            reader.refuseFile(CommandLine::tr("There is no file %1.").arg(QDir::toNativeSeparators(file)));
+        }
+    }
+}
+
 Command readWindow(OptionReader &reader, const QStringList &positional, bool choosesDisplay)
 {
     if (reader.has("reset-settings")) {
@@ -510,8 +530,8 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
     }
     WindowOptions options;
     options.choosesDisplay = choosesDisplay;
-    options.reference = reader.file("reference");
-    if (isStandardInput(options.reference) || positional.contains(QStringLiteral("-"))) {
+    options.reference = reader.files("reference");
+    if ((options.reference + positional).contains(QStringLiteral("-"))) {
         reader.refuse(CommandLine::tr("The window opens files: save what comes from standard input as one first."));
         return options;
     }
@@ -531,12 +551,14 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
             CommandLine::tr("There is no command \"%1\": use solve, limits, compare, identify, study or render, or "
                             "no word at all, or a scene's file, for the window.")
                 .arg(options.scene));
+    } else if (!isNamedAsScene(options.scene) && options.reference.isEmpty()) { // as what is dropped on the window
+        options.scene.clear();
+        options.reference = positional;
+        refuseAmong(reader, positional);
     } else if (positional.size() > 1) {
         reader.refuse(CommandLine::tr("The window opens one scene, not %1: remove \"%2\".")
                           .arg(positional.size())
                           .arg(positional[1]));
-    } else if (!isNamedAsScene(options.scene) && options.reference.isEmpty()) {
-        options.reference = std::exchange(options.scene, {}); // as what is dropped on the window
     } else {
         reader.takeScene(options.scene); // to know before there is a window whether it is one
     }

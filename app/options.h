@@ -46,7 +46,7 @@ struct LimitsOptions {
 
 struct CompareOptions {
     Mechanism mechanism;
-    QStringList files; ///< at least one; "-" is standard input
+    QList<QStringList> references; ///< at least one: a file, "-" for standard input, or several that are joined
     std::vector<NamedChoice> columns;
     Format format = Format::Text;
     bool failOnDifference = false;
@@ -54,8 +54,8 @@ struct CompareOptions {
 };
 
 struct IdentifyOptions {
-    Mechanism mechanism; ///< where to start; gives what the file cannot fix
-    QStringList files;   ///< as of CompareOptions
+    Mechanism mechanism;           ///< where to start; gives what the file cannot fix
+    QList<QStringList> references; ///< as of CompareOptions
     std::vector<NamedChoice> columns;
     Format format = Format::Text; ///< Text or Json
     QString output;               ///< empty: standard output
@@ -91,7 +91,7 @@ struct RenderOptions {
 
 struct WindowOptions {
     QString scene;               ///< empty: none
-    QString reference;           ///< empty: none, or the scene's own
+    QStringList reference;       ///< empty: none, or the scene's own; several are joined
     bool choosesDisplay = false; ///< by an option of the window system's
 };
 

@@ -163,7 +163,7 @@ ExitStatus render(const RenderOptions &options)
             return ExitStatus::FileFailed;
         }
         reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        warnOf(options.reference->path, reference->data);
+        warnOf(joinedName(reference->paths), reference->data);
     }
     Session session;
     if (const std::optional<QString> problem = settle(session, options, reference)) {
@@ -230,7 +230,7 @@ ExitStatus render(const RenderOptions &options)
     case RenderOptions::Subject::Mechanism: failure = exported(drawMechanism); break;
     case RenderOptions::Subject::Frames: failure = exportFilm(options, drawFrame); break;
     case RenderOptions::Subject::Report:
-        content.checksum = reference ? checksumOf(*reference) : QByteArray();
+        content.checksums = reference ? checksumsOf(*reference) : QByteArrayList();
         failure = exportReport(options.output, content, {drawMechanism, drawFigure});
         break;
     }

@@ -3,10 +3,12 @@
 
 // Where a file's bytes come from.
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace slidercrank
 {
@@ -23,5 +25,16 @@ struct ByteSource {
 
     std::string name{}; ///< of the file: tells several apart that are read together
 };
+
+/// Bytes in memory, which outlive it.
+inline ByteSource sourceOf(std::string_view bytes)
+{
+    const auto copy = [bytes](std::size_t offset, std::span<char> room) {
+        const bool isThere = offset <= bytes.size() && room.size() <= bytes.size() - offset;
+        std::ranges::copy(bytes.substr(std::min(offset, bytes.size()), isThere ? room.size() : 0), room.begin());
+        return isThere;
+    };
+    return {bytes.size(), copy};
+}
 
 } // namespace slidercrank

@@ -301,12 +301,7 @@ std::variant<ReferenceData, ReadError> readReferenceData(const ByteSource &sourc
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop,
                                                          const ReadOptions &options)
 {
-    const auto copy = [bytes](std::size_t offset, std::span<char> room) {
-        const bool isThere = offset <= bytes.size() && room.size() <= bytes.size() - offset;
-        std::ranges::copy(bytes.substr(std::min(offset, bytes.size()), isThere ? room.size() : 0), room.begin());
-        return isThere;
-    };
-    return readReferenceData(ByteSource{bytes.size(), copy}, std::move(stop), options);
+    return readReferenceData(sourceOf(bytes), std::move(stop), options);
 }
 
 } // namespace slidercrank

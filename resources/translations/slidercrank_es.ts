@@ -450,6 +450,14 @@
         <source>of which body?</source>
         <translation>¿de qué eslabón?</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 files of one motion, joined</source>
+        <translation>%1 archivos de un mismo movimiento, leídos como uno solo</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
@@ -570,20 +578,12 @@
         <translation>estado de salida 1 cuando un canal difiere</translation>
     </message>
     <message>
-        <source>a simulation&apos;s CSV file to draw beside it</source>
-        <translation>un archivo CSV de una simulación, para dibujarlo al lado</translation>
-    </message>
-    <message>
         <source>colours (light)</source>
         <translation>colores (light)</translation>
     </message>
     <message>
         <source>instant of the pose, marked in the plots (--start)</source>
         <translation>instante de la posición dibujada, marcado en las gráficas (--start)</translation>
-    </message>
-    <message>
-        <source>a simulation&apos;s CSV file to open</source>
-        <translation>un archivo CSV de una simulación, para abrirlo</translation>
     </message>
     <message>
         <source>this text</source>
@@ -1091,28 +1091,6 @@ CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el vered
         <translation>Archivos</translation>
     </message>
     <message>
-        <source>Usage: slidercrank [FILE] [options]            opens the window, with a scene or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE… [options]    the mechanism that each file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO] [opciones]         abre la ventana, con una escena o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-</translation>
-    </message>
-    <message>
         <source>what the first column of the files is: the time, or the crank&apos;s angle, of which --omega2 and --theta20 make the time (by its name)</source>
         <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
     </message>
@@ -1312,6 +1290,46 @@ none          ni siquiera eso
         <source>the crank angle</source>
         <comment>a column is taken for</comment>
         <translation>el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>a simulation&apos;s CSV file to draw beside it; the files of one motion, a plot each, one by one</source>
+        <translation>un archivo CSV de una simulación, para dibujarlo al lado; los de un mismo movimiento, una gráfica cada uno, de uno en uno</translation>
+    </message>
+    <message>
+        <source>a simulation&apos;s CSV file to open; the files of one motion, a plot each, one by one</source>
+        <translation>un archivo CSV de una simulación, para abrirlo; los de un mismo movimiento, una gráfica cada uno, de uno en uno</translation>
+    </message>
+    <message>
+        <source>Usage: slidercrank [FILE…] [options]           opens the window, with a scene or a reference
+       slidercrank solve [options]             the motion as CSV or JSON
+       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
+       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
+       slidercrank identify FILE… [options]    the mechanism that each file belongs to
+       slidercrank study [options]             speed against error of every method
+       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
+
+Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
+Several files for the window are of one motion, a plot each: they are read as one reference.
+</source>
+        <translation>Uso: slidercrank [ARCHIVO…] [opciones]        abre la ventana, con una escena o una referencia
+     slidercrank solve [opciones]             el movimiento como CSV o JSON
+     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
+     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
+     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
+     slidercrank study [opciones]             velocidad y error de cada método
+     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
+
+Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
+Varios archivos para la ventana son de un mismo movimiento, una gráfica cada uno: se leen como una sola referencia.
+</translation>
+    </message>
+    <message>
+        <source>the files are of one motion, a plot each: read them as one, whose columns count on from file to file</source>
+        <translation>los archivos son de un mismo movimiento, una gráfica cada uno: se leen como uno solo, cuyas columnas se cuentan de corrido</translation>
+    </message>
+    <message>
+        <source>%1 is a scene: open it by itself, and files of one motion together.</source>
+        <translation>%1 es una escena: ábrala sola, y los archivos de un mismo movimiento juntos.</translation>
     </message>
 </context>
 <context>
@@ -2934,10 +2952,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>Cancelado: lo que se muestra es de antes.</translation>
     </message>
     <message>
-        <source>Open reference</source>
-        <translation>Abrir referencia</translation>
-    </message>
-    <message>
         <source>Slider-crank[*]</source>
         <translation>Manivela-corredera[*]</translation>
     </message>
@@ -2960,6 +2974,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
         <translation>Resultados de simulación (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open reference: one file, or the plots of one motion together</source>
+        <translation>Abrir referencia: un archivo, o las gráficas de un mismo movimiento juntas</translation>
+    </message>
+    <message>
+        <source>%1 is a scene: open it by itself, and files of one motion together.</source>
+        <translation>%1 es una escena: ábrala sola, y los archivos de un mismo movimiento juntos.</translation>
     </message>
 </context>
 <context>
@@ -3425,6 +3447,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>In &amp;front of a class</source>
         <translation>&amp;Ante una clase</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
     </message>
 </context>
 <context>
@@ -4618,6 +4644,14 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its angles in that order: choose another ω₂.</source>
         <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>%1 is named twice: give each file once.</source>
+        <translation>%1 está dos veces: indique cada archivo una sola vez.</translation>
     </message>
 </context>
 <context>

@@ -56,7 +56,7 @@ std::vector<std::string> scenes()
     const QString path = QStringLiteral("/folder/scene.json");
     Scene scene;
     std::vector<std::string> texts{jsonOf(scene, path).toStdString()};
-    scene.reference = ReferenceSource{QStringLiteral("/folder/reference.csv"),
+    scene.reference = ReferenceSource{{QStringLiteral("/folder/reference.csv")},
                                       {{0, ColumnRole::Time, {}, "ms"},
                                        {1, ColumnRole::Channel, {Theta3, Order::Velocity}, "rad/s"},
                                        {2, ColumnRole::Ignored, {}, {}}},

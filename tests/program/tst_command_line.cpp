@@ -199,6 +199,22 @@ QString fileInRadians(const QTemporaryDir &folder)
     return writeFile(folder.filePath(QStringLiteral("radians.csv")), csv);
 }
 
+/// Those columns of the sample, the time first, in a file of its own.
+QString plotOfSample(const QTemporaryDir &folder, const char *name, const QList<int> &columns, int everySo = 1)
+{
+    QByteArray plot;
+    const QByteArrayList lines = contentOf(sample()).replace("\xEF\xBB\xBF", "").trimmed().split('\n');
+    for (qsizetype line = 0; line < lines.size(); ++line) {
+        const QByteArrayList cells = lines[line].trimmed().split(',');
+        QByteArrayList kept{cells.first()};
+        for (const int column : columns) {
+            kept << cells.value(column);
+        }
+        plot += line == 0 || (line - 1) % everySo == 0 ? kept.join(',') + '\n' : QByteArray();
+    }
+    return writeFile(folder.filePath(QLatin1String(name)), plot);
+}
+
 bool isOneLine(const QByteArray &text)
 {
     return text.count('\n') == 1 && text.endsWith('\n');
@@ -260,6 +276,8 @@ private slots:
     void saysWhenItFindsNoMechanism();
     void identifiesSeveralFiles();
     void readsStandardInput();
+    void joinsFilesOfOneMotion();
+    void saysWhyFilesAreNotOfOneMotion();
     void takesColumnsForWhatIsSaid();
     void readsATableByTheCranksAngle_data();
     void readsATableByTheCranksAngle();
@@ -1530,6 +1548,87 @@ void TestCommandLine::readsStandardInput()
         QCOMPARE(entryOf(run(compare + QStringList{fifo}))["channels"], entryOf(file)["channels"]);
         QVERIFY(writer.waitForFinished(slidercrank::kPatience));
     }
+}
+
+void TestCommandLine::joinsFilesOfOneMotion()
+{
+    QTemporaryDir folder;
+    const QString position = plotOfSample(folder, "position.csv", {1});
+    const QString rates = plotOfSample(folder, "rates.csv", {2, 3});
+    const QString coupler = plotOfSample(folder, "coupler.csv", {4, 5, 6});
+    const QStringList plots{position, rates, coupler};
+    const auto entryOf = [](const Outcome &outcome) {
+        const QJsonObject object = QJsonDocument::fromJson(outcome.out).object();
+        return object.contains("files") ? object["files"].toArray().first().toObject() : object;
+    };
+    for (const QStringList &command :
+         {QStringList{"compare", "--b", "60"}, QStringList{"compare"}, QStringList{"identify"}}) {
+        const QStringList inJson = command + QStringList{"--format", "json"};
+        const Outcome outcome = run(inJson + QStringList{"--join"} + plots);
+        QVERIFY2(outcome.status == 0 && outcome.err.isEmpty(), outcome.err.constData());
+        const QJsonObject joined = entryOf(outcome);
+        const QJsonObject whole = entryOf(run(inJson + QStringList{sample()}));
+        for (const QString &key : whole.keys()) {
+            if (key != u"file" && key != u"columns") {
+                QVERIFY2(joined[key] == whole[key], qPrintable(key));
+            }
+        }
+        QCOMPARE(joined.keys().size(), whole.keys().size() + 1);
+        QCOMPARE(joined["file"].toString(), plots.join(QStringLiteral(" + ")));
+        QCOMPARE(joined["joined"].toArray(), QJsonArray::fromStringList(plots));
+        const QJsonObject last = joined["columns"].toArray().last().toObject();
+        QCOMPARE(last["file"].toString(), QStringLiteral("coupler.csv"));
+        QCOMPARE(last["heading"].toString(), QStringLiteral("theta3_diff2"));
+    }
+
+    // One of them may come from elsewhere; columns count on; a row left out is named with its file.
+    const Outcome pipe = run({"compare", "--b", "60", "--join", position, "-"}, withoutDisplay(), contentOf(coupler));
+    QCOMPARE(pipe.status, 0);
+    QVERIFY2(pipe.out.contains("Agrees with this mechanism in 4 of 4 channels"), pipe.out.constData());
+    const QString value = writeFile(folder.filePath(QStringLiteral("value.csv")),
+                                    contentOf(rates).replace("R4_x_diff,R4_x_diff2", "Value,Other") + "1.1,?,0\n");
+    const Outcome named = run({"compare", "--b", "60", "--join", position, value, "--column", "#4=R4_x_diff"});
+    QCOMPARE(named.status, 0);
+    QVERIFY2(named.out.contains("Agrees with this mechanism in 2 of 2 channels"), named.out.constData());
+    QVERIFY2(named.err.contains("the first in line 203 (value.csv), column 2") &&
+                 named.err.contains("were not used: Other (value.csv)"),
+             named.err.constData());
+
+    const QString picture = folder.filePath(QStringLiteral("plot.svg"));
+    QCOMPARE(
+        run({"render", "--what", "R4_x", "--reference", position, "--reference", coupler, "--output", picture}).status,
+        0);
+    const Outcome window = run({position, rates}); // which it misses here
+    QVERIFY2(window.status == 2 && window.err.contains("There is no display"), window.err.constData());
+}
+
+void TestCommandLine::saysWhyFilesAreNotOfOneMotion()
+{
+    QTemporaryDir folder;
+    const QString position = plotOfSample(folder, "position.csv", {1});
+    const QString again = plotOfSample(folder, "again.csv", {1, 4});
+    const QString coarse = plotOfSample(folder, "coarse.csv", {4}, 2);
+    const QString missing = folder.filePath(QStringLiteral("missing.csv"));
+    const QString text = writeFile(folder.filePath(QStringLiteral("text.csv")), "%PDF-1.7\n");
+    const auto refused = [&](const QString &other, const QString &sentence, const QStringList &more = {}) {
+        const Outcome outcome = run(QStringList{"compare", "--join", position, other} + more);
+        const bool isSaid = outcome.status == 3 && outcome.out.isEmpty() && isOneLine(outcome.err) &&
+                            QString::fromUtf8(outcome.err).startsWith(sentence);
+        return isSaid ? QByteArray() : outcome.err + outcome.out;
+    };
+    QCOMPARE(refused(again, again + ": it holds R4_x, and " + position + " does, too"), QByteArray());
+    QCOMPARE(refused(coarse, coarse + ": its instants are not those of " + position), QByteArray());
+    QCOMPARE(refused(position, position + " is named twice"), QByteArray());
+    QCOMPARE(refused(missing, missing + " cannot be opened"), QByteArray());
+    QCOMPARE(refused(text, text + ": The file is a PDF document"), QByteArray());
+    QCOMPARE(
+        refused(again, position + " + " + again + ": several columns are called \"time\"", {"--column", "time=time"}),
+        QByteArray());
+
+    QCOMPARE(run({position, missing}).status, 3);
+    const Outcome scene = run({position, QStringLiteral("a.slidercrank")});
+    QVERIFY2(scene.status == 2 && scene.err.contains("a.slidercrank is a scene: open it by itself"),
+             scene.err.constData());
 }
 
 void TestCommandLine::takesColumnsForWhatIsSaid()

@@ -35,7 +35,7 @@ std::string becomes(const FileLayout &layout)
 QString sentenceFor(const std::variant<ReferenceData, ReadError> &outcome)
 {
     const ReadError *error = std::get_if<ReadError>(&outcome);
-    return error ? sentenceOf(*error, QStringLiteral("file")) : QStringLiteral("it was read");
+    return error ? sentenceOf(*error, {QStringLiteral("file")}) : QStringLiteral("it was read");
 }
 
 } // namespace

@@ -19,7 +19,7 @@ namespace
 constexpr char kSeparator = '\x1f'; // of the parts of a key or a choice: no heading and no unit holds it
 
 /// Headings may hold anything, and keys in the settings may not: so they are hashed.
-QString keyOf(const FileLayout &layout, const QString &path)
+QString keyOf(const FileLayout &layout, const QStringList &paths)
 {
     QByteArray headings;
     const bool named = std::any_of(layout.columns.begin(), layout.columns.end(),
@@ -28,7 +28,10 @@ QString keyOf(const FileLayout &layout, const QString &path)
         headings += QByteArray::fromStdString(column.heading) + kSeparator;
         headings += QByteArray::fromStdString(column.unit) + kSeparator;
     }
-    if (!named) {
+    for (const std::string &file : layout.files) {
+        headings += QByteArray::fromStdString(file) + kSeparator;
+    }
+    for (const QString &path : named ? QStringList() : paths) {
         headings += QFileInfo(path).absoluteFilePath().toUtf8();
     }
     const QByteArray hash = QCryptographicHash::hash(headings, QCryptographicHash::Sha256).left(16);
@@ -48,10 +51,10 @@ QString roleName(const ColumnChoice &choice)
 
 } // namespace
 
-std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QString &path)
+std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStringList &paths)
 {
     std::vector<ColumnChoice> choices;
-    for (const QString &line : QSettings().value(keyOf(layout, path)).toStringList()) {
+    for (const QString &line : QSettings().value(keyOf(layout, paths)).toStringList()) {
         const QStringList parts = line.split(QLatin1Char(kSeparator));
         ColumnChoice choice;
         choice.column = parts.value(0).toULongLong();
@@ -72,14 +75,14 @@ std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStr
     return choices;
 }
 
-void rememberChoices(const FileLayout &layout, const QString &path, const std::vector<ColumnChoice> &choices)
+void rememberChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices)
 {
     QStringList lines;
     for (const ColumnChoice &choice : choices) {
         lines << QStringList{QString::number(choice.column), roleName(choice), QString::fromStdString(choice.unit)}
                      .join(QLatin1Char(kSeparator));
     }
-    remember({{keyOf(layout, path), lines.isEmpty() ? QVariant() : lines}});
+    remember({{keyOf(layout, paths), lines.isEmpty() ? QVariant() : lines}});
 }
 
 } // namespace slidercrank

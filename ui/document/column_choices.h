@@ -2,11 +2,12 @@
 #pragma once
 
 // What a person once said of the columns of a file, kept in the settings for every file with the same headings; where a
-// file has no headings, for that file alone.
+// file has no headings, for that file alone. Of files that are joined, for files of the same names and headings.
 
 #include "core/reading/file_layout.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -14,9 +15,9 @@ namespace slidercrank
 {
 
 /// Empty: nobody said anything.
-std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QString &path);
+std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStringList &paths);
 
 /// No choices: forgets.
-void rememberChoices(const FileLayout &layout, const QString &path, const std::vector<ColumnChoice> &choices);
+void rememberChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices);
 
 } // namespace slidercrank

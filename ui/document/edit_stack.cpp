@@ -42,7 +42,7 @@ QString changeName(const Choices &before, const Choices &after)
         if (!after.reference) {
             return EditCommandText::tr("closing of %1").arg(before.reference->name);
         }
-        const bool sameFile = before.reference && before.reference->path == after.reference->path;
+        const bool sameFile = before.reference && before.reference->paths == after.reference->paths;
         return (sameFile ? EditCommandText::tr("other reading of %1") : EditCommandText::tr("opening of %1"))
             .arg(after.reference->name);
     }

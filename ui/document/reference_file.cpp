@@ -2,6 +2,7 @@
 #include "ui/document/reference_file.h"
 
 #include "core/reading/crank_angles.h"
+#include "core/reading/joined_files.h"
 #include "ui/document/byte_stream.h"
 #include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -77,6 +79,78 @@ QString cannotBeRead(const QString &file, const QString &reason)
     return ReferenceFileText::tr("%1 cannot be read: %2.").arg(file, reason);
 }
 
+const QString kTogether = QStringLiteral(" + "); // between the names of files that are joined
+
+QStringList shownNamesOf(const QStringList &paths)
+{
+    QStringList names;
+    for (const QString &path : paths) {
+        names += shownNameOf(path);
+    }
+    return names;
+}
+
+QString nameOf(const QStringList &paths)
+{
+    const QString &first = paths.first();
+    const QString name = isStandardInput(first) ? shownNameOf(first) : QFileInfo(first).fileName();
+    return paths.size() == 1 ? name
+                             : ReferenceFileText::tr("%1 and %2 more").arg(name, QString::number(paths.size() - 1));
+}
+
+/// A file while it is read; what can be read once only is read already.
+struct OpenedFile {
+    QFile file;
+    QByteArray bytes;
+    ByteSource source;
+};
+
+/// Where it cannot be opened, a sentence. `goesOn`: whether a stream that begins so is worth reading to its end.
+std::optional<QString> open(const QString &path, const std::stop_token &stop,
+                            const std::function<bool(const QByteArray &beginning)> &goesOn, OpenedFile &opened)
+{
+    const QString shown = shownNameOf(path);
+    const QFileInfo info(path);
+    opened.file.setFileName(path);
+    if (info.isDir()) {
+        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
+    }
+    if (isStandardInput(path) || isStream(info)) {
+        std::variant<QByteArray, QString> bytes = readStream(path, stop, goesOn);
+        if (const QString *reason = std::get_if<QString>(&bytes)) {
+            return cannotBeRead(shown, *reason);
+        }
+        opened.bytes = std::get<QByteArray>(bytes);
+        opened.source = sourceOf(viewOf(opened.bytes));
+    } else if (opened.file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
+        opened.source = piecesOf(opened.file);
+    } else {
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, opened.file.errorString());
+    }
+    opened.source.name = info.fileName().toStdString();
+    return std::nullopt;
+}
+
+FileLayout layoutIn(const std::variant<ReferenceData, ReadError> &outcome)
+{
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? data->layout : std::get<ReadError>(outcome).layout;
+}
+
+/// One that is named more than once, whatever the way there.
+std::optional<QString> namedTwice(const QStringList &paths)
+{
+    for (auto path = paths.begin(); path != paths.end(); ++path) {
+        const bool again = std::any_of(paths.begin(), path, [&path](const QString &before) {
+            return QFileInfo::exists(before) && QFileInfo(before) == QFileInfo(*path);
+        });
+        if (again) {
+            return *path;
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 QString shownNameOf(const QString &path)
@@ -84,9 +158,19 @@ QString shownNameOf(const QString &path)
     return isStandardInput(path) ? ReferenceFileText::tr("Standard input") : QDir::toNativeSeparators(path);
 }
 
-QString sentenceOf(const ReadError &error, const QString &file)
+QString shownNameOf(const QStringList &paths)
 {
-    QString reason = sentenceOf(error.fault);
+    return shownNamesOf(paths).join(kTogether);
+}
+
+QString sentenceOf(const ReadError &error, const QStringList &files)
+{
+    const QString file = error.file ? files.value(static_cast<qsizetype>(*error.file)) : files.join(kTogether);
+    ReadFault fault = error.fault;
+    if (error.otherFile) {
+        fault.heading = files.value(static_cast<qsizetype>(*error.otherFile)).toStdString();
+    }
+    QString reason = sentenceOf(fault);
     if (error.fault.kind == ReadFault::Kind::NoSuchColumn) {
         QStringList headings;
         for (std::size_t i = 0; i < error.layout.columns.size(); ++i) {
@@ -105,56 +189,47 @@ QString sentenceOf(const ReadError &error, const QString &file)
         .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
 }
 
-std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop,
-                                                                      const ReadOptions &options)
-{
-    const QString shown = shownNameOf(path);
-    const QFileInfo info(path);
-    if (info.isDir()) {
-        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
-    }
-    std::variant<ReferenceData, ReadError> outcome;
-    QFile file(path);
-    if (isStandardInput(path) || isStream(info)) {
-        const ReadOptions asChosen{options.columns, {}, options.named};
-        std::variant<QByteArray, QString> bytes = readStream(path, stop, [&](const QByteArray &beginning) {
-            return std::holds_alternative<ReferenceData>(readReferenceData(viewOf(beginning), {}, asChosen));
-        });
-        if (const QString *reason = std::get_if<QString>(&bytes)) {
-            return cannotBeRead(shown, *reason);
-        }
-        outcome = readReferenceData(viewOf(std::get<QByteArray>(bytes)), stop, options);
-    } else if (file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
-        outcome = readReferenceData(piecesOf(file), stop, options);
-        if (file.error() != QFileDevice::NoError) {
-            return cannotBeRead(shown, file.errorString());
-        }
-    } else {
-        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
-    }
-    if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
-        return sentenceOf(*error, shown);
-    }
-    auto reference = std::make_shared<Reference>();
-    reference->path = path;
-    reference->name = isStandardInput(path) ? shown : info.fileName();
-    reference->state = stateOf(info);
-    reference->data = std::move(std::get<ReferenceData>(outcome));
-    reference->columns = options.columns;
-    return reference;
-}
-
 std::variant<std::shared_ptr<const Reference>, QString> readReference(const ReferenceSource &source,
                                                                       std::stop_token stop, ReadOptions options)
 {
+    if (const std::optional<QString> path = namedTwice(source.paths)) {
+        return ReferenceFileText::tr("%1 is named twice: give each file once.").arg(shownNameOf(*path));
+    }
     options.columns = source.columns;
-    std::variant<std::shared_ptr<const Reference>, QString> outcome = readReference(source.path, stop, options);
-    if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
-        for (const Convention &convention : source.conventions) {
-            *reference = applied(convention, *reference);
+    const auto goesOn = [&](const QByteArray &beginning) {
+        return source.paths.size() > 1 // what the choices say of this file, the others are needed for
+                   ? !layoutOf(beginning).columns.empty()
+                   : std::holds_alternative<ReferenceData>(
+                         readReferenceData(viewOf(beginning), {}, {options.columns, {}, options.named}));
+    };
+    auto reference = std::make_shared<Reference>();
+    std::list<OpenedFile> files; // which stay where they are
+    std::vector<ByteSource> sources;
+    for (const QString &path : source.paths) {
+        if (const std::optional<QString> sentence = open(path, stop, goesOn, files.emplace_back())) {
+            return *sentence;
+        }
+        reference->states.push_back(stateOf(QFileInfo(path)));
+        sources.push_back(files.back().source);
+    }
+    std::variant<ReferenceData, ReadError> outcome = readJoined(sources, stop, options);
+    for (const OpenedFile &opened : files) {
+        if (opened.file.error() != QFileDevice::NoError) {
+            return cannotBeRead(shownNameOf(opened.file.fileName()), opened.file.errorString());
         }
     }
-    return outcome;
+    if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
+        return sentenceOf(*error, shownNamesOf(source.paths));
+    }
+    reference->paths = source.paths;
+    reference->name = nameOf(source.paths);
+    reference->data = std::move(std::get<ReferenceData>(outcome));
+    reference->columns = source.columns;
+    std::shared_ptr<const Reference> read = std::move(reference);
+    for (const Convention &convention : source.conventions) {
+        read = applied(convention, read);
+    }
+    return read;
 }
 
 std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism &mechanism,
@@ -167,7 +242,7 @@ std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism 
     if (!data) {
         return ReferenceFileText::tr("%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its "
                                      "angles in that order: choose another ω₂.")
-            .arg(shownNameOf(reference->path), parameterText(Parameter::Omega2, mechanism.omega2()));
+            .arg(shownNameOf(reference->paths), parameterText(Parameter::Omega2, mechanism.omega2()));
     }
     auto timed = std::make_shared<Reference>(*reference);
     timed->data = *std::move(data);
@@ -193,7 +268,11 @@ std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &refer
 
 ReferenceSource sourceOf(const Reference &reference)
 {
-    return {QFileInfo(reference.path).absoluteFilePath(), reference.columns, reference.conventions};
+    QStringList paths;
+    for (const QString &path : reference.paths) {
+        paths += QFileInfo(path).absoluteFilePath();
+    }
+    return {paths, reference.columns, reference.conventions};
 }
 
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to)
@@ -220,14 +299,19 @@ std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
     return reference;
 }
 
-QByteArray checksumOf(const Reference &reference)
+QByteArrayList checksumsOf(const Reference &reference)
 {
-    const QFileInfo info(reference.path);
-    QFile file(reference.path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    const bool isRead = !isStream(info) && stateOf(info) == reference.state && file.open(QIODevice::ReadOnly) &&
-                        hash.addData(&file) && stateOf(QFileInfo(reference.path)) == reference.state;
-    return isRead ? hash.result().toHex() : QByteArray();
+    QByteArrayList checksums;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        const QString &path = reference.paths[static_cast<qsizetype>(i)];
+        const QFileInfo info(path);
+        QFile file(path);
+        QCryptographicHash hash(QCryptographicHash::Sha256);
+        const bool isRead = !isStream(info) && stateOf(info) == reference.states[i] && file.open(QIODevice::ReadOnly) &&
+                            hash.addData(&file) && stateOf(QFileInfo(path)) == reference.states[i];
+        checksums += isRead ? hash.result().toHex() : QByteArray();
+    }
+    return checksums;
 }
 
 QByteArray beginningOf(const QString &path)
@@ -247,11 +331,40 @@ QByteArray beginningOf(const QString &path)
     return bytes;
 }
 
+QByteArrayList beginningsOf(const QStringList &paths)
+{
+    QByteArrayList beginnings;
+    for (const QString &path : paths) {
+        beginnings += beginningOf(path);
+    }
+    return beginnings;
+}
+
+std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const QByteArrayList &bytes,
+                                                 const ReadOptions &options)
+{
+    std::vector<ByteSource> sources;
+    for (qsizetype i = 0; i < paths.size(); ++i) {
+        sources.push_back(sourceOf(viewOf(bytes[i])));
+        sources.back().name = QFileInfo(paths[i]).fileName().toStdString();
+    }
+    return readJoined(sources, {}, options);
+}
+
 FileLayout layoutOf(const QByteArray &bytes)
 {
-    const std::variant<ReferenceData, ReadError> outcome = readReferenceData(viewOf(bytes));
-    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
-    return data ? data->layout : std::get<ReadError>(outcome).layout;
+    return layoutIn(readReferenceData(viewOf(bytes)));
+}
+
+FileLayout layoutOf(const QStringList &paths)
+{
+    const FileLayout layout = layoutIn(readBytes(paths, beginningsOf(paths)));
+    for (std::size_t i = 0; i < layout.files.size(); ++i) {
+        if (std::ranges::count(layout.columns, i, &FileColumn::file) == 0) {
+            return {};
+        }
+    }
+    return layout;
 }
 
 } // namespace slidercrank

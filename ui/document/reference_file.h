@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A reference file on disk: opened under its Unicode name, read by the core, and its failure put into one sentence.
+// A reference file on disk, or several that are joined: opened under their Unicode names, read by the core, and their
+// failure put into one sentence.
 
 #include "core/diagnosis/convention.h"
 #include "core/reading/reference_data.h"
 
 #include <QByteArray>
+#include <QByteArrayList>
 #include <QDateTime>
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <stop_token>
@@ -26,12 +29,12 @@ struct FileState {
     friend bool operator==(const FileState &, const FileState &) = default;
 };
 
-/// A loaded file and where it came from.
+/// A loaded file and where it came from; or several, a plot each, joined.
 struct Reference {
-    QString path;       ///< as opened
-    QString name;       ///< file name, for legends and titles
-    FileState state;    ///< of the file when it was read
-    ReferenceData data; ///< as it reads with the conventions below
+    QStringList paths;             ///< as opened
+    QString name;                  ///< file name, for legends and titles
+    std::vector<FileState> states; ///< of the files when they were read
+    ReferenceData data;            ///< as it reads with the conventions below
 
     std::vector<ColumnChoice> columns;          ///< a person's, over what the names say
     std::vector<Convention> conventions;        ///< applied, in this order
@@ -40,19 +43,15 @@ struct Reference {
 
 /// Where data come from and how they were read: enough to read them again.
 struct ReferenceSource {
-    QString path; ///< absolute, or in the program's resources
+    QStringList paths; ///< absolute, or in the program's resources
     std::vector<ColumnChoice> columns;
     std::vector<Convention> conventions;
 };
 
 ReferenceSource sourceOf(const Reference &reference);
 
-/// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread. `path`: "-" is
+/// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread. A path "-" is
 /// standard input.
-std::variant<std::shared_ptr<const Reference>, QString> readReference(const QString &path, std::stop_token stop = {},
-                                                                      const ReadOptions &options = {});
-
-/// The same, read as that says.
 std::variant<std::shared_ptr<const Reference>, QString>
 readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
 
@@ -72,20 +71,29 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
 std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
                                                    const std::shared_ptr<const Reference> &printed);
 
-/// As messages call it.
+/// As messages call them.
 QString shownNameOf(const QString &path);
+QString shownNameOf(const QStringList &paths);
 
-/// "results.csv, line 3, column 2 ("abc"): …". `file`: how it is to be called.
-QString sentenceOf(const ReadError &error, const QString &file);
+/// "results.csv, line 3, column 2 ("abc"): …". `files`: how they are to be called.
+QString sentenceOf(const ReadError &error, const QStringList &files);
 
-/// SHA-256 of the file's bytes, in hexadecimal; empty where they are no longer those that were read, as of a pipe.
-/// Reads the whole file: may run in any thread.
-QByteArray checksumOf(const Reference &reference);
+/// SHA-256 of each file's bytes, in hexadecimal; empty where they are no longer those that were read, as of a pipe.
+/// Reads the whole files: may run in any thread.
+QByteArrayList checksumsOf(const Reference &reference);
 
-/// The first lines of the file: enough to see how it is written, and for a preview. Empty where it cannot be read.
+/// The first lines of a file: enough to see how it is written, and for a preview. Empty where it cannot be read.
 QByteArray beginningOf(const QString &path);
+QByteArrayList beginningsOf(const QStringList &paths);
+
+/// What files of those names read as that hold these bytes.
+std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const QByteArrayList &bytes,
+                                                 const ReadOptions &options = {});
 
 /// How these bytes are written, whether or not the data are any good; no columns where they cannot be told apart.
 FileLayout layoutOf(const QByteArray &bytes);
+
+/// The same of the beginnings of those files; no columns either where one of them has none.
+FileLayout layoutOf(const QStringList &paths);
 
 } // namespace slidercrank

@@ -103,7 +103,11 @@ QJsonObject jsonOf(const ReferenceSource &reference, const QDir &folder)
                                    {QStringLiteral("channels"), channels},
                                    {QStringLiteral("amount"), convention.amount}};
     }
-    return {{QStringLiteral("file"), pathFrom(folder, reference.path)},
+    QJsonArray files;
+    for (const QString &path : reference.paths) {
+        files += pathFrom(folder, path);
+    }
+    return {{QStringLiteral("file"), files.size() == 1 ? files.first() : QJsonValue(files)},
             {QStringLiteral("columns"), columns},
             {QStringLiteral("conventions"), conventions}};
 }
@@ -246,11 +250,13 @@ Convention conventionOf(const ScenePart &part)
 ReferenceSource referenceOf(const ScenePart &part, const QDir &folder)
 {
     ReferenceSource reference;
-    const QString file = part.text("file");
-    if (file.isEmpty()) {
+    const QStringList files = part.texts("file");
+    if (files.isEmpty() || files.contains(QString())) {
         part.refuse("file", SceneText::tr("the name of a file"));
     }
-    reference.path = file.startsWith(u':') ? file : QDir::cleanPath(folder.absoluteFilePath(file));
+    for (const QString &file : files) {
+        reference.paths += file.startsWith(u':') ? file : QDir::cleanPath(folder.absoluteFilePath(file));
+    }
     for (const ScenePart &column : part.parts("columns")) {
         reference.columns.push_back(columnChoiceOf(column));
     }

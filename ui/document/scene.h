@@ -20,9 +20,10 @@
 //                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions": whether on show,
 //                                   "frame": null or [left, lower, right, upper]}} }                   mm
 //
-// Columns count from 1. The reference's file is relative to the scene's folder where it lies in or below it. What
-// decides the motion has to be there; the reference, what is kept and anything in the view may be missing. Keys that
-// are not known are kept, and written back.
+// Columns count from 1. The reference's file is relative to the scene's folder where it lies in or below it; where
+// several are joined, "file" is the list of them, and the columns count on from one to the next. What decides the
+// motion has to be there; the reference, what is kept and anything in the view may be missing. Keys that are not known
+// are kept, and written back.
 
 #include "core/mechanism/mechanism.h"
 #include "core/run/trajectory.h"

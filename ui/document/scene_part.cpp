@@ -101,6 +101,19 @@ QString ScenePart::text(const char *name) const
     return found ? found->toString() : QString();
 }
 
+QStringList ScenePart::texts(const char *name) const
+{
+    const std::optional<QJsonValue> found = value(name);
+    if (!found || !found->isArray()) {
+        return {text(name)};
+    }
+    QStringList texts;
+    for (const QJsonValue &each : found->toArray()) {
+        texts += each.toString();
+    }
+    return texts;
+}
+
 QJsonArray ScenePart::list(const char *name) const
 {
     const auto found = value(name, QJsonValue::Array, SceneText::tr("a list in brackets"));

@@ -56,6 +56,7 @@ public:
     int integer(const char *name, int largest) const; ///< from 1 on
     bool flag(const char *name, bool otherwise) const;
     QString text(const char *name) const;
+    QStringList texts(const char *name) const; ///< a text, or a list of them
     QJsonArray list(const char *name) const;
     ScenePart part(const char *name, bool mayLack = false) const;
     std::vector<ScenePart> parts(const char *name) const; ///< a list of objects

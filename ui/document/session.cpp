@@ -300,28 +300,33 @@ void Session::readAside(const Read &read, const std::function<void(const Reading
 
 void Session::loadReference(const QString &path)
 {
-    loadReference(path, nullptr);
+    loadReference(QStringList(path));
 }
 
-void Session::readColumnsAnew(const QString &path)
+void Session::loadReference(const QStringList &paths)
 {
-    const bool isOnShow = m_choices.reference && m_choices.reference->path == path;
-    loadReference(path, isOnShow ? m_choices.reference : nullptr);
+    loadReference(paths, nullptr);
 }
 
-void Session::loadReference(const QString &path, const std::shared_ptr<const Reference> &before)
+void Session::readColumnsAnew(const QStringList &paths)
 {
-    const auto read = [path, before](std::stop_token stop, const ReadOptions &options) {
-        const ReferenceSource source{path, rememberedChoices(layoutOf(beginningOf(path)), path), {}};
+    const bool isOnShow = m_choices.reference && m_choices.reference->paths == paths;
+    loadReference(paths, isOnShow ? m_choices.reference : nullptr);
+}
+
+void Session::loadReference(const QStringList &paths, const std::shared_ptr<const Reference> &before)
+{
+    const auto read = [paths, before](std::stop_token stop, const ReadOptions &options) {
+        const ReferenceSource source{paths, rememberedChoices(layoutOf(paths), paths), {}};
         Reading outcome = readReference(source, stop, options);
         if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome); reference && before) {
             *reference = withConventionsOf(*before, *reference);
         }
         return outcome;
     };
-    readAside(read, [this, path](const Reading &outcome) {
+    readAside(read, [this, paths](const Reading &outcome) {
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            emit referenceRefused(path, *sentence);
+            emit referenceRefused(paths, *sentence);
         } else {
             follow(std::get<std::shared_ptr<const Reference>>(outcome));
         }
@@ -334,7 +339,7 @@ void Session::readAbscissaAs(ColumnRole role)
     if (!before) {
         return;
     }
-    const ReferenceSource source{before->path, withAbscissaAs(role, *before), {}};
+    const ReferenceSource source{before->paths, withAbscissaAs(role, *before), {}};
     const auto read = [source, before](std::stop_token stop, const ReadOptions &options) {
         Reading outcome = readReference(source, stop, options);
         if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
@@ -344,11 +349,11 @@ void Session::readAbscissaAs(ColumnRole role)
     };
     readAside(read, [this, source](const Reading &outcome) {
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            emit referenceRefused(source.path, *sentence);
+            emit referenceRefused(source.paths, *sentence);
             return;
         }
         const auto &reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        rememberChoices(reference->data.layout, source.path, source.columns);
+        rememberChoices(reference->data.layout, source.paths, source.columns);
         follow(reference);
     });
 }
@@ -402,14 +407,14 @@ void Session::follow(const std::shared_ptr<const Reference> &reference)
     const Reading timed = timedBy(model, reference);
     const Reading timedBefore = timedBy(model, m_choices.reference);
     if (const QString *sentence = std::get_if<QString>(&timed)) {
-        emit referenceRefused(reference->path, *sentence);
+        emit referenceRefused(reference->paths, *sentence);
         return;
     }
     const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
     Choices choices = with(m_choices, &Choices::reference, reference);
     const std::shared_ptr<const Reference> &before = std::get<std::shared_ptr<const Reference>>(timedBefore);
-    const bool hasFollowed =
-        before && before->path == reference->path && m_choices.sampling == runOf(before->data.time, m_choices.sampling);
+    const bool hasFollowed = before && before->paths == reference->paths &&
+                             m_choices.sampling == runOf(before->data.time, m_choices.sampling);
     if (hasFollowed || !holds(m_choices.sampling, instants)) {
         choices.sampling = runOf(instants, m_choices.sampling);
     }

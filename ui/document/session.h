@@ -12,6 +12,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 
 #include <functional>
@@ -73,9 +74,12 @@ public slots:
     /// follows. What is on show stays until then. Where its instants lie outside the run, the run becomes the file's.
     void loadReference(const QString &path);
 
+    /// Of several files, a plot each, joined.
+    void loadReference(const QStringList &paths);
+
     /// The same for the file on show, whose columns a person chose anew; conventions applied stay as far as their
     /// columns do.
-    void readColumnsAnew(const QString &path);
+    void readColumnsAnew(const QStringList &paths);
 
     /// The same as it reads with its instants, or what stands in their place, taken for that: Time or CrankAngle. The
     /// choice is remembered as those of columns are.
@@ -115,7 +119,7 @@ signals:
     /// The run is about to become that of the reference, which is about to be loaded.
     void runFollows(const std::shared_ptr<const slidercrank::Reference> &reference,
                     const slidercrank::Sampling &sampling);
-    void referenceRefused(const QString &path, const QString &sentence); ///< what is on show stays
+    void referenceRefused(const QStringList &paths, const QString &sentence); ///< what is on show stays
     void opened(const QString &problem);                     ///< by open(); not empty: why it is without its reference
     void editedMeanwhile(const std::function<void()> &open); ///< open() is ready; its edits stay unless this is called
     void readingProgressed(double part);                     ///< 0 … 1 of the file being read
@@ -138,7 +142,7 @@ private:
     void readAside(const Read &read, const std::function<void(const Reading &)> &done);
 
     /// `before`: another reading of the file, whose conventions are to be kept; may be null.
-    void loadReference(const QString &path, const std::shared_ptr<const Reference> &before);
+    void loadReference(const QStringList &paths, const std::shared_ptr<const Reference> &before);
     void startWith(const Choices &choices, double seconds);
 
     void recompute();

@@ -146,13 +146,20 @@ QString originText(const ReportContent &content)
 /// Which bytes were read; the sample that comes with the program has no place of its own.
 QString identityText(const ReportContent &content)
 {
-    const QString &path = content.result->reference->path;
-    return Report::tr("File: %1\nSHA-256: %2")
-        .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
-             : isStandardInput(path) ? shownNameOf(path)
-                                     : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
-             content.checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or was changed since")
-                                        : QString::fromLatin1(content.checksum));
+    QStringList lines;
+    const QStringList &paths = content.result->reference->paths;
+    for (qsizetype i = 0; i < paths.size(); ++i) {
+        const QString &path = paths[i];
+        const QByteArray checksum = content.checksums.value(i);
+        lines << Report::tr("File: %1\nSHA-256: %2")
+                     .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
+                          : isStandardInput(path) ? shownNameOf(path)
+                                                  : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
+                          checksum.isEmpty()
+                              ? Report::tr("unknown: the file cannot be read again, or was changed since")
+                              : QString::fromLatin1(checksum));
+    }
+    return lines.join(u'\n');
 }
 
 QString guessedText(const FileLayout &layout)
@@ -177,7 +184,7 @@ QString leftOutText(const ReferenceData &data)
     QStringList parts;
     if (!data.skipped.empty()) {
         parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
-                     .arg(countText(data.skippedRowCount()), countText(data.skipped.front().line),
+                     .arg(countText(data.skippedRowCount()), lineText(data.layout, data.skipped.front()),
                           QString::fromStdString(data.skipped.front().text), reasonOf(data.skipped.front()));
     }
     if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {

@@ -8,7 +8,7 @@
 #include "core/diagnosis/diagnosis.h"
 #include "ui/document/result.h"
 
-#include <QByteArray>
+#include <QByteArrayList>
 #include <QDateTime>
 #include <QString>
 #include <QStringList>
@@ -23,7 +23,7 @@ struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null; its reference may be
     Diagnosis diagnosis;                  ///< of the reference against the mechanism; without one, of no meaning
     bool hasGhost = false;                ///< the drawing shows the file's linkage, too
-    QByteArray checksum = {};             ///< of the reference's file, in hexadecimal; empty: there is none
+    QByteArrayList checksums = {};        ///< of the reference's files, in hexadecimal; empty: there is none
     QDateTime written = QDateTime::currentDateTime();
 };
 

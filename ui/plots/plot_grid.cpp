@@ -630,7 +630,7 @@ bool PlotGrid::event(QEvent *event)
     if (event->type() == QEvent::ToolTip && m_figure.result && m_figure.result->reference) {
         const auto *help = static_cast<QHelpEvent *>(event);
         if (help->pos().y() < m_typography.legendHeight()) { // the name may be elided there
-            QToolTip::showText(help->globalPos(), m_figure.result->reference->path, this);
+            QToolTip::showText(help->globalPos(), m_figure.result->reference->paths.join(u'\n'), this);
             return true;
         }
     }

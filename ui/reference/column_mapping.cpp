@@ -121,11 +121,6 @@ int meaningOf(ColumnRole role, Channel channel)
     return kIgnored;
 }
 
-std::variant<ReferenceData, ReadError> readWith(const QByteArray &bytes, const std::vector<ColumnChoice> &choices)
-{
-    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, {choices, {}});
-}
-
 FileLayout layoutIn(const std::variant<ReferenceData, ReadError> &outcome)
 {
     const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
@@ -170,6 +165,15 @@ void fillMeanings(QComboBox &combo)
         }
     }
     combo.setMaxVisibleItems(16);
+}
+
+QStringList namesOf(const QStringList &paths)
+{
+    QStringList names;
+    for (const QString &path : paths) {
+        names += QFileInfo(path).fileName();
+    }
+    return names;
 }
 
 /// The units that a column of that meaning may have; the first entry is the file's own.
@@ -219,15 +223,14 @@ QString firstValues(const FileLayout &layout, std::size_t column)
 
 } // namespace
 
-ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, QWidget *parent)
+ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beginnings, QWidget *parent)
     : QDialog(parent)
-    , m_path(path)
-    , m_beginning(beginning)
+    , m_paths(paths)
+    , m_beginnings(beginnings)
 {
     setObjectName(QStringLiteral("columnMapping"));
-    const QString name = QFileInfo(path).fileName();
-    setWindowTitle(tr("Columns of %1").arg(name));
-    m_layout = layoutIn(readWith(beginning, {}));
+    setWindowTitle(tr("Columns of %1").arg(namesOf(paths).join(QStringLiteral(", "))));
+    m_layout = layoutIn(readWith({}));
     m_rows.resize(m_layout.columns.size());
 
     auto *purpose = new QLabel(tr("Say what the columns are; the choice is remembered for files with the same "
@@ -262,7 +265,7 @@ ColumnMapping::ColumnMapping(const QString &path, const QByteArray &beginning, Q
     constexpr int kAround = 40; // of the screen, at least
     resize(std::min(kRoom, screen()->availableGeometry().width() - kAround), 600);
 
-    for (const ColumnChoice &choice : rememberedChoices(m_layout, path)) {
+    for (const ColumnChoice &choice : rememberedChoices(m_layout, paths)) {
         Row &row = m_rows[choice.column];
         const QSignalBlocker meaningBlocker(row.meaning);
         const QSignalBlocker unitBlocker(row.unit);
@@ -331,6 +334,11 @@ QWidget *ColumnMapping::createRows()
     return scroll;
 }
 
+std::variant<ReferenceData, ReadError> ColumnMapping::readWith(const std::vector<ColumnChoice> &choices) const
+{
+    return readBytes(m_paths, m_beginnings, {choices, {}});
+}
+
 std::vector<ColumnChoice> ColumnMapping::choices() const
 {
     std::vector<ColumnChoice> choices;
@@ -377,7 +385,7 @@ void ColumnMapping::guessAnew()
 
 void ColumnMapping::readAgain()
 {
-    m_outcome = readWith(m_beginning, choices());
+    m_outcome = readWith(choices());
     if (const ReferenceData *fit = std::get_if<ReferenceData>(&m_outcome)) {
         m_layout = fit->layout; // else the other columns stay as they were: the reader may not have come to them
     }
@@ -410,7 +418,7 @@ void ColumnMapping::showPreview()
     m_caption->clear();
     m_preview->setCurve({}, {});
     if (error) {
-        m_problem->setText(sentenceOf(*error, QFileInfo(m_path).fileName()));
+        m_problem->setText(sentenceOf(*error, namesOf(m_paths)));
         setInk(*m_problem, seriesColours(palette()).warning);
     }
     if (m_current >= m_rows.size()) {
@@ -458,7 +466,7 @@ void ColumnMapping::previewIgnored()
     std::vector<ColumnChoice> choices = this->choices();
     std::erase_if(choices, [this](const ColumnChoice &choice) { return choice.column == m_current; });
     choices.push_back({m_current, ColumnRole::Channel, any, "mm"});
-    const std::variant<ReferenceData, ReadError> outcome = readWith(m_beginning, choices);
+    const std::variant<ReferenceData, ReadError> outcome = readWith(choices);
     const ReferenceData *read = std::get_if<ReferenceData>(&outcome);
     if (const ReferenceSeries *series = read ? read->find(any) : nullptr) {
         const ValueRange range = rangeOf(series->values);
@@ -493,9 +501,9 @@ void ColumnMapping::accept()
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].chosen = m_rows[i].chosen || isGuess(m_layout.columns[i].reason);
     }
-    rememberChoices(m_layout, m_path, choices());
+    rememberChoices(m_layout, m_paths, choices());
     QDialog::accept();
-    emit chosen(m_path);
+    emit chosen(m_paths);
 }
 
 } // namespace slidercrank

@@ -7,8 +7,9 @@
 
 #include "core/reading/reference_data.h"
 
-#include <QByteArray>
+#include <QByteArrayList>
 #include <QDialog>
+#include <QStringList>
 
 #include <variant>
 #include <vector>
@@ -27,14 +28,14 @@ class ColumnMapping : public QDialog
     Q_OBJECT
 
 public:
-    /// `beginning`: the first bytes of the file.
-    ColumnMapping(const QString &path, const QByteArray &beginning, QWidget *parent = nullptr);
+    /// `beginnings`: the first bytes of the file, or of each of several that are joined.
+    ColumnMapping(const QStringList &paths, const QByteArrayList &beginnings, QWidget *parent = nullptr);
 
     void accept() override;
 
 signals:
     /// The choice is in the settings: the file is to be read again.
-    void chosen(const QString &path);
+    void chosen(const QStringList &paths);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -48,6 +49,7 @@ private:
     };
 
     QWidget *createRows();
+    std::variant<ReferenceData, ReadError> readWith(const std::vector<ColumnChoice> &choices) const;
     std::vector<ColumnChoice> choices() const; ///< of the rows that the person chose
     void choose(std::size_t row);
     void guessAnew();
@@ -56,8 +58,8 @@ private:
     void showPreview();
     void previewIgnored();
 
-    QString m_path;
-    QByteArray m_beginning;
+    QStringList m_paths;
+    QByteArrayList m_beginnings;
     FileLayout m_layout; ///< with the choices
     std::variant<ReferenceData, ReadError> m_outcome;
     std::vector<Row> m_rows;

@@ -278,10 +278,11 @@ void ReferencePanel::showName()
     if (!m_reference) {
         return;
     }
-    const bool onDisk = !m_reference->path.startsWith(QLatin1String(":/")); // the sample is in the program
-    const QString path = onDisk ? QDir::toNativeSeparators(m_reference->path) : m_reference->name;
-    m_name->setText(m_name->fontMetrics().elidedText(path, Qt::ElideLeft, m_name->width()));
-    m_name->setToolTip(path);
+    const QStringList &paths = m_reference->paths;
+    const bool onDisk = !paths.first().startsWith(QLatin1String(":/")); // the sample is in the program
+    const QString name = onDisk && paths.size() == 1 ? shownNameOf(paths) : m_reference->name;
+    m_name->setText(m_name->fontMetrics().elidedText(name, Qt::ElideLeft, m_name->width()));
+    m_name->setToolTip(onDisk ? QDir::toNativeSeparators(paths.join(u'\n')) : name);
 }
 
 void ReferencePanel::showAbscissa()
@@ -347,8 +348,8 @@ void ReferencePanel::fillSkipped()
         ->setText(tr("Rows left out (%1)").arg(countText(m_reference->data.skippedRowCount())));
     std::vector<TableRow> rows;
     for (const SkippedRow &row : m_reference->data.skipped) {
-        rows.push_back(
-            rowOfTexts({numberOf(row.line), numberOf(row.column), QString::fromUtf8(row.text), reasonOf(row)}));
+        rows.push_back(rowOfTexts({lineText(m_reference->data.layout, row), numberOf(row.column),
+                                   QString::fromUtf8(row.text), reasonOf(row)}));
     }
     m_skipped->setRows(std::move(rows));
     m_skipped->fitToContents(kAir, kAir);

@@ -146,7 +146,7 @@ void Exports::writeReport(const QString &path)
         if (!isKnown) {
             content->diagnosis = diagnose(reference.data, content->result->mechanism, stop);
         }
-        content->checksum = checksumOf(reference);
+        content->checksums = checksumsOf(reference);
         return std::nullopt;
     };
     writeAside(path, prepareAside, write);

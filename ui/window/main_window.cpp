@@ -52,9 +52,14 @@ constexpr int kPanelHeight = 230;     // px: the table of six channels with its 
 
 const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
 
-QString droppedFile(const QDropEvent &event)
+QStringList droppedFiles(const QDropEvent &event)
 {
-    return event.mimeData()->urls().value(0).toLocalFile();
+    QStringList paths;
+    for (const QUrl &url : event.mimeData()->urls()) {
+        paths += url.toLocalFile();
+    }
+    paths.removeAll(QString()); // what is not on this machine
+    return paths;
 }
 
 /// To the left the mechanism and the hands on it, to the right the plots above the tabs.
@@ -135,15 +140,15 @@ void MainWindow::connectDocument()
     connect(m_session, &Session::resultChanged, this, &MainWindow::showResult);
     connect(m_session, &Session::referenceLoaded, this, [this](const std::shared_ptr<const Reference> &reference) {
         showTitle();
-        if (reference && reference->path != kSamplePath) {
-            rememberFile(kRecentReferences, QFileInfo(reference->path).absoluteFilePath());
+        if (reference && reference->paths != QStringList(kSamplePath)) {
+            rememberReference(sourceOf(*reference).paths);
         }
         if (reference) {
-            askWhereNothingTells(reference->path, reference->data.layout);
+            askWhereNothingTells(reference->paths, reference->data.layout);
         }
     });
     connect(m_session, &Session::referenceRefused, this,
-            [this](const QString &path) { askWhereNothingTells(path, layoutOf(beginningOf(path))); });
+            [this](const QStringList &paths) { askWhereNothingTells(paths, layoutOf(paths)); });
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
 
     connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
@@ -301,7 +306,7 @@ QWidget *MainWindow::makeReferencePanel()
     follow(&Session::diagnosisChanged, panel, &ReferencePanel::setDiagnosis, m_session->diagnosis());
     connect(panel, &ReferencePanel::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(panel, &ReferencePanel::openSampleRequested, this, &MainWindow::openSample);
-    connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->path); });
+    connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->paths); });
     connect(panel, &ReferencePanel::abscissaRequested, m_session, &Session::readAbscissaAs);
     connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
     connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
@@ -356,28 +361,38 @@ void MainWindow::showWithinScreen()
     show();
 }
 
-void MainWindow::openFile(const QString &path)
+void MainWindow::openFiles(const QStringList &paths)
 {
-    if (isNamedAsScene(path)) {
-        m_scene->open(path);
+    const auto scene = std::ranges::find_if(paths, isNamedAsScene);
+    if (scene == paths.end()) {
+        openReference(paths);
+    } else if (paths.size() == 1) {
+        m_scene->open(*scene);
     } else {
-        openReference(path);
+        m_messages->tellProblem(tr("%1 is a scene: open it by itself, and files of one motion together.")
+                                    .arg(QFileInfo(*scene).fileName()));
     }
+}
+
+void MainWindow::openReference(const QStringList &paths)
+{
+    m_asked = paths;
+    m_asked.sort(); // in whatever order they were picked
+    m_session->loadReference(m_asked);
 }
 
 void MainWindow::openReference(const QString &path)
 {
-    m_asked = path;
-    m_session->loadReference(path);
+    openReference(QStringList(path));
 }
 
 /// Names that differ only in what they belong to: the person who opened the file knows.
-void MainWindow::askWhereNothingTells(const QString &path, const FileLayout &layout)
+void MainWindow::askWhereNothingTells(const QStringList &paths, const FileLayout &layout)
 {
-    const bool isAsked = path == m_asked && layout.isOpen();
+    const bool isAsked = paths == m_asked && layout.isOpen();
     m_asked.clear();
     if (isAsked) {
-        chooseColumns(path);
+        chooseColumns(paths);
     }
 }
 
@@ -388,22 +403,22 @@ void MainWindow::openSample()
 
 void MainWindow::chooseReference()
 {
-    const QStringList recent = recentFiles(kRecentReferences);
-    const QString folder = recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.first()).absolutePath();
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open reference"), folder,
+    const QList<QStringList> recent = recentReferences();
+    const QString folder = recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.first().first()).absolutePath();
+    const QStringList paths = QFileDialog::getOpenFileNames(
+        this, tr("Open reference: one file, or the plots of one motion together"), folder,
         tr("Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)"));
-    if (!path.isEmpty()) {
-        openReference(path);
+    if (!paths.isEmpty()) {
+        openReference(paths);
     }
 }
 
-void MainWindow::chooseColumns(const QString &path)
+void MainWindow::chooseColumns(const QStringList &paths)
 {
     if (auto *open = findChild<ColumnMapping *>()) {
         open->close();
     }
-    auto *dialog = new ColumnMapping(path, beginningOf(path), this);
+    auto *dialog = new ColumnMapping(paths, beginningsOf(paths), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &ColumnMapping::chosen, m_session, &Session::readColumnsAnew);
     dialog->show();
@@ -453,16 +468,16 @@ void MainWindow::closeEvent(QCloseEvent *event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 {
-    if (!droppedFile(*event).isEmpty()) {
+    if (!droppedFiles(*event).isEmpty()) {
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent *event)
 {
-    if (const QString path = droppedFile(*event); !path.isEmpty()) {
+    if (const QStringList paths = droppedFiles(*event); !paths.isEmpty()) {
         event->acceptProposedAction();
-        openFile(path);
+        openFiles(paths);
     }
 }
 

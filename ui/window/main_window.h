@@ -38,8 +38,9 @@ public:
     void showWithinScreen();
 
 public slots:
-    /// A scene where it is named as one, else a reference.
-    void openFile(const QString &path);
+    /// A scene where it is named as one, else a reference; several files are joined.
+    void openFiles(const QStringList &paths);
+    void openReference(const QStringList &paths);
     void openReference(const QString &path);
     void openSample();
     void chooseReference();
@@ -69,8 +70,8 @@ private:
     QWidget *makeStudyPanel();
     QWidget *makeLimitsPanel();
 
-    void chooseColumns(const QString &path); ///< of that file
-    void askWhereNothingTells(const QString &path, const FileLayout &layout);
+    void chooseColumns(const QStringList &paths); ///< of those files
+    void askWhereNothingTells(const QStringList &paths, const FileLayout &layout);
     void showTitle();
     void showResult(const std::shared_ptr<const Result> &result);
     void foldWhereLow();
@@ -83,7 +84,7 @@ private:
     Messages *m_messages;
     StatusBar *m_status;
     Recovery *m_recovery;
-    QString m_asked;             ///< the file that a person opened, until it is read or refused
+    QStringList m_asked;         ///< what a person opened, until it is read or refused
     bool m_isLeaving = false;    ///< what would be lost was asked about
     bool m_foldedByHand = false; ///< the person chose; a resize no longer does
 };

@@ -100,6 +100,7 @@ void Menus::addFile()
     file->addAction(tr("Open sc&ene…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), scene,
                     &SceneFile::chooseAndOpen);
     QMenu *recent = file->addMenu(tr("Open &recent"));
+    recent->setObjectName(QStringLiteral("recentMenu"));
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     file->addAction(tr("Open the samp&le"), &m_window, &MainWindow::openSample);
     QAction *closeReference = file->addAction(tr("&Close reference"), QKeySequence::Close, this,
@@ -130,8 +131,10 @@ void Menus::fillRecent(QMenu *menu)
         menu->addAction(QDir::toNativeSeparators(path), this, [this, path] { m_window.scene().open(path); });
     }
     menu->addSeparator();
-    for (const QString &path : recentFiles(kRecentReferences)) {
-        menu->addAction(QDir::toNativeSeparators(path), this, [this, path] { m_window.openReference(path); });
+    for (const QStringList &paths : recentReferences()) {
+        const QString first = QDir::toNativeSeparators(paths.first());
+        menu->addAction(paths.size() == 1 ? first : tr("%1 and %2 more").arg(first, QString::number(paths.size() - 1)),
+                        this, [this, paths] { m_window.openReference(paths); });
     }
     if (menu->isEmpty()) {
         menu->addAction(tr("No file yet"))->setEnabled(false);

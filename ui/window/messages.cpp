@@ -100,13 +100,13 @@ void Messages::tellRefusal(const QString &sentence)
     tellProblem(sentence);
 }
 
-void Messages::tellRefused(const QString &path, const QString &sentence)
+void Messages::tellRefused(const QStringList &paths, const QString &sentence)
 {
-    if (layoutOf(beginningOf(path)).columns.empty()) {
+    if (layoutOf(paths).columns.empty()) {
         tellProblem(sentence);
     } else { // which of them is what may help
         m_bar->showMessage(MessageBar::Kind::Problem, sentence, tr("Choose columns…"),
-                           [this, path] { emit columnsRequested(path); });
+                           [this, paths] { emit columnsRequested(paths); });
     }
 }
 
@@ -140,7 +140,7 @@ void Messages::announceReading()
                          : tr("The names in %1 do not tell what all of its columns are: some are guessed."))
                 .arg(reference->name);
         m_bar->showMessage(MessageBar::Kind::Hint, (runSentence() + u' ' + sentence).trimmed(), tr("Choose columns…"),
-                           [this] { emit columnsRequested(m_session->reference()->path); });
+                           [this] { emit columnsRequested(m_session->reference()->paths); });
     }
 }
 

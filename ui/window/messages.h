@@ -40,7 +40,7 @@ public slots:
 signals:
     void openReferenceRequested();
     void openSampleRequested();
-    void columnsRequested(const QString &path); ///< of that file
+    void columnsRequested(const QStringList &paths); ///< of that file
     void errorsRequested();
 
 private:
@@ -51,7 +51,7 @@ private:
     void tellDifferenceAnew();
     void followResult();
     void tellRefusal(const QString &sentence);
-    void tellRefused(const QString &path, const QString &sentence);
+    void tellRefused(const QStringList &paths, const QString &sentence);
     QString runSentence() const;
 
     Session *m_session;

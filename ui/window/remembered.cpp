@@ -23,6 +23,8 @@ namespace
 
 constexpr int kMostRecentFiles = 8;
 
+const QString kJoined = QStringLiteral("\x1f"); // between the paths of files that are joined: they hold none
+
 const QString kTheme = QStringLiteral("theme");
 const QString kLayout = QStringLiteral("layout");
 const QString kWindow = QStringLiteral("window");
@@ -57,6 +59,20 @@ void rememberFile(const QString &kind, const QString &path)
     paths.removeAll(path);
     paths.prepend(path);
     remember({{kind, paths.mid(0, kMostRecentFiles)}});
+}
+
+QList<QStringList> recentReferences()
+{
+    QList<QStringList> references;
+    for (const QString &paths : recentFiles(kRecentReferences)) {
+        references += paths.split(kJoined);
+    }
+    return references;
+}
+
+void rememberReference(const QStringList &paths)
+{
+    rememberFile(kRecentReferences, paths.join(kJoined));
 }
 
 Theme chosenTheme()

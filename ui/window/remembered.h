@@ -27,6 +27,10 @@ inline const QString kRecentReferences = QStringLiteral("recentReferences");
 QStringList recentFiles(const QString &kind);
 void rememberFile(const QString &kind, const QString &path);
 
+/// The same of references, which may be several files, joined.
+QList<QStringList> recentReferences();
+void rememberReference(const QStringList &paths);
+
 Theme chosenTheme();
 void rememberTheme(Theme theme);
 

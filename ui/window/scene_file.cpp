@@ -92,7 +92,7 @@ void SceneFile::askThen(const std::function<void()> &goOn)
     question->open();
 }
 
-void SceneFile::open(const QString &path, const QString &reference)
+void SceneFile::open(const QString &path, const QStringList &reference)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     if (const QFileInfo file(absolute); file.exists() && !file.isFile() && !file.isDir()) {

@@ -40,8 +40,8 @@ public:
     void restore(const Scene &scene, const QString &path, const std::function<void()> &goOn);
 
 public slots:
-    /// Asks about unsaved changes first. With a reference, that file instead of the scene's own.
-    void open(const QString &path, const QString &reference = {});
+    /// Asks about unsaved changes first. With a reference, that instead of the scene's own.
+    void open(const QString &path, const QStringList &reference = {});
     void chooseAndOpen();
 
     /// Asks for a name where there is none yet; then goes on once it is saved.

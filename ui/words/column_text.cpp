@@ -38,6 +38,13 @@ QString delimiterText(char delimiter)
     }
 }
 
+/// With the name of the file, where there are several.
+QString ofFile(const QString &text, const FileLayout &layout, std::size_t file)
+{
+    return file < layout.files.size() ? ColumnText::tr("%1 (%2)").arg(text, QString::fromUtf8(layout.files[file]))
+                                      : text;
+}
+
 /// Of the column that the reason speaks of.
 QString otherHeading(const FileLayout &layout, std::size_t column)
 {
@@ -49,15 +56,23 @@ QString otherHeading(const FileLayout &layout, std::size_t column)
 
 QString headingText(const FileLayout &layout, std::size_t column)
 {
-    const QString heading = QString::fromUtf8(layout.columns[column].heading);
-    return heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading;
+    const FileColumn &of = layout.columns[column];
+    const QString heading = QString::fromUtf8(of.heading);
+    return ofFile(heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading, layout, of.file);
+}
+
+QString lineText(const FileLayout &layout, const SkippedRow &row)
+{
+    return row.line == 0 ? QString() : ofFile(QString::number(row.line), layout, row.file);
 }
 
 QStringList ignoredHeadings(const FileLayout &layout)
 {
     QStringList headings;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        if (layout.columns[i].role == ColumnRole::Ignored) {
+        const FileColumn &column = layout.columns[i];
+        const bool isOfJoined = !layout.files.empty() && column.reason == ColumnReason::SameInstants;
+        if (column.role == ColumnRole::Ignored && !isOfJoined) {
             headings += headingText(layout, i);
         }
     }
@@ -204,6 +219,9 @@ QString roundingText(const Rounding &rounding)
 
 QString formText(const FileLayout &layout)
 {
+    if (!layout.files.empty()) {
+        return ColumnText::tr("%1 files of one motion, joined").arg(layout.files.size());
+    }
     QStringList parts{encodingText(layout), delimiterText(layout.delimiter),
                       layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
                                                                : ColumnText::tr("decimal comma"),

@@ -11,8 +11,11 @@
 namespace slidercrank
 {
 
-/// As printed; "column 3" where nothing is.
+/// As printed; "column 3" where nothing is; "Value (b.csv)" where several files are joined.
 QString headingText(const FileLayout &layout, std::size_t column);
+
+/// Where the row stands: "12", or "12 (b.csv)" where several files are joined.
+QString lineText(const FileLayout &layout, const SkippedRow &row);
 
 /// Of the columns that mean no channel, or hold no number.
 QStringList ignoredHeadings(const FileLayout &layout);

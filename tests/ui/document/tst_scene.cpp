@@ -90,9 +90,11 @@ ReferenceSource randomReference(RandomMechanisms &random, const QString &folder)
 {
     using Kind = Convention::Kind;
     ReferenceSource reference;
-    reference.path =
-        oneOf(random, {folder + QStringLiteral("/results.csv"), folder + QStringLiteral("/a b/ñ \"2\".csv"),
-                       QStringLiteral("/elsewhere/results.csv"), QStringLiteral(":/data/inventor_sample.csv")});
+    for (std::size_t files = oneOf(random, {1, 1, 3}); files > 0; --files) {
+        reference.paths +=
+            oneOf(random, {folder + QStringLiteral("/results.csv"), folder + QStringLiteral("/a b/ñ \"2\".csv"),
+                           QStringLiteral("/elsewhere/results.csv"), QStringLiteral(":/data/inventor_sample.csv")});
+    }
     for (std::size_t column = 0; column < 3; ++column) {
         ColumnChoice choice;
         choice.column = column * 7;
@@ -159,7 +161,7 @@ Choices choicesOf(const Scene &scene)
 QByteArray sceneWith(const QString &place, const QJsonValue &value)
 {
     Scene scene;
-    scene.reference = ReferenceSource{QStringLiteral("/data/results.csv"), {ColumnChoice{}}, {Convention{}}};
+    scene.reference = ReferenceSource{{QStringLiteral("/data/results.csv")}, {ColumnChoice{}}, {Convention{}}};
     scene.zoom.time = Interval{0.25, 0.5};
     QJsonObject whole = QJsonDocument::fromJson(jsonOf(scene, QStringLiteral("/data/scene.json"))).object();
     const QStringList keys = place.split(u'.');
@@ -214,7 +216,7 @@ private slots:
             QVERIFY(back.mechanismFrame == scene.mechanismFrame);
             QCOMPARE(back.reference.has_value(), scene.reference.has_value());
             if (scene.reference) {
-                QCOMPARE(back.reference->path, scene.reference->path);
+                QCOMPARE(back.reference->paths, scene.reference->paths);
                 QVERIFY(back.reference->conventions == scene.reference->conventions);
                 QCOMPARE(back.reference->columns.size(), scene.reference->columns.size());
                 for (std::size_t column = 0; column < scene.reference->columns.size(); ++column) {
@@ -307,7 +309,7 @@ private slots:
     {
         const QTemporaryDir folder;
         ReferenceSource source;
-        source.path = writeFile(folder.filePath(QStringLiteral("two.csv")), "t,first,second\n0,85,1\n0.5,45,2\n");
+        source.paths = {writeFile(folder.filePath(QStringLiteral("two.csv")), "t,first,second\n0,85,1\n0.5,45,2\n")};
         source.columns = {{1, ColumnRole::Channel, {R4x, Order::Position}, "m"}};
         Scene scene;
         scene.reference = source;
@@ -330,11 +332,11 @@ private slots:
         const QTemporaryDir folder;
         QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("before/data")));
         Scene scene;
-        scene.reference = ReferenceSource{folder.filePath(QStringLiteral("before/data/results.csv")), {}, {}};
+        scene.reference = ReferenceSource{{folder.filePath(QStringLiteral("before/data/results.csv"))}, {}, {}};
         QCOMPARE(writeScene(scene, folder.filePath(QStringLiteral("before/scene.json"))), std::nullopt);
         QVERIFY(QDir(folder.path()).rename(QStringLiteral("before"), QStringLiteral("after")));
         const Scene back = std::get<Scene>(readScene(folder.filePath(QStringLiteral("after/scene.json"))));
-        QCOMPARE(back.reference->path, folder.filePath(QStringLiteral("after/data/results.csv")));
+        QCOMPARE(back.reference->paths, QStringList(folder.filePath(QStringLiteral("after/data/results.csv"))));
     }
 
     void opensWithoutAReferenceThatIsGone()
@@ -344,7 +346,7 @@ private slots:
         QSignalSpy opened(&session, &Session::opened);
         Choices choices;
         choices.parameters.b = 70.0;
-        session.open(choices, 0.5, ReferenceSource{QStringLiteral("/nowhere/results.csv"), {}, {}});
+        session.open(choices, 0.5, ReferenceSource{{QStringLiteral("/nowhere/results.csv")}, {}, {}});
         QVERIFY(opened.wait(kPatience));
         QVERIFY(opened.first().first().toString().contains(QLatin1String("results.csv")));
         QCOMPARE(session.parameters().b, 70.0);
@@ -403,9 +405,9 @@ private slots:
             QVERIFY(scene.zoom.time && scene.zoom.time->lower > 0.05 && scene.zoom.time->upper < 0.95);
             QCOMPARE(scene.time, 0.01);
             QVERIFY(scene.reference);
-            QCOMPARE(scene.reference->path, folder.filePath(QStringLiteral("inventor_sample.csv")));
+            QCOMPARE(scene.reference->paths, QStringList(folder.filePath(QStringLiteral("inventor_sample.csv"))));
 
-            scene.reference->path = kSample;
+            scene.reference->paths = {kSample};
             Session session;
             QSignalSpy opened(&session, &Session::opened);
             session.open({scene.parameters, scene.sampling, scene.solver, nullptr}, scene.time, scene.reference);

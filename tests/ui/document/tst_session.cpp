@@ -195,7 +195,7 @@ private slots:
         Choices saved;
         saved.sampling = {0.0, 2.0, 40};
         QSignalSpy opened(&session, &Session::opened);
-        session.open(saved, 1.0, ReferenceSource{path, {}, {}});
+        session.open(saved, 1.0, ReferenceSource{{path}, {}, {}});
         QVERIFY(opened.wait(kPatience));
         QVERIFY(session.reference());
         QCOMPARE(session.sampling(), saved.sampling);
@@ -276,7 +276,7 @@ private slots:
         session.setParameters(parameters);
         QCOMPARE(session.parameters(), parameters);
         QSignalSpy refused(&session, &Session::referenceRefused);
-        session.loadReference(chosen->path);
+        session.loadReference(chosen->paths);
         AWAIT(refused.count() == 1);
         QVERIFY(!session.reference());
     }
@@ -543,7 +543,7 @@ private slots:
     void aStepKeepsItsNameInAnotherLanguage()
     {
         Session session;
-        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference(kSample)));
+        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference({{kSample}, {}, {}})));
         AWAIT(session.diagnosis());
         session.takeOver();
         const QString name = session.undoStack().undoText();
@@ -556,7 +556,7 @@ private slots:
     {
         Session session;
         QSignalSpy busy(&session, &Session::busyChanged);
-        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference(kSample)));
+        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference({{kSample}, {}, {}})));
         letTimePass(session);
         QCOMPARE(busy.count(), 1); // it is being searched
         session.cancel();

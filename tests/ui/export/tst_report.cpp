@@ -22,7 +22,7 @@ const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sa
 
 std::shared_ptr<const Reference> sampleFile()
 {
-    const auto outcome = readReference(kSample);
+    const auto outcome = readReference({{kSample}, {}, {}});
     const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
     return reference ? *reference : nullptr;
 }
@@ -137,19 +137,19 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("time,Linear Displacement1 (mm),theta3\n0,80,22.6\n0.01,80.3,21.5\n0.02,80.5,20.5\n");
         file.close();
-        const auto outcome = readReference(path);
+        const auto outcome = readReference({{path}, {}, {}});
         const auto reference = std::get<std::shared_ptr<const Reference>>(outcome);
         // As `sha256sum` has it.
-        QCOMPARE(checksumOf(*reference),
+        QCOMPARE(checksumsOf(*reference).value(0),
                  QByteArray("5a0472220eeedb4db32514e7d5c80640911f2d532411f7cf10adae6d081235b0"));
         ReportContent content = contentWith(65.0, reference);
-        content.checksum = checksumOf(*reference);
+        content.checksums = checksumsOf(*reference);
         content.written = QDateTime({2024, 5, 17}, {9, 41, 5}, Qt::UTC);
         QString text = allText(reportOf(content));
         QVERIFY2(text.contains("17 May 2024 09:41:05"), qPrintable(text));
         QVERIFY(text.contains(QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion()));
         QVERIFY(text.contains("File: " + QDir::toNativeSeparators(path) + '\n'));
-        QVERIFY(text.contains("SHA-256: " + QString::fromLatin1(content.checksum)));
+        QVERIFY(text.contains("SHA-256: " + QString::fromLatin1(content.checksums.first())));
         QVERIFY2(text.contains("Columns guessed: “Linear Displacement1 (mm)” as slider position Rₓ⁴ (guessed by its "
                                "name)."),
                  qPrintable(text));
@@ -158,8 +158,8 @@ private slots:
         QVERIFY(file.open(QIODevice::Append));
         file.write("0.03,80.7,19.5\n"); // no longer what was read
         file.close();
-        QCOMPARE(checksumOf(*reference), QByteArray());
-        content.checksum.clear();
+        content.checksums = checksumsOf(*reference);
+        QCOMPARE(content.checksums, QByteArrayList{QByteArray()});
         text = allText(reportOf(content));
         QVERIFY2(text.contains("SHA-256: unknown: the file cannot be read again, or was changed since"),
                  qPrintable(text));

@@ -58,7 +58,7 @@ std::shared_ptr<Reference> referenceOf(const Parameters &parameters, std::size_t
     const std::shared_ptr<const Result> result = resultOf(parameters, 50);
     auto reference = std::make_shared<Reference>();
     reference->name = QStringLiteral("simulation.csv");
-    reference->path = QStringLiteral("/folder/simulation.csv");
+    reference->paths = {QStringLiteral("/folder/simulation.csv")};
     reference->data.time = result->trajectory.time;
     for (std::size_t i = 0; i < channels; ++i) {
         reference->data.series.push_back({kPlottedChannels[i], result->trajectory[kPlottedChannels[i]], {}});

@@ -45,7 +45,7 @@ class Dialog
 {
 public:
     explicit Dialog(const QByteArray &bytes, const QString &path = QStringLiteral("/a/results.csv"))
-        : m_mapping(path, bytes)
+        : m_mapping({path}, {bytes})
         , m_spy(&m_mapping, &ColumnMapping::chosen)
     {
         m_mapping.show();
@@ -95,7 +95,7 @@ private:
 
 std::vector<ColumnChoice> remembered(const QByteArray &bytes, const QString &path = QStringLiteral("/a/results.csv"))
 {
-    return rememberedChoices(layoutOf(bytes), path);
+    return rememberedChoices(layoutOf(bytes), {path});
 }
 
 } // namespace
@@ -247,9 +247,9 @@ private slots:
         const QByteArray bytes = "0,20,75\n1,21,74\n2,22,73\n";
         const FileLayout layout = layoutOf(bytes);
         QCOMPARE(layout.columns.size(), std::size_t(3));
-        rememberChoices(layout, QStringLiteral("/a/one.csv"), {{1, ColumnRole::Channel, kTheta3, "rad"}});
-        QCOMPARE(rememberedChoices(layout, QStringLiteral("/a/one.csv")).size(), std::size_t(1));
-        QVERIFY(rememberedChoices(layout, QStringLiteral("/a/two.csv")).empty());
+        rememberChoices(layout, {QStringLiteral("/a/one.csv")}, {{1, ColumnRole::Channel, kTheta3, "rad"}});
+        QCOMPARE(rememberedChoices(layout, {QStringLiteral("/a/one.csv")}).size(), std::size_t(1));
+        QVERIFY(rememberedChoices(layout, {QStringLiteral("/a/two.csv")}).empty());
     }
 
     void whatCannotBeIsToldAndNotUsed()
@@ -346,10 +346,10 @@ private slots:
         session.apply({Convention::Kind::TimeShift, {}, 0.5});
         QCOMPARE(session.reference()->conventions.size(), std::size_t(3));
 
-        rememberChoices(layoutOf(beginningOf(path)), path,
+        rememberChoices(layoutOf(QStringList(path)), {path},
                         {{2, ColumnRole::Ignored, {}, {}}, {3, ColumnRole::Channel, slider, {}}});
         loaded.clear();
-        session.readColumnsAnew(path);
+        session.readColumnsAnew({path});
         QVERIFY(loaded.wait(kPatience));
         const Reference &anew = *session.reference();
         QCOMPARE(anew.conventions.size(), std::size_t(2));

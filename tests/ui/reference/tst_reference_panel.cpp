@@ -48,7 +48,7 @@ std::shared_ptr<Reference> referenceOf(const QByteArray &bytes)
     std::variant<ReferenceData, ReadError> outcome =
         readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
     auto reference = std::make_shared<Reference>();
-    reference->path = QStringLiteral("/somewhere/in a folder/results.csv");
+    reference->paths = {QStringLiteral("/somewhere/in a folder/results.csv")};
     reference->name = QStringLiteral("results.csv");
     if (ReferenceData *data = std::get_if<ReferenceData>(&outcome)) {
         reference->data = std::move(*data);

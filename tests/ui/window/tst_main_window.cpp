@@ -44,6 +44,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <map>
+
 #ifdef Q_OS_UNIX
 #include <sys/stat.h>
 #endif
@@ -81,10 +83,14 @@ bool isBlank(const QImage &image)
     return true;
 }
 
-void drop(QWidget &window, const QString &path)
+void drop(QWidget &window, const QStringList &paths)
 {
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
+    QList<QUrl> urls;
+    for (const QString &path : paths) {
+        urls += QUrl::fromLocalFile(path);
+    }
+    data.setUrls(urls);
     const QPointF middle = window.rect().center();
     QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &enter);
@@ -92,6 +98,37 @@ void drop(QWidget &window, const QString &path)
     QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &event);
     QVERIFY(event.isAccepted());
+}
+
+void drop(QWidget &window, const QString &path)
+{
+    drop(window, QStringList(path));
+}
+
+/// The sample's columns, two to three a file.
+QStringList plotsOfSample(const QTemporaryDir &folder)
+{
+    QFile file(kSample);
+    const QByteArrayList lines =
+        file.open(QIODevice::ReadOnly) ? file.readAll().mid(3).trimmed().split('\n') : QByteArrayList();
+    QStringList paths;
+    for (const auto &[name, columns] :
+         {std::pair{"coupler.csv", QList<int>{0, 4, 5, 6}}, std::pair{"position.csv", QList<int>{0, 1}},
+          std::pair{"rates.csv", QList<int>{0, 2, 3}}}) {
+        paths += folder.filePath(QLatin1String(name));
+        QFile plot(paths.last());
+        if (!plot.open(QIODevice::WriteOnly)) {
+            qFatal("cannot write %s", name);
+        }
+        for (const QByteArray &line : lines) {
+            QByteArrayList cells;
+            for (const int column : columns) {
+                cells << line.trimmed().split(',').value(column);
+            }
+            plot.write(cells.join(',') + '\n');
+        }
+    }
+    return paths;
 }
 
 Parameters withCoupler(double b)
@@ -963,7 +1000,7 @@ private slots:
         QVERIFY(m_window->scene().saveTo(path));
         init();
         grid = m_window->findChild<PlotGrid *>();
-        m_window->openFile(path);
+        m_window->openFiles({path});
         QVERIFY(m_window->session().kept() == std::vector<Parameters>{Parameters()});
         AWAIT_COMPARE(pictureOf(*m_window, QStringLiteral("plot_R4_x")), both);
         while (m_window->session().undoStack().canUndo()) {
@@ -1044,6 +1081,86 @@ private slots:
         QVERIFY(!m_window->isWindowModified());
     }
 
+    void severalFilesOfOneMotionAreReadAsOne()
+    {
+        const QTemporaryDir folder;
+        const QStringList plots = plotsOfSample(folder);
+        Session &session = m_window->session();
+        const auto errors = [&session] {
+            std::map<std::size_t, std::pair<std::optional<double>, Verdict>> byChannel;
+            for (const ChannelComparison &channel : session.result()->comparison) {
+                byChannel[indexOf(channel.channel)] = {channel.maxAbs, channel.verdict};
+            }
+            return byChannel;
+        };
+        drop(*m_window, kSample);
+        AWAIT(session.diagnosis());
+        const auto whole = errors();
+        const Parameters found = session.diagnosis()->found.rounded;
+        QCOMPARE(whole.size(), std::size_t(6));
+
+        drop(*m_window, {plots[2], plots[0], plots[1]}); // as a person picked them
+        AWAIT(session.reference()->paths == plots && session.diagnosis());
+        QVERIFY(errors() == whole);
+        QCOMPARE(session.diagnosis()->found.rounded, found);
+        QCOMPARE(session.reference()->name, QStringLiteral("coupler.csv and 2 more"));
+        const auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT(bar->text().startsWith(QLatin1String("coupler.csv and 2 more differs from this mechanism.")));
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("opening of coupler.csv and 2 more"));
+        session.undoStack().undo();
+        QCOMPARE(session.reference()->paths, QStringList(kSample));
+        session.undoStack().redo();
+        QCOMPARE(session.reference()->paths, plots);
+
+        // In a scene, and among the recent files, as one.
+        const QString scene = folder.filePath(QStringLiteral("rig.slidercrank"));
+        QVERIFY(m_window->scene().saveTo(scene));
+        QCOMPARE(recentReferences(), (QList<QStringList>{plots, {kSample}}));
+        init();
+        m_window->openFiles({scene});
+        AWAIT(m_window->session().reference());
+        QCOMPARE(m_window->session().reference()->paths, plots);
+        QCOMPARE(m_window->session().result()->comparison.size(), std::size_t(6));
+        QVERIFY(!m_window->isWindowModified());
+        drop(*m_window, plots[1]); // one is one
+        AWAIT_COMPARE(m_window->session().reference()->paths, QStringList(plots[1]));
+        auto *recent = m_window->findChild<QMenu *>(QStringLiteral("recentMenu"));
+        emit recent->aboutToShow();
+        const QString entry = QDir::toNativeSeparators(plots[0]) + QStringLiteral(" and 2 more");
+        for (QAction *action : recent->actions()) {
+            if (action->text() == entry) {
+                action->trigger();
+                break;
+            }
+        }
+        AWAIT_COMPARE(m_window->session().reference()->paths, plots);
+    }
+
+    void whatIsNotOfOneMotionIsToldAndChangesNothing()
+    {
+        const QTemporaryDir folder;
+        const QStringList plots = plotsOfSample(folder);
+        const auto *bar = m_window->findChild<MessageBar *>();
+        drop(*m_window, plots);
+        AWAIT(m_window->session().diagnosis());
+        const auto shown = m_window->session().reference();
+        const int edits = m_window->session().undoStack().index();
+        const auto refused = [&](const QStringList &paths, const QString &sentence) {
+            drop(*m_window, paths);
+            AWAIT(bar->isVisible() && bar->text().contains(sentence));
+            QVERIFY(m_window->session().reference() == shown);
+            QCOMPARE(m_window->session().undoStack().index(), edits);
+        };
+        refused({plots[1], kSample}, QStringLiteral("does, too: leave one of the two out"));
+        QVERIFY(
+            !bar->findChild<QAbstractButton *>(QStringLiteral("messageRemedy"))->isHidden()); // which of them is what
+        refused({plots[1], plots[1]}, QStringLiteral("is named twice"));
+        refused({plots[1], folder.filePath(QStringLiteral("gone.csv"))}, QStringLiteral("gone.csv cannot be opened"));
+        refused({plots[1], folder.path()}, QStringLiteral("is a folder"));
+        refused({plots[1], folder.filePath(QStringLiteral("rig.slidercrank"))},
+                QStringLiteral("rig.slidercrank is a scene: open it by itself"));
+    }
+
     void asksForANameTheFirstTime()
     {
         const QTemporaryDir folder;
@@ -1092,15 +1209,15 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("rig.json"));
         Scene scene;
         scene.parameters.b = 70.0;
-        scene.reference = ReferenceSource{folder.filePath(QStringLiteral("gone.csv")), {}, {}};
+        scene.reference = ReferenceSource{{folder.filePath(QStringLiteral("gone.csv"))}, {}, {}};
         QCOMPARE(writeScene(scene, path), std::nullopt);
-        m_window->openFile(path);
+        m_window->openFiles({path});
         const auto *bar = m_window->findChild<MessageBar *>();
         AWAIT(bar->isVisible() && bar->text().contains(QLatin1String("gone.csv")));
         QCOMPARE(m_window->session().parameters(), withCoupler(70.0));
         m_window->scene().save();
         const Scene again = std::get<Scene>(readScene(path));
-        QVERIFY(again.reference && again.reference->path == scene.reference->path);
+        QVERIFY(again.reference && again.reference->paths == scene.reference->paths);
     }
 
     void opensASceneWithAnotherReference()
@@ -1108,12 +1225,12 @@ private slots:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("rig.json"));
         Scene scene;
-        scene.reference = ReferenceSource{folder.filePath(QStringLiteral("gone.csv")), {}, {}};
+        scene.reference = ReferenceSource{{folder.filePath(QStringLiteral("gone.csv"))}, {}, {}};
         QCOMPARE(writeScene(scene, path), std::nullopt);
         QSignalSpy loaded(&m_window->session(), &Session::referenceLoaded);
-        m_window->scene().open(path, kSample);
+        m_window->scene().open(path, {kSample});
         QVERIFY(loaded.wait(kPatience));
-        QCOMPARE(m_window->session().reference()->path, kSample);
+        QCOMPARE(m_window->session().reference()->paths, QStringList(kSample));
         QCOMPARE(m_window->scene().path(), path);
     }
 

@@ -111,9 +111,16 @@ private slots:
     void offersWhatACrashLeft()
     {
         const QString rig = m_settings->filePath(QStringLiteral("rig.json"));
+        QByteArray height = "time,R4_y\n"; // of the same motion, in a file of its own
+        for (int i = 0; i <= 200; ++i) {
+            height += QByteArray::number(0.005 * i, 'f', 6) + ",25\n";
+        }
+        QFile plot(m_settings->filePath(QStringLiteral("height.csv")));
+        QVERIFY(plot.open(QIODevice::WriteOnly) && plot.write(height) == height.size());
+        plot.close();
         Scene scene;
         scene.parameters.a = 12.0;
-        scene.reference = ReferenceSource{kSample, {}, {}};
+        scene.reference = ReferenceSource{{kSample, plot.fileName()}, {}, {}};
         scene.kept = {Parameters()};
         QCOMPARE(writeScene(scene, rig), std::nullopt);
         editElsewhere(rig);
@@ -124,6 +131,7 @@ private slots:
         QCOMPARE(m_window->session().parameters(), Parameters());
         press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
         AWAIT(m_window->session().reference());
+        QCOMPARE(m_window->session().reference()->paths, (QStringList{kSample, plot.fileName()}));
         QCOMPARE(m_window->session().parameters().a, 12.0);
         QCOMPARE(m_window->session().parameters().b, 70.0);
         QVERIFY(m_window->session().kept() == scene.kept);

@@ -170,7 +170,7 @@ private:
     {
         Scene scene;
         scene.parameters.a = 12.0;
-        scene.reference = ReferenceSource{kSample, {}, {}};
+        scene.reference = ReferenceSource{{kSample}, {}, {}};
         QString path = m_folder.filePath(QStringLiteral("rig.json"));
         writeScene(scene, path);
         return path;

@@ -76,6 +76,14 @@ const std::vector<Said> &allFaults()
          "the time does not increase from the row before: sort the rows by time and keep one of each instant."},
         {{.kind = Kind::AngleTurnsBack, .heading = "20°"},
          "the crank angle goes back after 20°: sort the rows by it, one row for each angle."},
+        {{.kind = Kind::OtherInstants, .heading = "a.csv"},
+         "its instants are not those of a.csv: export the plots with the same start, end and step, or open one file at "
+         "a time."},
+        {{.kind = Kind::CountsOtherwise, .heading = "a.csv"},
+         "of this file and a.csv, one goes by the time and the other by the crank angle: export both by the same, or "
+         "open one file at a time."},
+        {{.kind = Kind::ChannelInBoth, .channel = {R4x, Order::Velocity}, .heading = "a.csv"},
+         "it holds R4_x_diff, and a.csv does, too: leave one of the two out, or choose what their columns are."},
         {{Kind::LineTooLong}, "the line has more than a million characters: export the table as CSV, a row a line."},
         {{Kind::Stopped}, "Reading was stopped."},
         {{Kind::Unreadable}, "The file became shorter while it was read: open it again."},
