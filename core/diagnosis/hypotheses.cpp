@@ -449,11 +449,17 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
         }
     }
     const FitProblem problem = problemOf(observations, candidate.reading);
+    // The fit counts its time from an instant within the file, and θ20 from that of the mechanism by whole turns.
+    const Parameters &fitted = candidate.fit.parameters;
+    const Parameters whole = observations.units.fromFit(fitted);
+    const double counted = std::round((fitted.theta20 - whole.omega2 * observations.units.origin - whole.theta20) /
+                                      (2.0 * std::numbers::pi));
     InstantMotion motion;
     for (const FitColumn &column : problem.columns) {
         if (!isTurning(column.channel)) {
             continue;
         }
+        const double halfTurnsCounted = column.channel.coordinate == Theta2 ? 2.0 * counted : 0.0;
         // The column as it is, against the model: off by half turns, or with jumps.
         const ColumnHypothesis &how = hypothesis.columns[column.source];
         const double zero = column.zero >= 0 ? candidate.fit.zeros[static_cast<std::size_t>(column.zero)] : 0.0;
@@ -464,7 +470,8 @@ std::vector<Convention> conventionsOf(const Observations &observations, const Hy
         for (std::size_t row = 0; row < problem.time.size(); ++row) {
             if (!std::isnan(column.values[row]) && motion.computeValues(candidate.fit.parameters, problem.time[row])) {
                 const double off =
-                    std::round((motion.valueOf(column.channel) + zero + turn - column.values[row]) / std::numbers::pi);
+                    std::round((motion.valueOf(column.channel) + zero + turn - column.values[row]) / std::numbers::pi) -
+                    halfTurnsCounted;
                 first = std::isnan(first) ? off : first;
                 least = std::min(least, off);
                 most = std::max(most, off);

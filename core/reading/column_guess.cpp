@@ -314,6 +314,10 @@ std::optional<ColumnFault> Assignment::nameTime(std::size_t i)
             ignore(i, ColumnReason::LikeOther, other);
             return std::nullopt;
         }
+        if (m_headings[i].unit == m_headings[*other].unit && areEqual(i, *other)) {
+            ignore(i, ColumnReason::SameInstants, other); // a time in front of each quantity
+            return std::nullopt;
+        }
         return ColumnFault{i, {Fault::TimeTwice}};
     }
     const std::optional<double> factor = unitsPerSecond(m_headings[i].unit);
@@ -402,14 +406,33 @@ void Assignment::guessTime()
     }
 }
 
-/// Where there is no time, the crank's angle tells it.
+/// Where there is no time, the crank's angle tells it; where none is named so, an angle in front of the others that
+/// goes one way throughout, as in "theta, x, v".
 void Assignment::guessCrankAngle()
 {
-    for (std::size_t i = 0; i < m_uses.size() && !abscissa(); ++i) {
-        const std::optional<double> factor = unitsPerDegree(m_headings[i].unit);
-        if (m_uses[i].reason != ColumnReason::Chosen && factor && isCrankAngle(m_headings[i])) {
+    const auto take = [this](std::size_t i, const std::optional<double> &factor) {
+        if (m_uses[i].reason != ColumnReason::Chosen && factor) {
             m_uses[i] = ColumnUse{ColumnRole::CrankAngle, {}, ColumnReason::AngleForTime, std::nullopt, *factor};
         }
+    };
+    for (std::size_t i = 0; i < m_uses.size() && !abscissa(); ++i) {
+        if (isCrankAngle(m_headings[i])) {
+            take(i, unitsPerDegree(m_headings[i].unit));
+        }
+    }
+    const auto first = std::ranges::find_if(m_uses, [](const ColumnUse &use) {
+        return use.reason != ColumnReason::NoName && use.reason != ColumnReason::RowNumber;
+    });
+    if (first == m_uses.end() || abscissa()) {
+        return;
+    }
+    const auto i = static_cast<std::size_t>(first - m_uses.begin());
+    const NameMeaning &meaning = m_meanings[i];
+    const std::optional<double> factor = unitsPerDegree(m_headings[i].unit);
+    const bool isAngle = meaning.kind == NameMeaning::Kind::Quantity && meaning.dimension == Dimension::Angle &&
+                         meaning.order == Order::Position && m_headings[i].part == Heading::Part::Own;
+    if (isAngle && factor && i < samples().size() && !turnsBackAt(goingOn(scaledSamples(i, 1.0 / *factor)))) {
+        take(i, factor);
     }
 }
 

@@ -84,10 +84,10 @@ std::vector<std::string> wordsOf(const std::string &plain)
     return words;
 }
 
-constexpr std::string_view kTimeWords = "time t tiempo timestamp zeit temps tempo instante";
+constexpr std::string_view kTimeWords = "time times t tiempo timestamp zeit temps tempo instante";
 /// Beside a word for the time, these change nothing.
-constexpr std::string_view kTimeCompanions = "elapsed sim simulation simulacion transcurrido de la stamp latest";
-constexpr std::string_view kRowNumbers = "n no nr num index row id fila frame paso step sample point";
+constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la stamp latest";
+constexpr std::string_view kRowNumbers = "n no nr num index row id fila frame paso step sample point node nodo element elemento";
 /// In the place of a time's unit.
 constexpr std::string_view kCounted = "steps step frames frame samples sample rows points pasos muestras";
 constexpr std::string_view kFillers = "de del la el of the en component componente trans translational latest";
@@ -380,17 +380,36 @@ std::optional<NameMeaning> fromModelica(std::string_view name, const std::option
     return meaning;
 }
 
-/// RecurDyn's "Y:Pos_TX-Slider@Model1": a quantity, and of what.
+/// A quantity and what it is of, as RecurDyn names them: "Pos_TX" and "Slider".
+NameMeaning fromRecurDyn(std::string_view quantity, std::string_view owner, const std::optional<Unit> &unit)
+{
+    std::vector<std::string> words = wordsOf(plainSpelling(quantity));
+    std::ranges::replace(words, std::string("psi"), std::string("rz")); // the angle about z
+    if (const std::optional<Body> body = bodyAmong(wordsOf(plainSpelling(owner)))) {
+        words.emplace_back(body == Body::Crank ? "crank" : body == Body::Coupler ? "coupler" : "slider");
+    }
+    return fromWords(words, unit);
+}
+
+/// "Y:Pos_TX-Slider@Model1".
 NameMeaning fromPair(const Heading &heading)
 {
     const std::size_t end = std::min(heading.name.find('@'), heading.name.size());
     const std::string_view name = std::string_view(heading.name).substr(2, end - 2);
     const std::size_t dash = std::min(name.find('-'), name.size());
-    std::vector<std::string> words = wordsOf(plainSpelling(name.substr(0, dash)));
-    if (const std::optional<Body> body = bodyAmong(wordsOf(plainSpelling(name.substr(dash))))) {
-        words.emplace_back(body == Body::Crank ? "crank" : body == Body::Coupler ? "coupler" : "slider");
+    return fromRecurDyn(name.substr(0, dash), name.substr(dash), unitOf(heading.unit));
+}
+
+/// "Pos_TX@Slider"; nothing where it is something else.
+std::optional<NameMeaning> fromRequest(const Heading &heading)
+{
+    const std::string_view name = heading.name;
+    const std::size_t at = name.find('@');
+    if (at == name.npos) {
+        return std::nullopt;
     }
-    return fromWords(words, unitOf(heading.unit));
+    const NameMeaning meaning = fromRecurDyn(name.substr(0, at), name.substr(at), unitOf(heading.unit));
+    return meaning.kind == NameMeaning::Kind::Nothing ? std::nullopt : std::optional(meaning);
 }
 
 /// "3.1" of "P[3.1]" is no unit, nor is "X" of "P[X]".
@@ -452,6 +471,9 @@ NameMeaning meaningOf(const Heading &heading)
     }
     if (heading.part == Heading::Part::Ordinate) {
         return fromPair(heading);
+    }
+    if (const std::optional<NameMeaning> request = fromRequest(heading)) {
+        return *request;
     }
     if (const std::optional<NameMeaning> modelica = fromModelica(heading.name, unitOf(heading.unit))) {
         return *modelica;

@@ -2,6 +2,7 @@
 #include "core/reading/heading_row.h"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace slidercrank
@@ -53,6 +54,11 @@ void findComponents(std::vector<Heading> &row)
     }
 }
 
+std::string perSecond(std::string_view unit, Order order)
+{
+    return std::string(unit) + (order == Order::Position ? "" : order == Order::Velocity ? "/s" : "/s2");
+}
+
 void takeUnitsOfModelica(std::vector<Heading> &row)
 {
     // "a" alone leaves open of what: the others of the same joint tell.
@@ -75,8 +81,7 @@ void takeUnitsOfModelica(std::vector<Heading> &row)
         if (!dimension) {
             continue;
         }
-        heading.unit = dimension == Dimension::Angle ? "rad" : "m";
-        heading.unit += *meaning.order == Order::Position ? "" : *meaning.order == Order::Velocity ? "/s" : "/s2";
+        heading.unit = perSecond(dimension == Dimension::Angle ? "rad" : "m", *meaning.order);
         heading.unitOfModelica = true;
     }
 }
@@ -88,6 +93,26 @@ void readTogether(std::vector<Heading> &row)
     findPairs(row);
     findComponents(row);
     takeUnitsOfModelica(row);
+}
+
+bool takeUnits(std::vector<Heading> &row, std::string_view ofLengths, std::string_view ofAngles)
+{
+    bool any = false;
+    for (Heading &heading : row) {
+        NameMeaning meaning = meaningOf(heading);
+        if (meaning.kind == NameMeaning::Kind::Channel) {
+            meaning.dimension = isAngle(meaning.channel.coordinate) ? Dimension::Angle : Dimension::Length;
+            meaning.order = meaning.channel.order;
+        }
+        const std::string_view unit = meaning.dimension == Dimension::Length  ? ofLengths
+                                      : meaning.dimension == Dimension::Angle ? ofAngles
+                                                                              : std::string_view();
+        if (heading.unit.empty() && !unit.empty() && meaning.order) {
+            heading.unit = perSecond(unit, *meaning.order);
+            any = true;
+        }
+    }
+    return any;
 }
 
 } // namespace slidercrank

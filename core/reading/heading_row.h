@@ -9,11 +9,16 @@
 
 #include "core/reading/heading.h"
 
+#include <string_view>
 #include <vector>
 
 namespace slidercrank
 {
 
 void readTogether(std::vector<Heading> &row);
+
+/// Gives lengths and angles, and their derivatives, the unit that the file says for all of them, where they have none of
+/// their own; empty: it says none. Whether any column was given one.
+bool takeUnits(std::vector<Heading> &row, std::string_view ofLengths, std::string_view ofAngles);
 
 } // namespace slidercrank

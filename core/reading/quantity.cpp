@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace slidercrank
 {
@@ -17,6 +18,9 @@ namespace
 {
 
 constexpr std::string_view kMinus = "\u2212";
+constexpr std::array<std::string_view, 2> kTimes{"·", "×"};
+constexpr std::array<std::string_view, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+constexpr std::string_view kRaisedMinus = "⁻";
 constexpr std::array<std::string_view, 4> kSpaces{" ", "\u00A0", "\u2009", "\u202F"}; // also between groups of three
 
 bool isDecimal(char c)
@@ -58,6 +62,63 @@ std::string withPlainSigns(std::string_view text)
         at += 3;
     }
     return plain;
+}
+
+/// "⁻⁸" or "^-8" at the beginning, as "-8", and how long it is there; empty: there is none.
+std::pair<std::string, std::size_t> exponentOf(std::string_view text)
+{
+    std::string exponent;
+    std::size_t at = 0;
+    if (text.starts_with('^')) {
+        at = text.substr(1).starts_with('-') ? 2 : 1;
+        const std::size_t digits = digitsAt(text, at);
+        return {digits > 0 ? std::string(text.substr(1, at - 1 + digits)) : "", at + digits};
+    }
+    if (text.starts_with(kRaisedMinus)) {
+        exponent = '-';
+        at = kRaisedMinus.size();
+    }
+    const std::size_t sign = exponent.size();
+    const auto digit = [&] {
+        return std::ranges::find_if(kRaised, [&](std::string_view each) { return text.substr(at).starts_with(each); });
+    };
+    for (auto found = digit(); found != kRaised.end(); found = digit()) {
+        exponent += static_cast<char>('0' + (found - kRaised.begin()));
+        at += found->size();
+    }
+    return {exponent.size() > sign ? exponent : "", at};
+}
+
+/// "1.5·10⁻⁸" as "1.5e-8", "10⁻⁸" as "1e-8": so the program itself writes numbers. Other texts as they are.
+std::string withPlainPower(std::string text)
+{
+    constexpr std::string_view kTen = "10";
+    const std::string_view all = text;
+    const std::size_t begin = all.starts_with('-') || all.starts_with('+') ? 1 : 0;
+    std::size_t end = begin + digitsAt(all, begin);
+    const bool isTen = all.substr(begin, end - begin) == kTen;
+    if (end < all.size() && all[end] == '.') {
+        end += 1 + digitsAt(all, end + 1);
+    }
+    std::size_t at = end + spaceAt(all, end);
+    const auto times =
+        std::ranges::find_if(kTimes, [&](std::string_view each) { return all.substr(at).starts_with(each); });
+    if (times != kTimes.end() && end > begin) {
+        at += times->size();
+        at += spaceAt(all, at);
+        if (!all.substr(at).starts_with(kTen)) {
+            return text;
+        }
+        at += kTen.size();
+    } else if (isTen) {
+        at = begin + kTen.size();
+        end = begin + 1; // of 10, the 1
+    } else {
+        return text;
+    }
+    const auto [exponent, length] = exponentOf(all.substr(at));
+    return exponent.empty() ? text
+                            : std::string(all.substr(0, end)) + 'e' + exponent + std::string(all.substr(at + length));
 }
 
 /// How much of the text is a number, by its signs: "-2.5e-3" of "-2.5e-3 m".
@@ -120,7 +181,7 @@ double converted(double value, const Unit &from, const Unit &to)
 Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
 {
     const auto refused = [](QuantityFault fault) { return Quantity{.fault = fault}; };
-    const std::string plain = withPlainSigns(text);
+    const std::string plain = withPlainPower(withPlainSigns(text));
     const std::size_t length = numberLength(plain);
     const CellNumber number = readNumber(std::string_view(plain).substr(0, length), DecimalSign::Point);
     if (length == 0 || number.fault) {
@@ -137,7 +198,9 @@ Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
     if (rest.empty()) {
         return {number.value, {}};
     }
-    if (rest.find_first_of("0123456789+-*/.,") == 0) {
+    const auto begins = [&](std::string_view each) { return rest.starts_with(each); };
+    if (rest.find_first_of("0123456789+-*/.,^") == 0 || begins(kRaisedMinus) || std::ranges::any_of(kTimes, begins) ||
+        std::ranges::any_of(kRaised, begins)) {
         return refused(QuantityFault::NotANumber); // more than one, or a sum
     }
     const std::optional<Unit> unit = unitOf(rest);

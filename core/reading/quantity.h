@@ -2,7 +2,7 @@
 #pragma once
 
 // A number as a person writes it, alone or with a unit behind it: "25", "2.5cm", "1 in", "60 rpm", "−30°",
-// "1 000 mm". With a decimal point; who reads in a locale brings its signs to these first.
+// "1 000 mm", "1.5·10⁻⁸". With a decimal point; who reads in a locale brings its signs to these first.
 
 #include "core/mechanism/channel.h"
 #include "core/reading/unit_text.h"

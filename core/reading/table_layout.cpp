@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace slidercrank
@@ -112,6 +113,29 @@ Form formOf(const std::vector<Line> &lines, std::string_view delimiters)
     return {RowForm::Numbers, delimiters};
 }
 
+/// How many cells the first row of numbers has.
+struct RowWidth {
+    std::size_t filled = 0; ///< up to the last that is not empty
+    std::size_t all = 0;
+};
+
+std::optional<RowWidth> widthOfRows(const std::vector<Line> &lines, const Form &form)
+{
+    for (const Line &line : lines) {
+        for (const char delimiter : form.delimiters) {
+            if (!isDataLine(line.text, delimiter, form.rows)) {
+                continue;
+            }
+            RowWidth width{cellsOf(line.text, delimiter).size(), 0};
+            for (CellScanner scanner(line.text, delimiter, 1); scanner.hasCell(); scanner.cell()) {
+                ++width.all;
+            }
+            return width;
+        }
+    }
+    return std::nullopt;
+}
+
 /// Without the mark of a comment that programs put before the names; not where it is the name of a column.
 std::string_view withoutMark(std::string_view line)
 {
@@ -197,11 +221,16 @@ struct HeaderScore {
     std::size_t known() const { return times + quantities; }
 };
 
-HeaderScore scoreOf(std::string_view line, char delimiter, std::size_t width)
+/// `rows`: of numbers, where there are any.
+HeaderScore scoreOf(std::string_view line, char delimiter, std::size_t width, const std::optional<RowWidth> &rows)
 {
     HeaderScore score;
     const std::vector<std::string_view> names = namesIn(line, delimiter, width);
     score.fits = width == 0 || names.size() == width;
+    const bool isMarked = withoutMark(line).size() != line.size();
+    if (isMarked && width == 0 && rows && (names.size() < rows->filled || names.size() > rows->all)) {
+        return {}; // a remark
+    }
     for (const std::string_view cell : names) {
         ++score.cells;
         if (looksNumeric(cell)) {
@@ -231,6 +260,7 @@ HeaderFound findHeader(const std::vector<Line> &lines, const Form &form)
     std::optional<HeaderFound> firstData;
     HeaderFound best;
     HeaderScore bestScore;
+    const std::optional<RowWidth> rows = widthOfRows(lines, form);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         HeaderScore ofLine;
         char delimiterOfLine = form.delimiters.back();
@@ -238,7 +268,7 @@ HeaderFound findHeader(const std::vector<Line> &lines, const Form &form)
             if (!firstData && isDataLine(lines[i].text, delimiter, form.rows)) {
                 firstData = HeaderFound{i, delimiter, false};
             }
-            const HeaderScore score = scoreOf(lines[i].text, delimiter, form.width);
+            const HeaderScore score = scoreOf(lines[i].text, delimiter, form.width, rows);
             if (std::pair(score.known(), score.cells) > std::pair(ofLine.known(), ofLine.cells)) {
                 ofLine = score;
                 delimiterOfLine = delimiter;
@@ -423,6 +453,38 @@ std::optional<ReadError> takeCellUnits(Table &table)
     return std::nullopt;
 }
 
+/// "inDegrees=no", "Units are S.I. units (second, meters, …)": what OpenSim writes above the names.
+void takeUnitsAbove(Table &table, std::span<const Line> above)
+{
+    std::string_view ofLengths;
+    std::string_view ofAngles;
+    std::size_t line = 0;
+    for (const Line &each : above) {
+        const std::string_view text = trimmed(each.text);
+        if (text == "inDegrees=yes" || text == "inDegrees=no") {
+            ofAngles = text.ends_with("yes") ? "deg" : "rad";
+        } else if (text.starts_with("Units are S.I. units")) {
+            ofLengths = "m";
+        } else {
+            continue;
+        }
+        line = line == 0 ? each.number : line;
+    }
+    if (takeUnits(table.headings, ofLengths, ofAngles)) {
+        table.layout.unitsLine = line;
+    }
+}
+
+/// Whether the rows begin with their numbers in quotation marks, and no name stands above: so R writes tables.
+bool haveNumbersWithoutName(const Table &table)
+{
+    const std::vector<Line> rows = firstLines(table.data);
+    return rows.size() >= 2 && std::all_of(rows.begin(), rows.begin() + 2, [&](const Line &row) {
+               const std::vector<std::string_view> cells = cellsOf(row.text, table.layout.delimiter);
+               return row.text.starts_with('"') && cells.size() == table.headings.size() + 1 && looksNumeric(cells[0]);
+           });
+}
+
 // ---- decimals ------------------------------------------------------------------------------------------------------
 
 /// The decimal sign of a file. The first number that can be read in one way only decides: 0,005 and 74,5436 hold a
@@ -533,9 +595,12 @@ std::variant<Table, ReadError> findTable(std::string_view text)
     for (const std::string_view cell : names) {
         table.headings.push_back(found.hasNames ? headingOf(cell) : Heading());
     }
-    table.cellUnits.resize(table.headings.size());
     const char *const dataBegin = found.hasNames ? line.next : line.text.data();
     table.data = text.substr(static_cast<std::size_t>(dataBegin - text.data()));
+    if (found.hasNames && haveNumbersWithoutName(table)) {
+        table.headings.insert(table.headings.begin(), Heading());
+    }
+    table.cellUnits.resize(table.headings.size());
     table.firstDataLine = found.hasNames ? line.number + 1 : line.number;
     if (found.hasNames) {
         table.layout.headerLine = line.number;
@@ -548,6 +613,7 @@ std::variant<Table, ReadError> findTable(std::string_view text)
             return *std::move(error);
         }
     }
+    takeUnitsAbove(table, std::span(lines).first(found.line));
     readTogether(table.headings);
     table.layout.decimalSign = findDecimalSign(table);
     for (const Heading &heading : table.headings) {

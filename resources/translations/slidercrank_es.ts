@@ -4495,10 +4495,6 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>hay números donde deberían estar los nombres de las columnas: ponga encima una línea como time,theta3,R4_x.</translation>
     </message>
     <message>
-        <source>there is no time column: name the column of the instants &quot;time&quot;.</source>
-        <translation>no hay columna de tiempo: llame &quot;time&quot; a la columna de los instantes.</translation>
-    </message>
-    <message>
         <source>a quotation mark that is not closed at the end of the cell</source>
         <translation>comillas que no se cierran al final de la celda</translation>
     </message>
@@ -4609,6 +4605,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>it holds %1, and %2 does, too: leave one of the two out, or choose what their columns are.</source>
         <translation>contiene %1, igual que %2: deje fuera uno de los dos, o elija qué son sus columnas.</translation>
+    </message>
+    <message>
+        <source>there is no time column: name the column of the instants &quot;time&quot;, or that of the crank&apos;s angle &quot;theta2&quot;.</source>
+        <translation>no hay columna de tiempo: llame &quot;time&quot; a la columna de los instantes, o &quot;theta2&quot; a la del ángulo de la manivela.</translation>
     </message>
 </context>
 <context>

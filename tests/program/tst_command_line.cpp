@@ -574,7 +574,9 @@ void TestCommandLine::understandsAUnitBehindANumber()
     QCOMPARE(plain.status, 0);
     for (const char *line :
          {"--a 1in --b 7cm --c −0.5cm --omega2 60rpm --theta20 90deg --duration 500ms --start 0.25s ",
-          "--a 25.4mm --b 0.07m --c -5 --omega2 360deg/s --theta20 90° --duration 0.5s --start 250ms "}) {
+          "--a 25.4mm --b 0.07m --c -5 --omega2 360deg/s --theta20 90° --duration 0.5s --start 250ms ",
+          "--a 2.54·10¹ --b 7·10^-2m --c −5·10⁰ --omega2 0.6·10²rpm --theta20 90deg --duration 5×10⁻¹ --start "
+          "250ms "}) {
         const Outcome outcome = run(QStringLiteral("solve ") + QString::fromUtf8(line) + same);
         QVERIFY2(outcome.status == 0, qPrintable(outcome.err));
         QCOMPARE(outcome.out, plain.out);

@@ -26,7 +26,9 @@ std::string becomes(const FileLayout &layout)
             text += '-';
             continue;
         }
-        text += column.role == ColumnRole::Time ? "time" : std::string(nameOf(column.channel));
+        text += column.role == ColumnRole::Time         ? "time"
+                : column.role == ColumnRole::CrankAngle ? "angle"
+                                                        : std::string(nameOf(column.channel));
         text += (isGuess(column.reason) ? "?[" : "[") + column.unit + ']';
     }
     return text;
@@ -75,14 +77,16 @@ private slots:
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         QCOMPARE(QString::fromStdString(becomes(data.layout)), QString::fromStdString(file.becomes));
         QVERIFY(data.skipped.empty());
-        QCOMPARE(data.time.size(), std::size_t{kWrittenRows});
+        QCOMPARE(data.crank ? data.crank->degrees.size() : data.time.size(), std::size_t{kWrittenRows});
         for (std::size_t i = 0; i < file.columns.size(); ++i) {
             const FileColumn &column = data.layout.columns[i];
             if (column.role == ColumnRole::Ignored) {
                 continue;
             }
-            const bool isTime = column.role == ColumnRole::Time;
-            const std::vector<double> &values = isTime ? data.time : data.find(column.channel)->values;
+            const std::vector<double> &values = column.role == ColumnRole::Time ? data.time
+                                                : column.role == ColumnRole::CrankAngle
+                                                    ? data.crank->degrees
+                                                    : data.find(column.channel)->values;
             double peak = 1e-9;
             double worst = 0.0;
             for (int row = 0; row < kWrittenRows; ++row) {

@@ -428,7 +428,7 @@ private slots:
         QTest::newRow("no channel") << QByteArray("time,foo\n0,2\n1,3\n");
         QTest::newRow("no numbers") << QByteArray("time,R4_x\n");
         QTest::newRow("no row") << QByteArray("time,R4_x\nx,y\n");
-        QTest::newRow("two times") << QByteArray("time,time,R4_x\n0,0,1\n1,1,2\n");
+        QTest::newRow("two times") << QByteArray("time,time,R4_x\n0,1,1\n1,3,2\n");
         QTest::newRow("the same twice") << QByteArray("time,R4_x,R4_x\n0,0,1\n1,1,2\n");
         QTest::newRow("unit of the time") << QByteArray("time [kg],R4_x\n0,1\n1,2\n");
         QTest::newRow("unit of an angle") << QByteArray("time,theta3 [mm]\n0,1\n1,2\n");

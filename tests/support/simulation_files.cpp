@@ -136,11 +136,15 @@ std::vector<SimulationFile> simulationFiles()
 
     // Autodesk Inventor, Dynamic Simulation.
     constexpr auto kInventor =
-        "help.autodesk.com/cloudhelp/2014/ENU/Inventor, Output Grapher: \"P for position, … square "
-        "brackets surrounding the joint number and … the number of the degree of freedom\"";
+        "help.autodesk.com/cloudhelp/2014/ENU/Inventor/files/GUID-B9353E90-69F7-46DA-9AFC-15249BC4BF2E.htm, Output "
+        "Grapher: \"P for position\", \"square brackets surrounding the joint number and, in some cases, a period (.) "
+        "and "
+        "the number of the degree of freedom\"";
     constexpr auto kTrace =
-        "help.autodesk.com/cloudhelp/2014/ENU/Inventor, Output Grapher: \"vectors have a second set of "
-        "square brackets surrounding X, Y, or Z\"; the heading as a whole is a plausible form";
+        "help.autodesk.com/cloudhelp/2014/ENU/Inventor/files/GUID-B9353E90-69F7-46DA-9AFC-15249BC4BF2E.htm: \"vectors "
+        "have a second set of square brackets surrounding X, Y, or Z; for example, Force:1[X]\"; the heading of a "
+        "trace "
+        "as a whole is a plausible form";
     read("Inventor, Output Grapher", kInventor,
          {{"Time ( s )", Time},
           {"\"P[3,1] ( mm )\"", X},
@@ -188,6 +192,10 @@ std::vector<SimulationFile> simulationFiles()
     constexpr auto kAdams =
         "units \"mm\", \"meter/sec\", \"meter/sec**2\" as in Adams' result files "
         "(github.com/kiterunner347/3-RPR-parallel--robot RPRAdams/RPR3.res); the table is a plausible form";
+    constexpr auto kAdamsText =
+        "github.com/projectchrono/chrono data/testing/joints/revolute_joint/Revolute_Case01_ADAMS_Pos.txt, …_Vel.txt, "
+        "…_Avel.txt: a title and \"#\", then \"Time\", \"X_Pos\", \"Y_Pos\", \"Z_Pos\" between tabs, numbers with "
+        "\"+\"";
     read("Adams, table between spaces", kAdams,
          {{"TIME", Time}, {"Slider_Position", X}, {"Slider_Velocity", V}, {"Rod_Angle", Theta3}},
          {.cell = "   ", .rowBegin = "  ", .format = "%14.7e"}, "time[] R4_x[] R4_x_diff[] theta3[]");
@@ -197,6 +205,17 @@ std::vector<SimulationFile> simulationFiles()
           {"Slider Acceleration (meter/sec**2)", A, kMetre}},
          {.before = "Plot: slider\n\n", .cell = "\t", .lineEnd = "\r\n"},
          "time[sec] R4_x[meter] R4_x_diff2[meter/sec**2]");
+    read("Adams, positions of a body", kAdamsText,
+         {{"Time", Time}, {"X_Pos", X, kMetre, {}, 1e-3}, {"Y_Pos", Offset, kMetre, {}, 1e-3}, {"Z_Pos", Zero, kMetre}},
+         {.before = "# Slider_Case01_ADAMS\n#\n", .cell = "\t", .format = "%+.6E"}, "time[] R4_x?[] R4_y?[] -");
+    read("Adams, velocities of a body", kAdamsText,
+         {{"Time", Time}, {"X_Vel", V, kMetre, {}, 1e-3}, {"Y_Vel", Zero, kMetre}, {"Z_Vel", Zero, kMetre}},
+         {.before = "# Slider_Case01_ADAMS\n#\n", .cell = "\t", .format = "%+.6E"},
+         "time[] R4_x_diff?[] R4_y_diff?[] -");
+    refused("Adams, angular velocities of a body", kAdamsText,
+            {{"Time", Time}, {"X_AngVel", Zero}, {"Y_AngVel", Zero}, {"Z_AngVel", Omega3, kRad}},
+            {.before = "# Slider_Case01_ADAMS\n#\n", .cell = "\t", .format = "%+.6E"},
+            "its name does not say of which body it is");
     files.push_back({"Adams, result file",
                      "github.com/kiterunner347/3-RPR-parallel--robot RPRAdams/RPR3.res",
                      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Results "
@@ -207,7 +226,10 @@ std::vector<SimulationFile> simulationFiles()
 
     // MATLAB and Simulink.
     constexpr auto kTimetable =
-        "mathworks.com/help/simulink, extractTimetable: the row times are durations, \"0.005 sec\"";
+        "mathworks.com/help/matlab/ref/writetimetable.html: \"RowTimes,Reading1,Reading2\", \"1 sec,98,120\"; "
+        "mathworks.com/matlabcentral/answers/801181: \"Time,Var1,Var2\", \"1 sec,-0.225584402271252,…\"";
+    read("MATLAB, writetimetable", kTimetable, {{"RowTimes", Time, 1.0, " sec"}, {"Position", X}, {"Velocity", V}},
+         {.format = "%.15g"}, "time[sec] R4_x?[] R4_x_diff?[]");
     read("Simscape, timetable", kTimetable,
          {{"Time", Time, 1.0, " sec"}, {"slider_position", X}, {"slider_velocity", V}}, {},
          "time[sec] R4_x[] R4_x_diff[]");
@@ -216,19 +238,27 @@ std::vector<SimulationFile> simulationFiles()
          {.cell = "\t"}, "time[ms] R4_x[m] theta3[rad]");
     read("Simscape, timetable, in Spanish", kTimetable, {{"Time", Time, 1.0, " s"}, {"posición", X, 1.0, " mm"}},
          {.cell = ";", .decimal = ","}, "time[s] R4_x?[mm]");
-    read("Simulink, data inspector",
-         "mathworks.com/help/simulink, Simulation Data Inspector: lines of types and units below "
-         "the names",
+    constexpr auto kInspector = "mathworks.com/help/simulink/ug/import-csv-file-into-simulation-data-inspector.html: "
+                                "\"Type:\" and \"Unit:\" in "
+                                "lines below the names; \"every time column must be named time\"";
+    read("Simulink, data inspector, a time for each signal", kInspector,
+         {{"time", Time}, {"slider position", X}, {"time", Time}, {"rod angle", Theta3}}, {},
+         "time[] R4_x[] - theta3[]");
+    refused("Simulink, data inspector, signals of other instants", kInspector,
+            {{"time", Time}, {"slider position", X}, {"time", Time, 0.5}, {"rod angle", Theta3}}, {},
+            "keep one of the two");
+    read("Simulink, data inspector", kInspector,
          {{"time", Time}, {"slider position", X, kMetre}, {"rod angle", Theta3, kRad}},
          {.below = ",Type: double,Type: double\n,Unit: m,Unit: rad\n"}, "time[] R4_x[m] theta3[rad]");
-    read("MATLAB, writetable", "mathworks.com/help/matlab, writetable: the names of the table's variables",
+    read("MATLAB, writetable",
+         "mathworks.com/matlabcentral/answers/459246: the names of the table's variables, \"Var1\" where it has none",
          {{"t", Time}, {"x_slider", X}, {"v_x", V}, {"theta3", Theta3}}, {}, "time[] R4_x[] R4_x_diff?[] theta3[]");
     read("MATLAB, a mark of its comments", "mathworks.com/help/matlab, writematrix: no names; the line is a person's",
          {{"time", Time}, {"R4_x", X}}, {.mark = "% ", .cell = "\t"}, "time[] R4_x[]");
 
     // Python.
     constexpr auto kNumpy =
-        "numpy.org/doc, numpy.savetxt: \"comments\" is '# ', \"delimiter\" is ' ', \"fmt\" is '%.18e'";
+        "numpy.org/doc/stable/reference/generated/numpy.savetxt.html: fmt='%.18e', delimiter=' ', comments='# '";
     read("numpy.savetxt", kNumpy, {{"time", Time}, {"R4_x", X}, {"theta3", Theta3}},
          {.mark = "# ", .cell = " ", .format = "%.18e"}, "time[] R4_x[] theta3[]");
     read("numpy.savetxt, names with units", kNumpy,
@@ -239,7 +269,9 @@ std::vector<SimulationFile> simulationFiles()
          "time[] R4_x?[] R4_x_diff?[]");
     refused("numpy.savetxt, without a header", kNumpy, {{"t", Time}, {"x", X}},
             {.cell = " ", .format = "%.18e", .names = false}, "put a line such as time,theta3,R4_x above them");
-    read("pandas, to_csv", "pandas.pydata.org, DataFrame.to_csv: the index is the first column, its name is empty",
+    read("pandas, to_csv",
+         "pandas.pydata.org/pandas-docs/version/1.0/reference/api/pandas.DataFrame.to_csv.html: index=True, "
+         "index_label=None: the first column, without a name",
          {{"", RowNumber}, {"time", Time}, {"R4_x", X}, {"R4_x_diff", V}}, {.format = "%.17g"},
          "- time[] R4_x[] R4_x_diff[]");
     read("matplotlib's minus", "matplotlib.org, axes.unicode_minus: U+2212; the table is a plausible form",
@@ -247,8 +279,9 @@ std::vector<SimulationFile> simulationFiles()
          "time[] R4_x[] theta3[] R4_x_diff[]");
 
     // GNU Octave, Scilab, R, gnuplot, Mathematica, Maple, spreadsheets.
-    constexpr auto kOctave =
-        "docs.octave.org, Simple File I/O: \"# name:\", \"# type: matrix\", \"# rows:\", \"# columns:\"";
+    constexpr auto kOctave = "gist.github.com/maecha/235d060bb9c4c1e66716c4294b0147c8: \"# Created by Octave 3.8.0, "
+                             "…\", \"# name: A\", \"# type: "
+                             "matrix\", \"# rows: 3\", \"# columns: 2\"";
     refused("GNU Octave, save -text", kOctave, {{"", Time}, {"", X}},
             {.before = "# Created by Octave 8.4.0, Sun Mar 10 12:00:00 2024 UTC\n# name: M\n# type: matrix\n# rows: "
                        "101\n# columns: 2\n",
@@ -258,18 +291,36 @@ std::vector<SimulationFile> simulationFiles()
             "time,theta3,R4_x");
     read("GNU Octave, dlmwrite below a line of names", "docs.octave.org, dlmwrite: the delimiter is a comma",
          {{"time", Time}, {"theta3_diff [rad/s]", Omega3, kRad}}, {.mark = "%% "}, "time[] theta3_diff[rad/s]");
-    read("Scilab, csvWrite", "help.scilab.org, csvWrite: separator, decimal, comments",
-         {{"t", Time}, {"posicion", X}, {"velocidad", V}}, {.mark = "// ", .cell = ";", .decimal = ","},
+    constexpr auto kScilab =
+        "docs.huihoo.com/scilab/help/2023.1.0, csvWrite: \"header: a vector of text: the header written as a column of "
+        "text at the beginning of the file\", as in \"// Copyright (C) INRIA\"; write_csv: tabs and a decimal comma";
+    read("Scilab, csvWrite", kScilab, {{"t", Time}, {"posicion", X}, {"velocidad", V}},
+         {.before = "// biela y manivela\n", .mark = "// ", .cell = ";", .decimal = ","},
          "time[] R4_x?[] R4_x_diff?[]");
-    read("R, write.csv", "stat.ethz.ch/R-manual, write.table: \"row.names\" and quotes by default",
-         {{"\"\"", RowNumber}, {"\"time\"", Time}, {"\"slider.position\"", X}}, {}, "- time[] R4_x[]");
-    refused("gnuplot, set table", "gnuplot's source, tabulate.c: \"# Curve title:\", \"# x y\"",
-            {{"x", Time}, {"y", X}},
-            {.before = "\n# Curve 0 of 1, 101 points\n# Curve title: \"slider\"\n", .mark = "# ", .cell = "  "},
+    refused("Scilab, write_csv", kScilab, {{"", Time}, {"", X}}, {.cell = "\t", .decimal = ",", .names = false},
+            "put a line such as time,theta3,R4_x above them");
+    constexpr auto kR =
+        "github.com/wch/r-source src/library/utils/man/write.table.Rd: \"by default there is no column name for "
+        "a column of row names\"; \"row and column names are quoted\"; write.csv: \"a blank column name is added\"";
+    read("R, write.csv", kR, {{"\"\"", RowNumber, 1.0, "\""}, {"\"time\"", Time}, {"\"slider.position\"", X}},
+         {.rowBegin = "\""}, "- time[] R4_x[]");
+    read("R, write.csv2", kR, {{"\"\"", RowNumber, 1.0, "\""}, {"\"time\"", Time}, {"\"slider.position\"", X}},
+         {.cell = ";", .rowBegin = "\"", .decimal = ","}, "- time[] R4_x[]");
+    read("R, write.table", kR, {{"", RowNumber, 1.0, "\""}, {"\"time\"", Time}, {"\"x\"", X}, {"\"v\"", V}},
+         {.cell = " ", .rowBegin = "\""}, "- time[] R4_x?[] R4_x_diff?[]");
+    refused("R, write.table without quotation marks", kR, {{"", RowNumber}, {"time", Time}, {"x", X}}, {.cell = " "},
+            "too many cells");
+    refused("gnuplot, set table",
+            "github.com/gnuplot/gnuplot src/tabulate.c: \"# Curve %d of %d, %d points\", \"# Curve title:\", \"# x y "
+            "type\", "
+            "\"i\" behind each row",
+            {{"x", Time}, {"y", X}, {"type", Word}},
+            {.before = "\n# Curve 0 of 1, 101 points\n# Curve title: \"slider\"\n", .mark = "# ", .cell = " "},
             "there is no time column");
     read("Mathematica, Export", "reference.wolfram.com/language/ref/format/CSV: strings are quoted",
          {{"\"t\"", Time}, {"\"theta3\"", Theta3}, {"\"R4x\"", X}}, {.lineEnd = "\r\n"}, "time[] theta3[] R4_x[]");
-    read("Maple, ExportMatrix", "maplesoft.com/support/help, ExportMatrix: tabs; the names are a person's",
+    read("Maple, ExportMatrix",
+         "maplesoft.com/support/help, worksheet/expressions/exportMatrix: \"Tab Delimited\"; the names are a person's",
          {{"time", Time}, {"theta3", Theta3}, {"theta3_diff2", Alpha3}}, {.cell = "\t", .format = "%.10g"},
          "time[] theta3[] theta3_diff2[]");
     read("Excel, in Spanish", "a list separator \";\" and a decimal comma where Windows has them",
@@ -288,7 +339,8 @@ std::vector<SimulationFile> simulationFiles()
          {{"t", Time}, {"x", X}}, {}, "time[] R4_x?[]");
 
     // Linkages in the browser.
-    constexpr auto kPmks = "github.com/PMKS-Web/PMKSWeb, analysis graph, buildCSVContent()";
+    constexpr auto kPmks = "github.com/PMKS-Web/PMKSWeb src/app/component/analysis-graph/analysis-graph.component.ts, "
+                           "downloadCSV()";
     read("PMKS+, position of a joint", kPmks,
          {{"Time (seconds)", Time}, {"Time (steps)", RowNumber}, {"X (cm)", X, 10.0}, {"Y (cm)", Offset, 10.0}}, {},
          "time[seconds] - R4_x?[cm] R4_y?[cm]");
@@ -314,10 +366,55 @@ std::vector<SimulationFile> simulationFiles()
     read("MotionGen, differences", "no header found in public: a plausible form",
          {{"time", Time}, {"x", X}, {"vx", ForwardV}}, {}, "time[] R4_x?[] R4_x_diff?[]");
 
+    // Other programs of linkages.
+    refused("Linkage, motion paths",
+            "github.com/stainlessio/Linkage linkageView.cpp, OnFileSaveMotion(): \"Connector \" and its name, the "
+            "number of "
+            "points, then x and y",
+            {{"", X}, {"", Offset}},
+            {.before = "Connector B\r\n101\r\n", .lineEnd = "\r\n", .format = "%.6f", .names = false},
+            "put a line such as time,theta3,R4_x above them");
+    refused("Pyslvs, path data",
+            "github.com/KmolYuan/Pyslvs-UI pyslvs_ui/widgets/inputs/__init__.py: x and y in each row, no names",
+            {{"", X}, {"", Offset}}, {.lineEnd = "\r\n", .format = "%.17g", .names = false},
+            "put a line such as time,theta3,R4_x above them");
+    constexpr auto kLinkageSim =
+        "github.com/coleas33/linkage_sim linkage-sim-rs/src/gui/export.rs: \"angle_deg\", \"{body}_theta_deg\", "
+        "\"transmission_angle_deg\", \"driver_torque_Nm\"; \"angle_deg\", \"{point}_x_m\", \"{point}_y_m\"";
+    read(
+        "linkage_sim, sweep", kLinkageSim,
+        {{"angle_deg", Theta2}, {"coupler_theta_deg", Theta3}, {"crank_theta_deg", Theta2}, {"driver_torque_Nm", Zero}},
+        {.format = "%.6f"}, "theta2?[deg] theta3[deg] angle?[deg] -");
+    read("linkage_sim, trace of a point", kLinkageSim,
+         {{"angle_deg", Theta2}, {"slider_x_m", X, kMetre}, {"slider_y_m", Offset, kMetre}}, {.format = "%.9f"},
+         "angle?[deg] R4_x[m] R4_y[m]");
+    constexpr auto kExercise = "exercises of textbooks: θ, x, v, a";
+    read("an exercise, a table over the angle", kExercise, {{"theta (deg)", Theta2}, {"x (mm)", X}}, {},
+         "angle?[deg] R4_x?[mm]");
+    refused("an exercise, a table over an angle that swings", kExercise, {{"angle (deg)", Theta3}, {"x (mm)", X}}, {},
+            "there is no time column");
+
     // Multibody programs.
     constexpr auto kRecurDyn =
         "public scripts that read such exports: \"X:Pos_TX-Body2(m)\" … \"Y:Pos_TX-Body2(m)\", the X "
         "columns being the time; \"@Model1\" is a plausible form";
+    constexpr auto kRecurDynTable =
+        "github.com/hyeonbeenlee/RecurDynPython TestDOE_Batch/TestDOE_Batch_0001.csv: a byte order mark, "
+        "\"No,TIME,Pos_PSI@Body1,Vel_RZ@Body1,…,Pos1_Relative@RevJoint1\", degrees and rad/s";
+    read("RecurDyn, a table", kRecurDynTable,
+         {{"No", RowNumber},
+          {"TIME", Time},
+          {"Pos_TX@Slider", X},
+          {"Vel_TX@Slider", V},
+          {"Pos_PSI@Crank", Theta2},
+          {"Pos1_Relative@RevJoint1", Theta2}},
+         {.before = "\xEF\xBB\xBF", .format = "%.9g"}, "- time[] R4_x[] R4_x_diff[] theta2[] -");
+    read("RecurDyn, a table of a body that tells nothing", kRecurDynTable,
+         {{"No", RowNumber}, {"TIME", Time}, {"Pos_TX@Body1", X}, {"Acc_TX@Body1", A}, {"TZ_RSDA@Spring1", Zero}},
+         {.before = "\xEF\xBB\xBF", .format = "%.9g"}, "- time[] R4_x?[] R4_x_diff2?[] -");
+    refused("RecurDyn, a table of two bodies", kRecurDynTable,
+            {{"No", RowNumber}, {"TIME", Time}, {"Pos_TX@Body1", X}, {"Pos_TX@Body2", Theta3}},
+            {.before = "\xEF\xBB\xBF", .format = "%.9g"}, "another column could be the same quantity");
     read("RecurDyn", kRecurDyn, {{"X:Pos_TX-Slider@Model1(mm)", Time}, {"Y:Pos_TX-Slider@Model1(mm)", X}}, {},
          "time?[] R4_x[mm]");
     read("RecurDyn, a body that tells nothing", kRecurDyn,
@@ -338,12 +435,66 @@ std::vector<SimulationFile> simulationFiles()
          "Project Chrono's unit tests: \"timeElapsed(s)\\tX_Pos\\tY_Pos\\tZ_Pos\\tLength_Pos\\t…\"",
          {{"timeElapsed(s)", Time}, {"X_Pos", X}, {"Y_Pos", Offset}, {"Z_Pos", Zero}, {"X_Vel", V}, {"X_Accel", A}},
          {.cell = "\t"}, "time[s] R4_x?[] R4_y?[] - R4_x_diff?[] R4_x_diff2?[]");
-    refused("MBDyn, .mov", "mbdyn.org, input manual: label, position, orientation, velocity; no names",
-            {{"", RowNumber}, {"", X}, {"", Offset}, {"", Zero}, {"", V}}, {.cell = " ", .names = false},
+    constexpr auto kMbdyn =
+        "github.com/lelliollo/MBDynProject2018 modale.mov, modale.jnt: a label and twelve numbers, no names; "
+        "github.com/OpenDigitalTwin-Dev/docs src/mbdyn.rst: position, angles, velocity, angular velocity";
+    refused("MBDyn, .mov", kMbdyn,
+            {{"", RowNumber},
+             {"", X, kMetre},
+             {"", Offset, kMetre},
+             {"", Zero},
+             {"", Zero},
+             {"", Zero},
+             {"", Theta3},
+             {"", V, kMetre},
+             {"", Zero},
+             {"", Zero},
+             {"", Zero},
+             {"", Zero},
+             {"", Omega3, kRad}},
+            {.cell = " ", .rowBegin = "       ", .format = "%.6e", .names = false},
             "put a line such as time,theta3,R4_x above them");
+    refused(
+        "Exudyn, a sensor",
+        "github.com/jgerstmayr/EXUDYN main/src/Solver/CSolverBase.cpp: \"sensor output file\" and its lines of \"#\"",
+        {{"", Time}, {"", X, kMetre}, {"", Offset, kMetre}, {"", Zero}},
+        {.before = "#Exudyn implicit second order time integration sensor output file\n#measure Body number = 2\n"
+                   "#OutputVariableType = Position\n#simulation started = 2024-03-01,12:00:00\n#columns contain: time, "
+                   "comma separated sensor values (e.g, x,y,z position coordinates)\n#number of sensor values = 3\n"
+                   "#Exudyn version = 1.8.0\n#\n",
+         .names = false},
+        "put a line such as time,theta3,R4_x above them");
+    refused(
+        "AnyBody, output file",
+        "raw.githubusercontent.com/AnyBody/support Wiki_Files/AnyBody_Modelling_System/InputTest.any: \"---- AnyBody "
+        "Output File\", \"Variables (Column# Name):\", \"col0 Main.MyStudy.t\", then the names between spaces",
+        {{"Main.MyStudy.t", Time}, {"Main.MyModel.jnt.Pos", Theta2, kRad}, {"Main.MyModel.jnt.Vel", Omega2, kRad}},
+        {.before =
+             "---- AnyBody Output File ---------------------------------\nStudy: Main.MyStudy\nVariables (Column# "
+             "Name):\ncol0 Main.MyStudy.t\ncol1 Main.MyModel.jnt.Pos\ncol2 Main.MyModel.jnt.Vel\n",
+         .cell = " ",
+         .format = "%22.15e"},
+        "its name does not say of which body it is");
+    read("SpiceSharpMechanical2D, slider crank",
+         "its sample SliderCrank/Program.cs: \"time,crank_angle,slider_x,slider_vx,guide_error,crank_rod_error\"",
+         {{"time", Time},
+          {"crank_angle", Theta2},
+          {"slider_x", X, kMetre, {}, 1e-3},
+          {"slider_vx", V, kMetre, {}, 1e-3},
+          {"guide_error", Zero},
+          {"crank_rod_error", Zero}},
+         {.format = "%.17g"}, "time[] theta2[] R4_x[] R4_x_diff[] - -");
+    read("Sleipnir, states of a trajectory",
+         "its test of a double integrator: \"Time (s),Position (m),Velocity (m/s)\"",
+         {{"Time (s)", Time}, {"Position (m)", X, kMetre}, {"Velocity (m/s)", V, kMetre}}, {.format = "%.15g"},
+         "time[s] R4_x?[m] R4_x_diff?[m/s]");
+    read("ctrlpp, trajectory", "its examples: \"time,position,velocity,acceleration\", four decimals",
+         {{"time", Time}, {"position", X}, {"velocity", V}, {"acceleration", A}}, {.format = "%.9f"},
+         "time[] R4_x?[] R4_x_diff?[] R4_x_diff2?[]");
     constexpr auto kModelica =
-        "Modelica Standard Library, Mechanics: Prismatic s, v, a; Revolute phi, w, a; OpenModelica's "
-        "simulation_result_csv.cpp quotes the names";
+        "Modelica Standard Library, Mechanics: Prismatic s, v, a; Revolute phi, w, a; "
+        "github.com/OpenModelica/OpenModelica "
+        "OMCompiler/SimulationRuntime/c/simulation/results/simulation_result_csv.cpp quotes the names";
     read("OpenModelica", kModelica,
          {{"\"time\"", Time},
           {"\"slider.a\"", A, kMetre},
@@ -372,13 +523,49 @@ std::vector<SimulationFile> simulationFiles()
     read("Working Model, .dta", "no header found in public: a plausible form",
          {{"t", Time}, {"x", X, kMetre, {}, 1e-3}, {"Vx", V, kMetre, {}, 1e-3}},
          {.before = "Position of Rectangle 2\n", .cell = "\t", .lineEnd = "\r\n"}, "time[] R4_x?[] R4_x_diff?[]");
-    read("OpenSim, .mot",
-         "\"Coordinates\", \"version=1\", \"nRows=\", \"nColumns=\", \"inDegrees=yes\", \"endheader\", in "
-         "public code that writes it",
+    constexpr auto kOpenSim =
+        "github.com/opensim-org/opensim-core Applications/IK/tests/resources/std_subject1_abdbonepin_IK.mot, "
+        "Applications/Analyze/tests/resources/SinglePin_states_degrees.mot and others: \"inDegrees=\", \"Units are "
+        "S.I. "
+        "units (second, meters, Newtons, ...)\", \"endheader\"";
+    read("OpenSim, .mot", kOpenSim, {{"time", Time}, {"slider_tx", X, kMetre}, {"crank_angle", Theta2}},
+         {.before =
+              "Coordinates\nversion=1\nnRows=101\nnColumns=3\ninDegrees=yes\n\nUnits are S.I. units (second, meters, "
+              "Newtons, ...)\nAngles are in degrees.\n\nendheader\n",
+          .cell = "\t",
+          .format = "%16.8f"},
+         "time[] R4_x[m] theta2[deg]");
+    read("OpenSim, .sto", kOpenSim,
+         {{"time", Time}, {"slider_tx", X, kMetre}, {"crank_angle", Theta2, kRad}, {"slider_velocity", V, kMetre}},
+         {.before =
+              "results\nversion=1\nnRows=101\nnColumns=4\ninDegrees=no\n\nUnits are S.I. units (seconds, meters, "
+              "Newtons, ...)\nIf the header above contains a line with 'inDegrees', this indicates whether rotational "
+              "values are in degrees (yes) or radians (no).\n\nendheader\n",
+          .cell = "\t",
+          .format = "%16.9f"},
+         "time[] R4_x[m] theta2[rad] R4_x_diff[m/s]");
+    read("OpenSim, names with units of their own", kOpenSim,
+         {{"time", Time}, {"slider_x (mm)", X}, {"crank_angle (deg)", Theta2}},
+         {.before = "results\ninDegrees=no\nUnits are S.I. units (seconds, meters, Newtons, ...)\nendheader\n",
+          .cell = "\t",
+          .format = "%16.8f"},
+         "time[] R4_x[mm] theta2[deg]");
+    read("OpenSim, .mot that says nothing of units", kOpenSim,
          {{"time", Time}, {"slider_tx", X, kMetre, {}, 1e-3}, {"crank_angle", Theta2}},
-         {.before = "Coordinates\nversion=1\nnRows=101\nnColumns=3\ninDegrees=yes\nendheader\n", .cell = "\t"},
+         {.before = "SinglePin_states\nnRows=101\nnColumns=3\n\n# SIMM Motion File Header:\nname "
+                    "SinglePin_states\ndatacolumns 3\ndatarows 101\notherdata 1\nrange 0.000000 1.000000\nendheader\n",
+          .cell = "\t",
+          .format = "%26.20f"},
          "time[] R4_x[] theta2[]");
-    read("Siemens NX, Creo, Fusion 360", "no header found in public: a plausible form",
+    refused("Modelica, CombiTimeTable",
+            "reference.wolfram.com/system-modeler/UserGuide/SimulationCenterCombiTimeTableFile.html: \"#1\", \"double "
+            "name(rows, columns) #comment\"",
+            {{"", Time}, {"", X, kMetre}}, {.before = "#1\ndouble slider(101,2)\n", .cell = " ", .names = false},
+            "no column beside the time has a known name");
+    read("Siemens NX, Creo, Fusion 360",
+         "no header found in public: a plausible form; support.ptc.com, Graph Report: a .grt file has lines on the "
+         "graph, "
+         "then \"the graph values for each axis in vertical format\"",
          {{"Time (sec)", Time}, {"Displacement X (mm)", X}, {"Velocity X (mm/sec)", V}}, {.cell = "\t"},
          "time[sec] R4_x?[mm] R4_x_diff?[mm/sec]");
 
@@ -389,6 +576,14 @@ std::vector<SimulationFile> simulationFiles()
     read("Tracker, velocities", "physics.brocku.ca/Courses/2P20/Tracker, page 21: v_{x}, v_{y}",
          {{"t", Time}, {"v_{x}", V}, {"v_{y}", Zero}}, {.before = "cm_A\n", .cell = "\t", .format = "%.9E"},
          "time[] R4_x_diff?[] R4_y_diff?[]");
+    constexpr auto kTracker =
+        "github.com/OpenSourcePhysics/tracker src/org/opensourcephysics/cabrillo/tracker/ExportDataDialog.java: the "
+        "names "
+        "of the tracks above those of the columns, a delimiter behind each; \"#multi:\" above several";
+    read("Tracker, exported data", kTracker, {{"t", Time}, {"x", X}, {"y\t", Offset}},
+         {.before = "\tmass A\t\t\n", .cell = "\t", .format = "%.6E"}, "time[] R4_x?[] R4_y?[]");
+    refused("Tracker, two tracks", kTracker, {{"t", Time}, {"x", X}, {"y", Offset}, {"x", Theta3}, {"y", Zero}},
+            {.before = "#multi:\n,mass A,,mass B,,\n", .format = "%.6E"}, "another column could be the same quantity");
     read("Vernier, Graphical Analysis", "\"Latest: Time (s)\" as public scripts read it from such exports",
          {{"Latest: Time (s)", Time}, {"Latest: Position (m)", X, kMetre}, {"Latest: Velocity (m/s)", V, kMetre}}, {},
          "time[s] R4_x?[m] R4_x_diff?[m/s]");
@@ -397,7 +592,9 @@ std::vector<SimulationFile> simulationFiles()
          {.before = "Format Version,1.23,Take Name,slider\n\n,,Marker,Marker,Marker\n,,Position,Position,Position\n"},
          "- time[Seconds] R4_x?[] R4_y?[] -");
     read("LabVIEW, .lvm",
-         "\"***End_of_Header***\" and \"X_Value\" of LabVIEW's measurement files; the other name is a person's",
+         "ni.com, Specification for the LabVIEW Measurement File (.lvm): \"***End_of_Header***\", \"X_Value\"; the "
+         "other name "
+         "is a person's",
          {{"X_Value", Time}, {"Slider position (mm)", X}, {"Comment", Word}},
          {.before = "LabVIEW Measurement\t\nSeparator\tTab\n***End_of_Header***\t\n", .cell = "\t"},
          "time?[] R4_x[mm] -");
@@ -414,6 +611,7 @@ std::vector<OtherFile> otherFiles()
 {
     using namespace std::string_literals;
     const char *const kNoTime = "there is no time column";
+    const char *const kNoChannel = "no column beside the time has a known name";
     return {
         {"a bank statement",
          "Buchungstag;Wertstellung;Auftraggeber;Betrag "
@@ -462,6 +660,26 @@ std::vector<OtherFile> otherFiles()
         {"Markdown", "# Slider crank\n\n| time | R4_x |\n|---|---|\n| 0 | 85 |\n| 0.5 | 60 |\n", kNoTime},
         {"a mesh", "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 0.0 1.0 0.0\nf 1 2 3\n", kNoTime},
         {"a spline table", "# x y\n0 85\n10 80\n20 70\n30 55\n", kNoTime},
+        {"prices", "Date,Open,High,Low,Close\n2024-03-01,187.2,189.1,186.5,188.9\n2024-03-04,188.0,190.2,187.7,189.5\n",
+         kNoChannel},
+        {"an oscilloscope", "Source,CH1,CH2\nSecond,Volt,Volt\n-0.010,0.02,1.1\n-0.009,0.03,1.2\n-0.008,0.02,1.3\n",
+         kNoChannel},
+        {"a diffraction pattern", "# 2theta intensity\n10.00 120\n10.02 131\n10.04 128\n", kNoChannel},
+        {"torque over an angle", "Angle (deg),Torque (Nm)\n0,1.2\n15,1.4\n30,1.9\n45,2.2\n", kNoChannel},
+        {"pressure over the crank's angle", "Crank angle (deg),Cylinder pressure (bar)\n0,40.1\n1,41.2\n2,42.0\n",
+         kNoChannel},
+        {"a cam", "cam angle (deg),lift (mm)\n0,0\n10,0.4\n20,1.5\n", kNoTime},
+        {"an electrocardiogram", "time,lead I,lead II\n0.000,0.01,0.02\n0.004,0.02,0.03\n0.008,0.03,0.02\n",
+         kNoChannel},
+        {"a spectrum", "frequency (Hz),amplitude (mm)\n0,0.1\n1,24.9\n2,3.1\n", kNoTime},
+        {"nodes of a structure", "Node,X (mm),Y (mm)\n1,0,0\n2,10,0\n3,20,0\n", kNoTime},
+        {"a race", "Pos,Driver,Laps,Time\n1,Alonso,57,1:31:44.742\n2,Sainz,57,1:31:46.120\n", "no row can be read"},
+        {"a table in LaTeX", "\\begin{tabular}{rr}\ntime & position \\\\\n0 & 85 \\\\\n0.5 & 60 \\\\\n\\end{tabular}\n",
+         kNoTime},
+        {"YAML", "time: [0, 0.5, 1]\nposition: [85, 60, 35]\n", kNoTime},
+        {"subtitles", "1\n00:00:01,000 --> 00:00:04,000\nThe slider moves.\n", kNoTime},
+        {"a letter", "From: ana@example.org\nSubject: position of the slider\n\nAt this time it is at 85 mm.\n",
+         kNoTime},
         {"an old spreadsheet", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"s, "spreadsheet or an archive"},
     };
 }

@@ -91,7 +91,9 @@ QString sentenceOf(const ReadFault &fault)
         return ReadFaultText::tr("two columns are chosen as %1: keep one of the two.")
             .arg(QString::fromUtf8(nameOf(fault.channel)));
     case Kind::TimeChosenTwice: return ReadFaultText::tr("two columns are chosen as the time: keep one of the two.");
-    case Kind::NoTime: return ReadFaultText::tr("there is no time column: name the column of the instants \"time\".");
+    case Kind::NoTime:
+        return ReadFaultText::tr("there is no time column: name the column of the instants \"time\", or that of the "
+                                 "crank's angle \"theta2\".");
     case Kind::NoChannel:
         return ReadFaultText::tr("no column beside the time has a known name: name them as in theta3, theta3_diff, "
                                  "theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.");

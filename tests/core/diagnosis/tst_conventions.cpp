@@ -610,6 +610,36 @@ private slots:
         }
     }
 
+    void findsNothingInTheCranksAngleWhereverTheTurnBegins()
+    {
+        for (const double theta20 : {0.0, 0.5, 1.5, 3.0, -0.5, -3.0}) {
+            for (const int rows : {100, 101}) {
+                Parameters p;
+                p.theta20 = theta20;
+                QByteArray text = "time,theta2,R4_x,R4_x_diff,R4_x_diff2\n";
+                for (int i = 0; i < rows; ++i) {
+                    const double t = 0.01 * i;
+                    const PrintedRow row = textbookMotion(p, static_cast<long double>(t));
+                    text += QByteArray::number(t) + ',' +
+                            QByteArray::number((theta20 + p.omega2 * t) * kDegreesPerRadian, 'g', 8);
+                    for (const std::size_t value : {1U, 3U, 5U}) { // x and its derivatives
+                        text += ',' + QByteArray::number(static_cast<double>(row[value]), 'g', 8);
+                    }
+                    text += '\n';
+                }
+                Parameters other = p;
+                other.b = 60.0;
+                const auto outcome = readReferenceData(text.toStdString());
+                QVERIFY(std::holds_alternative<ReferenceData>(outcome));
+                for (const Parameters &compared : {p, other}) {
+                    const std::vector<ConventionFinding> found =
+                        findConventions(std::get<ReferenceData>(outcome), Mechanism(compared));
+                    QVERIFY2(found.empty(), inWords(found).c_str());
+                }
+            }
+        }
+    }
+
     void findsNothingInCleanFilesOfFewColumns_data()
     {
         QTest::addColumn<std::vector<Channel>>("channels");

@@ -143,6 +143,7 @@ private slots:
         QTest::newRow("with its unit, no space") << "70.5mm" << 70.5;
         QTest::newRow("far beyond the slider") << "123456.5" << 123456.5;
         QTest::newRow("power of ten") << "1e-3" << 1e-3;
+        QTest::newRow("power of ten as the program shows it") << QStringLiteral("1.5·10⁻⁷") << 1.5e-7;
         QTest::newRow("centimetres") << "2.5cm" << 25.0;
         QTest::newRow("an inch") << "1 in" << 25.4;
         QTest::newRow("groups of three") << "1 000" << 1000.0;
@@ -183,6 +184,8 @@ private slots:
         QTest::addColumn<QString>("says");
         QTest::newRow("nonsense") << "sixty"
                                   << "“sixty” is not a number.";
+        QTest::newRow("ten without its power")
+            << QStringLiteral("1.5·10") << QStringLiteral("“1.5·10” is not a number.");
         QTest::newRow("a quotient") << "20/3"
                                     << "“20/3” is not a number.";
         QTest::newRow("a comma") << "30,5"

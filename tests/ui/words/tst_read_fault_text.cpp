@@ -47,7 +47,8 @@ const std::vector<Said> &allFaults()
         {{Kind::TimeTwice}, "there is a time column already: keep one of the two."},
         {{Kind::ChannelChosenTwice, {R4x, Order::Position}}, "two columns are chosen as R4_x: keep one of the two."},
         {{Kind::TimeChosenTwice}, "two columns are chosen as the time: keep one of the two."},
-        {{Kind::NoTime}, "there is no time column: name the column of the instants \"time\"."},
+        {{Kind::NoTime},
+         "there is no time column: name the column of the instants \"time\", or that of the crank's angle \"theta2\"."},
         {{Kind::NoChannel},
          "no column beside the time has a known name: name them as in theta3, theta3_diff, theta3_diff2, R4_x, "
          "R4_x_diff, R4_x_diff2."},
