@@ -1125,8 +1125,12 @@ Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve -
         <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
-        <source>%1: these columns are not known and were not used: %2.</source>
-        <translation>%1: estas columnas son desconocidas y no se usaron: %2.</translation>
+        <source>%1: these columns were not used: %2.</source>
+        <translation>%1: estas columnas no se usaron: %2.</translation>
+    </message>
+    <message>
+        <source>%1: t = %2 s, one instant</source>
+        <translation>%1: t = %2 s, un instante</translation>
     </message>
     <message>
         <source>Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
@@ -1960,9 +1964,9 @@ none          ni siquiera eso
     </message>
     <message>
         <source>
-Infinite at %1 instants where the reference is zero; they are left out</source>
+Where the reference is zero it is infinite, and left out: %1×</source>
         <translation>
-Infinito en %1 instantes en que la referencia es cero; no se cuentan</translation>
+Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source> (%1×∞)</source>
@@ -4214,6 +4218,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>máx. </translation>
     </message>
     <message>
+        <source>infinite: the reference is 0</source>
+        <translation>infinito: la referencia es 0</translation>
+    </message>
+    <message>
         <source>nothing to compare</source>
         <translation>nada que comparar</translation>
     </message>
@@ -4681,6 +4689,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Columns</source>
         <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>1 row read</source>
+        <translation>1 fila leída</translation>
     </message>
     <message>
         <source>%1 rows read</source>
