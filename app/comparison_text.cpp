@@ -134,6 +134,9 @@ QString headlineOf(const QString &file, const ReferenceData &data)
                         number(crank.degrees.back()), number(crank.omega2), number(crank.theta20 * kDegreesPerRadian)) +
                u'\n';
     }
+    if (data.time.size() == 1) {
+        return CommandLine::tr("%1: t = %2 s, one instant").arg(shownNameOf(file), number(data.time.front())) + u'\n';
+    }
     return CommandLine::tr("%1: t = %3 s to %4 s, %2 instants")
                .arg(shownNameOf(file), QString::number(data.time.size()), number(data.time.front()),
                     number(data.time.back())) +
@@ -212,8 +215,14 @@ void warnOf(const QString &file, const ReferenceData &data)
                 .arg(shownNameOf(file), QString::number(data.skippedRowCount()), lineText(data.layout, first),
                      QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
-    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
-        say(CommandLine::tr("%1: these columns are not known and were not used: %2.")
+    QStringList ignored;
+    for (std::size_t i = 0; i < data.layout.columns.size(); ++i) {
+        if (data.layout.columns[i].role == ColumnRole::Ignored) {
+            ignored += QStringLiteral("%1 (%2)").arg(headingText(data.layout, i), shortReasonText(data.layout, i));
+        }
+    }
+    if (!ignored.isEmpty()) {
+        say(CommandLine::tr("%1: these columns were not used: %2.")
                 .arg(shownNameOf(file), ignored.join(QStringLiteral(", "))));
     }
     if (const QStringList guesses = guessesIn(data.layout); !guesses.empty()) {

@@ -1103,10 +1103,6 @@ CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el vered
         <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
-        <source>%1: these columns are not known and were not used: %2.</source>
-        <translation>%1: estas columnas son desconocidas y no se usaron: %2.</translation>
-    </message>
-    <message>
         <source>Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
         <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
     </message>
@@ -1330,6 +1326,14 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     <message>
         <source>%1 is a scene: open it by itself, and files of one motion together.</source>
         <translation>%1 es una escena: ábrala sola, y los archivos de un mismo movimiento juntos.</translation>
+    </message>
+    <message>
+        <source>%1: these columns were not used: %2.</source>
+        <translation>%1: estas columnas no se usaron: %2.</translation>
+    </message>
+    <message>
+        <source>%1: t = %2 s, one instant</source>
+        <translation>%1: t = %2 s, un instante</translation>
     </message>
 </context>
 <context>
@@ -1977,12 +1981,6 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
         <translation>máx. |modelo − referencia| / |referencia| · 100</translation>
     </message>
     <message>
-        <source>
-Infinite at %1 instants where the reference is zero; they are left out</source>
-        <translation>
-Infinito en %1 instantes en que la referencia es cero; no se cuentan</translation>
-    </message>
-    <message>
         <source> (%1×∞)</source>
         <translation> (%1×∞)</translation>
     </message>
@@ -2059,6 +2057,12 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>How the file was rounded is unknown</source>
         <translation>No se sabe cómo se redondeó el archivo</translation>
+    </message>
+    <message>
+        <source>
+Where the reference is zero it is infinite, and left out: %1×</source>
+        <translation>
+Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
 </context>
 <context>
@@ -4324,6 +4328,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <source>position </source>
         <translation>posición </translation>
     </message>
+    <message>
+        <source>infinite: the reference is 0</source>
+        <translation>infinito: la referencia es 0</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>
@@ -4811,6 +4819,10 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
     <message>
         <source>Use this mechanism</source>
         <translation>Usar este mecanismo</translation>
+    </message>
+    <message>
+        <source>1 row read</source>
+        <translation>1 fila leída</translation>
     </message>
 </context>
 <context>

@@ -254,6 +254,7 @@ private slots:
     void comparesTheSample();
     void comparesTheSampleInJson();
     void comparesTheSampleInCsv();
+    void saysWhyColumnsAreNotUsed();
     void comparesSeveralFiles();
     void comparesTheFilesThatItCanRead();
     void tellsRoundingFromDifference_data();
@@ -987,6 +988,17 @@ void TestCommandLine::comparesTheSampleInCsv()
         outcome.out.endsWith(",differs,differs,\"" + quoted.replace(u'"', QStringLiteral("\"\"")).toUtf8() + "\"\n"));
     const Outcome same = run({"compare", sample(), "--b", "60", "--format", "csv"});
     QVERIFY(same.out.endsWith(",agrees,agrees,\n"));
+}
+
+void TestCommandLine::saysWhyColumnsAreNotUsed()
+{
+    QTemporaryDir folder;
+    const QString file =
+        writeFile(folder.filePath(QStringLiteral("one.csv")), "time,R4_x,theta3,force\n0,74.5,NaN,3\n");
+    const Outcome outcome = run({"compare", file});
+    QCOMPARE(outcome.err,
+             file.toUtf8() + ": these columns were not used: theta3 (no number in it), force (name not known).\n");
+    QVERIFY2(outcome.out.startsWith(file.toUtf8() + ": t = 0 s, one instant\n"), outcome.out.constData());
 }
 
 void TestCommandLine::comparesSeveralFiles()

@@ -595,7 +595,9 @@ void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::si
     const std::optional<Interval> both = united(extents[0], extents[1]);
     picture.hasValues = both.has_value();
     if (!both) {
+        const bool isInfinite = !picture.curves[0].marks.empty() || !picture.curves[1].marks.empty();
         picture.note = result->difference ? tr("no difference")
+                       : isInfinite       ? tr("infinite: the reference is 0")
                        : isCompared       ? tr("nothing to compare")
                                           : tr("not in the file");
         return;

@@ -134,9 +134,8 @@ TableRow errorRowOf(const ChannelComparison &channel, const SeriesColours &colou
     TableCell percent = cell(shortNumber(channel.maxPercent, kErrorDigits),
                              ErrorPanel::tr("max |model − reference| / |reference| · 100"));
     if (channel.zeroReference > 0) {
-        percent.explanation +=
-            ErrorPanel::tr("\nInfinite at %1 instants where the reference is zero; they are left out")
-                .arg(channel.zeroReference);
+        percent.explanation += ErrorPanel::tr("\nWhere the reference is zero it is infinite, and left out: %1×")
+                                   .arg(channel.zeroReference);
         percent.text += ErrorPanel::tr(" (%1×∞)").arg(channel.zeroReference);
     }
     TableCell percentAt = cell(channel.maxPercent ? numberText(channel.timeOfMaxPercent) : dash(),

@@ -296,7 +296,7 @@ void ReferencePanel::fillForm()
     showName();
     showAbscissa();
     const ReferenceData &read = m_reference->data;
-    QString rows = tr("%1 rows read").arg(countText(read.time.size()));
+    QString rows = read.time.size() == 1 ? tr("1 row read") : tr("%1 rows read").arg(countText(read.time.size()));
     if (!read.time.empty()) {
         rows += QStringLiteral(", ") + abscissaText(read);
     }

@@ -328,6 +328,15 @@ void TstPlotGrid::leavesAGapWhereTheReferenceIsZero()
     const QPoint mark(static_cast<int>(plot->xAxis->coordToPixel(reference->data.time[kZero])), axes.top() + 5);
     const QColor pixel = pictureOf(shown, QStringLiteral("plot_error_position")).pixelColor(mark);
     QVERIFY(std::abs(pixel.hue() - seriesColours(shown.grid.palette()).error.hue()) < 8);
+
+    std::ranges::fill(reference->data.series[0].values, 0.0);
+    reference->data.series.resize(1);
+    ShownGrid still(resultOf(withCoupler(60.0), 200, reference));
+    TextRecorder recorder({600, 300});
+    QPainter painter(&recorder);
+    still.grid.paintPlot(painter, QStringLiteral("plot_error_position"), {600, 300}, paletteFor(Theme::Light));
+    painter.end();
+    QVERIFY(std::ranges::any_of(recorder.texts, [](const auto &text) { return text.first.startsWith("infinite"); }));
 }
 
 void TstPlotGrid::showsTheLargestFinitePercentage()
