@@ -42,12 +42,12 @@ void check(const LimitsOptions &options)
 
 void check(const CompareOptions &options)
 {
-    require(!options.files.isEmpty(), "there are files");
+    require(!options.references.isEmpty(), "there are files");
 }
 
 void check(const IdentifyOptions &options)
 {
-    require(!options.files.isEmpty() && options.format != Format::Csv, "there are files");
+    require(!options.references.isEmpty() && options.format != Format::Csv, "there are files");
 }
 
 void check(const StudyOptions &options)
