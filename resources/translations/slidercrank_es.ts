@@ -315,6 +315,14 @@
         <translation>deducido: solo crece</translation>
     </message>
     <message>
+        <source>guessed: its heading says nothing, the name of the file does</source>
+        <translation>deducido: su encabezado no dice nada; el nombre del archivo, sí</translation>
+    </message>
+    <message>
+        <source>guessed by the file&apos;s name</source>
+        <translation>deducido por el nombre del archivo</translation>
+    </message>
+    <message>
         <source>guessed: named as in Modelica</source>
         <translation>deducido: nombre de Modelica</translation>
     </message>
@@ -3449,8 +3457,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>&amp;Ante una clase</translation>
     </message>
     <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 y %2 más</translation>
+        <source>%1 + %2 more</source>
+        <translation>%1 + %2 más</translation>
     </message>
 </context>
 <context>
@@ -4646,8 +4654,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
     </message>
     <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 y %2 más</translation>
+        <source>%1 + %2 more</source>
+        <translation>%1 + %2 más</translation>
     </message>
     <message>
         <source>%1 is named twice: give each file once.</source>
