@@ -315,12 +315,20 @@
         <translation>deducido: solo crece</translation>
     </message>
     <message>
-        <source>guessed: its heading says nothing, the name of the file does</source>
-        <translation>deducido: su encabezado no dice nada; el nombre del archivo, sí</translation>
+        <source>guessed: the file&apos;s name says so</source>
+        <translation>deducido: lo dice el nombre del archivo</translation>
     </message>
     <message>
-        <source>guessed by the file&apos;s name</source>
-        <translation>deducido por el nombre del archivo</translation>
+        <source>guessed: file&apos;s name</source>
+        <translation>deducido: nombre del archivo</translation>
+    </message>
+    <message>
+        <source>the instants, the same in all files</source>
+        <translation>los instantes, los mismos en todos los archivos</translation>
+    </message>
+    <message>
+        <source>same in all files</source>
+        <translation>los mismos en todos</translation>
     </message>
     <message>
         <source>guessed: named as in Modelica</source>
