@@ -23,7 +23,7 @@ struct ByteSource {
     /// How many a thread takes at a time: any number gives the same. These stay in the processor's cache.
     std::size_t piece = std::size_t{1} << 18U;
 
-    std::string name{}; ///< of the file: tells several apart that are read together
+    std::string name{}; ///< of the file; empty: none
 };
 
 /// Bytes in memory, which outlive it.

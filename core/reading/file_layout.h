@@ -38,6 +38,7 @@ enum class ColumnReason {
     DerivativeOfOther, ///< the values are the time derivative of otherColumn
     EvenRate,          ///< an angle that grows at an even rate is the crank's
     RisingValues,      ///< no column is named as the time; this is the first that only rises
+    FileName,          ///< the heading says nothing ("Value"), the name of the file does
     ModelicaName,      ///< named as Modelica names it, and so taken to be in m, rad and s
     AngleForTime,      ///< no column is the time; this is the crank's angle, which goes one way throughout
 

@@ -511,4 +511,13 @@ bool endsInQuantity(const Heading &heading)
                                     }));
 }
 
+bool saysNothing(const Heading &heading)
+{
+    const std::vector<std::string> words = wordsOf(plainSpelling(heading.name));
+    return std::ranges::all_of(words, [](const std::string &word) {
+        return isDigit(word[0]) || isAmong(word, "y value values data output result results plot curve series valor "
+                                                 "valores datos salida resultado resultados curva serie");
+    });
+}
+
 } // namespace slidercrank

@@ -61,4 +61,7 @@ NameMeaning meaningOf(const Heading &heading);
 /// "J1_x", "part 7 velocity": whether a name that means nothing ends in a quantity.
 bool endsInQuantity(const Heading &heading);
 
+/// "Value", "Series1", "y": whether any plot may be called so.
+bool saysNothing(const Heading &heading);
+
 } // namespace slidercrank

@@ -43,7 +43,7 @@ struct ReadFault {
         ChannelTwice,   ///< in the names
         TimeTwice,
         ChannelChosenTwice, ///< `channel`, by a person
-        TimeChosenTwice, ///< or the crank's angle in its place
+        TimeChosenTwice,    ///< or the crank's angle in its place
         NoTime,
         NoChannel,        ///< no name is known
         NoCertainChannel, ///< the column of `heading` could be one, were it not for `column`

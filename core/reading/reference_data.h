@@ -15,6 +15,9 @@
 // column. Numbers hold a decimal point or a decimal comma, the same throughout a file; separators of thousands are not
 // read. An empty cell or "nan" is a gap.
 //
+// In a file of two columns, a plot, the heading beside the instants may say nothing ("Value", "y"): then the name of
+// the file may ("slider_velocity.csv").
+//
 // A name that leaves open which channel it is, is guessed at only where unit and values bear that out, and the guess is
 // marked in the layout; otherwise the column is left out.
 

@@ -6,6 +6,7 @@
 #include "core/reading/number_text.h"
 #include "core/reading/text_encoding.h"
 #include "core/reading/text_pieces.h"
+#include "core/reading/unit_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +63,34 @@ ReadFault faultWithoutChannel(const FileLayout &layout)
     return {Fault::NoChannel};
 }
 
+/// Of a plot alone in its file, the heading that says nothing, where the file's name says it: the column, and that name
+/// in its place.
+std::optional<std::pair<std::size_t, Heading>> headingByFile(std::span<const Heading> headings, const std::string &file)
+{
+    if (headings.size() != 2) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool isPlotted = meaningOf(headings[1 - i]).kind == NameMeaning::Kind::Time && saysNothing(headings[i]);
+        Heading byFile = headingOf(file.substr(0, file.find_last_of('.')));
+        byFile.printed = headings[i].printed;
+        byFile.unit = headings[i].unit.empty() ? byFile.unit : headings[i].unit;
+        const NameMeaning meaning = meaningOf(byFile);
+        const std::optional<Unit> unit = unitOf(byFile.unit);
+        const bool suits =
+            meaning.kind == NameMeaning::Kind::Quantity ||
+            (meaning.kind == NameMeaning::Kind::Channel &&
+             (byFile.unit.empty() || (unit && unit->order == static_cast<int>(meaning.channel.order) &&
+                                      (unit->dimension == Dimension::Angle) == isAngle(meaning.channel.coordinate))));
+        if (isPlotted && suits) {
+            return std::pair(i, std::move(byFile));
+        }
+    }
+    return std::nullopt;
+}
+
 /// Settles what each column is. `sampledRows`: text of some rows from all over the table.
-std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &options,
+std::variant<TableLayout, ReadError> layOut(Table table, const std::string &file, const ReadOptions &options,
                                             const std::function<std::string()> &sampledRows)
 {
     TableLayout layout;
@@ -75,6 +102,11 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
     const std::variant<std::vector<ColumnChoice>, ReadFault> choices = choicesByNumber(options, table.headings);
     if (const ReadFault *fault = std::get_if<ReadFault>(&choices)) {
         return refused({headerLine, 0, {}, *fault});
+    }
+    const auto byFile = headingByFile(table.headings, file);
+    if (byFile) {
+        table.headings[byFile->first] = byFile->second;
+        table.layout.columns[byFile->first].unit = byFile->second.unit;
     }
     const auto outcome = assignColumns(table.headings, std::get<std::vector<ColumnChoice>>(choices),
                                        [&] { return sampleRows(table, sampledRows()); });
@@ -88,7 +120,8 @@ std::variant<TableLayout, ReadError> layOut(Table table, const ReadOptions &opti
         FileColumn &described = table.layout.columns[i];
         described.role = use.role;
         described.channel = use.channel;
-        described.reason = use.reason;
+        const bool isByFile = byFile && i == byFile->first && use.role == ColumnRole::Channel;
+        described.reason = isByFile && use.reason != ColumnReason::Chosen ? ColumnReason::FileName : use.reason;
         described.otherColumn = use.otherColumn;
         const bool isTime = use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle;
         layout.columns.push_back(
@@ -203,7 +236,7 @@ std::variant<TableLayout, ReadError> layOut(const ByteSource &source, std::strin
     OpenedTable &opened = std::get<OpenedTable>(outcome);
     const std::string_view data = opened.table.data;
     const TextEncoding encoding = opened.table.layout.encoding;
-    std::variant<TableLayout, ReadError> layout = layOut(std::move(opened.table), options, [&] {
+    std::variant<TableLayout, ReadError> layout = layOut(std::move(opened.table), source.name, options, [&] {
         return source.size <= kBeginning ? std::string(data)
                                          : TextPieces(source, encoding, opened.dataBegin).sample(kSampledRows);
     });

@@ -458,6 +458,22 @@
         <source>%1 files of one motion, joined</source>
         <translation>%1 archivos de un mismo movimiento, leídos como uno solo</translation>
     </message>
+    <message>
+        <source>guessed: the file&apos;s name says so</source>
+        <translation>deducido: lo dice el nombre del archivo</translation>
+    </message>
+    <message>
+        <source>guessed: file&apos;s name</source>
+        <translation>deducido: nombre del archivo</translation>
+    </message>
+    <message>
+        <source>the instants, the same in all files</source>
+        <translation>los instantes, los mismos en todos los archivos</translation>
+    </message>
+    <message>
+        <source>same in all files</source>
+        <translation>los mismos en todos</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
@@ -3453,8 +3469,8 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>&amp;Ante una clase</translation>
     </message>
     <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 y %2 más</translation>
+        <source>%1 + %2 more</source>
+        <translation>%1 + %2 más</translation>
     </message>
 </context>
 <context>
@@ -4654,12 +4670,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
     </message>
     <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 y %2 más</translation>
-    </message>
-    <message>
         <source>%1 is named twice: give each file once.</source>
         <translation>%1 está dos veces: indique cada archivo una sola vez.</translation>
+    </message>
+    <message>
+        <source>%1 + %2 more</source>
+        <translation>%1 + %2 más</translation>
     </message>
 </context>
 <context>

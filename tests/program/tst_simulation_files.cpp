@@ -34,6 +34,26 @@ std::string becomes(const FileLayout &layout)
     return text;
 }
 
+/// Where the column was read at all.
+bool isAsWritten(const ReferenceData &data, std::size_t i, const WrittenColumn &as)
+{
+    const FileColumn &column = data.layout.columns[i];
+    if (column.role == ColumnRole::Ignored) {
+        return true;
+    }
+    const std::vector<double> &values = column.role == ColumnRole::Time         ? data.time
+                                        : column.role == ColumnRole::CrankAngle ? data.crank->degrees
+                                                                                : data.find(column.channel)->values;
+    double peak = 1e-9;
+    double worst = 0.0;
+    for (int row = 0; row < kWrittenRows; ++row) {
+        const double value = writtenValue(as.content, row) * as.taken;
+        peak = std::max(peak, std::abs(value));
+        worst = std::max(worst, std::abs(values[static_cast<std::size_t>(row)] - value));
+    }
+    return worst <= 1e-6 * peak;
+}
+
 QString sentenceFor(const std::variant<ReferenceData, ReadError> &outcome)
 {
     const ReadError *error = std::get_if<ReadError>(&outcome);
@@ -43,6 +63,7 @@ QString sentenceFor(const std::variant<ReferenceData, ReadError> &outcome)
 } // namespace
 
 Q_DECLARE_METATYPE(SimulationFile)
+Q_DECLARE_METATYPE(SimulationPlots)
 Q_DECLARE_METATYPE(OtherFile)
 
 class TestSimulationFiles : public QObject
@@ -79,22 +100,43 @@ private slots:
         QVERIFY(data.skipped.empty());
         QCOMPARE(data.crank ? data.crank->degrees.size() : data.time.size(), std::size_t{kWrittenRows});
         for (std::size_t i = 0; i < file.columns.size(); ++i) {
-            const FileColumn &column = data.layout.columns[i];
-            if (column.role == ColumnRole::Ignored) {
-                continue;
-            }
-            const std::vector<double> &values = column.role == ColumnRole::Time ? data.time
-                                                : column.role == ColumnRole::CrankAngle
-                                                    ? data.crank->degrees
-                                                    : data.find(column.channel)->values;
-            double peak = 1e-9;
-            double worst = 0.0;
-            for (int row = 0; row < kWrittenRows; ++row) {
-                const double value = writtenValue(file.columns[i].content, row) * file.columns[i].taken;
-                peak = std::max(peak, std::abs(value));
-                worst = std::max(worst, std::abs(values[static_cast<std::size_t>(row)] - value));
-            }
-            QVERIFY2(worst <= 1e-6 * peak, file.columns[i].heading.c_str());
+            QVERIFY2(isAsWritten(data, i, file.columns[i]), file.columns[i].heading.c_str());
+        }
+    }
+
+    void plotsOfOneMotionAreReadTogether_data()
+    {
+        QTest::addColumn<SimulationPlots>("plots");
+        for (const SimulationPlots &plots : simulationPlots()) {
+            QVERIFY(!plots.source.empty());
+            QTest::newRow(plots.program.c_str()) << plots;
+        }
+    }
+
+    void plotsOfOneMotionAreReadTogether()
+    {
+        QFETCH(const SimulationPlots, plots);
+        QStringList names;
+        QByteArrayList bytes;
+        std::vector<WrittenColumn> columns;
+        for (const SimulationFile &file : plots.files) {
+            names += QString::fromStdString(file.program);
+            bytes += QByteArray::fromStdString(file.bytes);
+            columns.insert(columns.end(), file.columns.begin(), file.columns.end());
+        }
+        const auto outcome = readBytes(names, bytes);
+        if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
+            const QString sentence = sentenceOf(*error, names);
+            QVERIFY2(!plots.refusal.empty() && sentence.startsWith(QString::fromStdString(plots.refusal)),
+                     qPrintable(sentence));
+            return;
+        }
+        QVERIFY(plots.refusal.empty());
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(QString::fromStdString(becomes(data.layout)), QString::fromStdString(plots.becomes));
+        QCOMPARE(data.time.size(), std::size_t{kWrittenRows});
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            QVERIFY2(isAsWritten(data, i, columns[i]), columns[i].heading.c_str());
         }
     }
 

@@ -607,6 +607,88 @@ std::vector<SimulationFile> simulationFiles()
     return files;
 }
 
+std::vector<SimulationPlots> simulationPlots()
+{
+    using enum Written;
+    std::vector<SimulationPlots> all;
+    const auto plot = [](const char *name, const Columns &columns, const Style &style = {}) {
+        return SimulationFile{name, {}, written(columns, style), columns, {}, {}};
+    };
+    const auto read = [&](const char *program, const char *source, std::vector<SimulationFile> files,
+                          const char *becomes) {
+        all.push_back({program, source, std::move(files), becomes, {}});
+    };
+
+    constexpr auto kPmks =
+        "github.com/PMKS-Web/PMKSWeb 069ac0a, analysis-graph.component.ts, downloadCSV(): a graph at a "
+        "time, into a file named after the part and the axis; i / 62.5 as it is";
+    const Style exact{.format = "%.17g"};
+    read("PMKS+, the graphs of the joint and the link", kPmks,
+         {plot("C_Position (cm).csv",
+               {{"Time (seconds)", Time}, {"Time (steps)", RowNumber}, {"X (cm)", X, 10.0}, {"Y (cm)", Offset, 10.0}},
+               exact),
+          plot("C_Velocity (cm_s).csv",
+               {{"Time (seconds)", Time},
+                {"Time (steps)", RowNumber},
+                {"Velocity (cm/s)", Speed, 10.0},
+                {" X-comp", V, 10.0},
+                {"Y-comp", Zero, 10.0}},
+               exact),
+          plot("BC_Position (deg).csv",
+               {{"Time (seconds)", Time}, {"Time (steps)", RowNumber}, {"Position (deg)", Theta3}}, exact)},
+         "time[seconds] - R4_x?[cm] R4_y?[cm] - - - R4_x_diff?[cm/s] R4_y_diff?[cm/s] - - theta3?[deg]");
+    read("ApexCharts, the CSV of a chart",
+         "apexcharts.com/docs, chart.toolbar.export.csv: headerCategory, headerValue; the names as in "
+         "github.com/PMKS-Web/PMKSWeb 069ac0a, analysis-graph.component.ts",
+         {plot("slider_position.csv", {{"Time (seconds)", Time}, {"Value", X}}),
+          plot("slider_velocity.csv", {{"Time (seconds)", Time}, {"Value", V}})},
+         "time[seconds] R4_x?[] - R4_x_diff?[]");
+    read("MotionGen, a curve a file", "no header found in public: a plausible form",
+         {plot("position.csv", {{"time", Time}, {"x", X}}), plot("velocity.csv", {{"time", Time}, {"vx", V}}),
+          plot("angle.csv", {{"time", Time}, {"coupler angle", Theta3}})},
+         "time[] R4_x?[] - R4_x_diff?[] - theta3[]");
+    const Style meter{.before = "Position of Rectangle 2\n", .cell = "\t", .lineEnd = "\r\n"};
+    read("Working Model, .dta, a meter a file", "no header found in public: a plausible form",
+         {plot("position.dta", {{"t", Time}, {"x", X, kMetre, {}, 1e-3}}, meter),
+          plot("velocity.dta", {{"t", Time}, {"Vx", V, kMetre, {}, 1e-3}}, meter),
+          plot("acceleration.dta", {{"t", Time}, {"Ax", A, kMetre, {}, 1e-3}}, meter)},
+         "time[] R4_x?[] - R4_x_diff?[] - R4_x_diff2?[]");
+    const Style table{.cell = "   ", .rowBegin = "  ", .format = "%14.7e"};
+    read("Adams, a component a table",
+         "adams.thisaray.com/adams_view_cmd/num_wri.html, numeric_results write: components of a result set by time, "
+         "into a "
+         "file; the names are a person's",
+         {plot("rod.tab", {{"TIME", Time}, {"Rod_Angle", Theta3}}, table),
+          plot("slider.tab", {{"TIME", Time}, {"Slider_Position", X}}, table),
+          plot("slider_v.tab", {{"TIME", Time}, {"Slider_Velocity", V}}, table)},
+         "time[] theta3[] - R4_x[] - R4_x_diff[]");
+    read("SolidWorks Motion, a plot a file",
+         "\"Linear Displacement1 (mm)\" as public scripts read it from such exports",
+         {plot("Plot1.csv", {{"Time (sec)", Time}, {"Linear Displacement1 (mm)", X}}),
+          plot("Plot2.csv", {{"Time (sec)", Time}, {"Linear Velocity1 (mm/sec)", V}}),
+          plot("Plot3.csv", {{"Time (sec)", Time}, {"Angular Displacement1 (deg)", Theta3}}),
+          plot("Plot4.csv", {{"Time (sec)", Time}, {"Angular Displacement2 (deg)", Theta2}})},
+         "time[sec] R4_x?[mm] - R4_x_diff?[mm/sec] - theta3?[deg] - theta2?[deg]");
+    read("Tracker and a spreadsheet", "physics.brocku.ca/Courses/2P20/Tracker, page 21; a person's table",
+         {plot("cm_A.txt", {{"t", Time}, {"x", X}}, {.before = "cm_A\n", .cell = "\t", .format = "%.9E"}),
+          plot("ángulo.csv", {{"Tiempo (ms)", Time, 1e-3}, {"Ángulo de la biela (rad)", Theta3, kRad}},
+               {.cell = ";", .lineEnd = "\r\n", .decimal = ","})},
+         "time[] R4_x?[] - theta3[rad]");
+    all.push_back({"SolidWorks Motion, two plots of one quantity",
+                   "as above",
+                   {plot("Plot1.csv", {{"Time (sec)", Time}, {"Linear Displacement1 (mm)", X}}),
+                    plot("Plot2.csv", {{"Time (sec)", Time}, {"Linear Displacement2 (mm)", Offset}})},
+                   {},
+                   "Plot2.csv: it holds R4_x, and Plot1.csv does, too"});
+    all.push_back({"PMKS+, of another run",
+                   kPmks,
+                   {plot("Position.csv", {{"Time (seconds)", Time}, {"X (cm)", X, 10.0}}),
+                    plot("Angle.csv", {{"Time (seconds)", Time, 2.0}, {"Position (deg)", Theta3}})},
+                   {},
+                   "Angle.csv: its instants are not those of Position.csv"});
+    return all;
+}
+
 std::vector<OtherFile> otherFiles()
 {
     using namespace std::string_literals;

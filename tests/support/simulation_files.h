@@ -47,6 +47,15 @@ struct SimulationFile {
     std::string refusal{}; ///< part of the sentence, where it is refused
 };
 
+/// The motion as a program writes it that exports a plot at a time.
+struct SimulationPlots {
+    std::string program;
+    std::string source;                ///< of the headers, or of how it exports
+    std::vector<SimulationFile> files; ///< `program`: the file's name
+    std::string becomes;               ///< the columns of all of them, as of SimulationFile
+    std::string refusal{};
+};
+
 struct OtherFile {
     std::string name;
     std::string bytes;
@@ -54,6 +63,7 @@ struct OtherFile {
 };
 
 std::vector<SimulationFile> simulationFiles();
+std::vector<SimulationPlots> simulationPlots();
 std::vector<OtherFile> otherFiles();
 
 /// In mm, degrees and s, at that row.

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <list>
 #include <mutex>
 #include <optional>
@@ -95,7 +96,7 @@ QString nameOf(const QStringList &paths)
     const QString &first = paths.first();
     const QString name = isStandardInput(first) ? shownNameOf(first) : QFileInfo(first).fileName();
     return paths.size() == 1 ? name
-                             : ReferenceFileText::tr("%1 and %2 more").arg(name, QString::number(paths.size() - 1));
+                             : ReferenceFileText::tr("%1 + %2 more").arg(name, QString::number(paths.size() - 1));
 }
 
 /// A file while it is read; what can be read once only is read already.

@@ -298,7 +298,13 @@ QWidget *ColumnMapping::createRows()
     for (int column = 0; column < headers.size(); ++column) {
         grid->addWidget(boldLabel(headers[column]), 0, column);
     }
+    int line = 1;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const std::size_t file = m_layout.columns[i].file;
+        if (!m_layout.files.empty() && (i == 0 || file != m_layout.columns[i - 1].file)) { // from there on its own
+            grid->addWidget(boldLabel(QString::fromUtf8(m_layout.files[file])), line++, 0, 1,
+                            static_cast<int>(headers.size()));
+        }
         const QString heading = headingText(m_layout, i);
         Row &row = m_rows[i];
         row.meaning = named(QStringLiteral("meaning%1").arg(i), new QComboBox, tr("%1 is read as").arg(heading));
@@ -311,7 +317,7 @@ QWidget *ColumnMapping::createRows()
             connect(combo, &QComboBox::currentIndexChanged, this, [this, i] { choose(i); });
         }
         row.why = named(QStringLiteral("why%1").arg(i), new QLabel);
-        auto *name = new QLabel(heading);
+        auto *name = new QLabel(headingAlone(m_layout, i));
         auto *values = new QLabel(firstValues(m_layout, i));
         for (QLabel *label : {name, values, row.why}) {
             label->setTextFormat(Qt::PlainText);
@@ -321,12 +327,13 @@ QWidget *ColumnMapping::createRows()
         for (QWidget *widget :
              {static_cast<QWidget *>(name), static_cast<QWidget *>(values), static_cast<QWidget *>(row.meaning),
               static_cast<QWidget *>(row.unit), static_cast<QWidget *>(row.why)}) {
-            grid->addWidget(widget, static_cast<int>(i) + 1, column++);
+            grid->addWidget(widget, line, column++);
         }
+        ++line;
     }
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(4, 2);
-    grid->setRowStretch(static_cast<int>(m_rows.size()) + 1, 1);
+    grid->setRowStretch(line, 1);
     auto *scroll = new QScrollArea;
     scroll->setAccessibleName(tr("Columns of the file"));
     scroll->setWidgetResizable(true);

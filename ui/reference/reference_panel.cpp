@@ -310,6 +310,12 @@ void ReferencePanel::fillColumns()
     std::vector<TableRow> rows;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
+        if (!layout.files.empty() && (i == 0 || column.file != layout.columns[i - 1].file)) { // from there on its own
+            rows.push_back(rowOfTexts({QString::fromUtf8(layout.files[column.file]), {}, {}, {}, {}, {}}));
+        }
+        if (repeatsInstants(layout, i)) {
+            continue;
+        }
         QString rounding = dash();
         const bool isAbscissa = column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle;
         QString values = isAbscissa ? countText(read.time.size()) : dash();
@@ -323,7 +329,7 @@ void ReferencePanel::fillColumns()
                 values += empty == 1 ? tr(", 1 gap") : tr(", %1 gaps").arg(countText(empty));
             }
         }
-        TableRow row = rowOfTexts({headingText(layout, i), unitText(column), meaningText(column), rounding, values,
+        TableRow row = rowOfTexts({headingAlone(layout, i), unitText(column), meaningText(column), rounding, values,
                                    shortReasonText(layout, i)});
         if (series) {
             row.cells[Meaning].explanation = columnNameOf(column.channel);

@@ -133,7 +133,7 @@ void Menus::fillRecent(QMenu *menu)
     menu->addSeparator();
     for (const QStringList &paths : recentReferences()) {
         const QString first = QDir::toNativeSeparators(paths.first());
-        menu->addAction(paths.size() == 1 ? first : tr("%1 and %2 more").arg(first, QString::number(paths.size() - 1)),
+        menu->addAction(paths.size() == 1 ? first : tr("%1 + %2 more").arg(first, QString::number(paths.size() - 1)),
                         this, [this, paths] { m_window.openReference(paths); });
     }
     if (menu->isEmpty()) {

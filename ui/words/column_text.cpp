@@ -54,11 +54,15 @@ QString otherHeading(const FileLayout &layout, std::size_t column)
 
 } // namespace
 
+QString headingAlone(const FileLayout &layout, std::size_t column)
+{
+    const QString heading = QString::fromUtf8(layout.columns[column].heading);
+    return heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading;
+}
+
 QString headingText(const FileLayout &layout, std::size_t column)
 {
-    const FileColumn &of = layout.columns[column];
-    const QString heading = QString::fromUtf8(of.heading);
-    return ofFile(heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading, layout, of.file);
+    return ofFile(headingAlone(layout, column), layout, layout.columns[column].file);
 }
 
 QString lineText(const FileLayout &layout, const SkippedRow &row)
@@ -66,13 +70,16 @@ QString lineText(const FileLayout &layout, const SkippedRow &row)
     return row.line == 0 ? QString() : ofFile(QString::number(row.line), layout, row.file);
 }
 
+bool repeatsInstants(const FileLayout &layout, std::size_t column)
+{
+    return !layout.files.empty() && layout.columns[column].reason == ColumnReason::SameInstants;
+}
+
 QStringList ignoredHeadings(const FileLayout &layout)
 {
     QStringList headings;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        const FileColumn &column = layout.columns[i];
-        const bool isOfJoined = !layout.files.empty() && column.reason == ColumnReason::SameInstants;
-        if (column.role == ColumnRole::Ignored && !isOfJoined) {
+        if (layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
             headings += headingText(layout, i);
         }
     }
@@ -126,6 +133,7 @@ QString roleReason(const FileLayout &layout, std::size_t column)
     case ColumnReason::EvenRate:
         return ColumnText::tr("guessed: an angle that grows at an even rate, as the crank's does");
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
+    case ColumnReason::FileName: return ColumnText::tr("guessed: the file's name says so");
     case ColumnReason::ModelicaName:
         return ColumnText::tr("guessed: named as in Modelica, whose variables are in m, rad and s");
     case ColumnReason::AngleForTime:
@@ -135,7 +143,9 @@ QString roleReason(const FileLayout &layout, std::size_t column)
     case ColumnReason::RowNumber: return ColumnText::tr("ignored: it counts the rows");
     case ColumnReason::Magnitude:
         return ColumnText::tr("ignored: a magnitude, without direction; “%1” is a component of it").arg(other);
-    case ColumnReason::SameInstants: return ColumnText::tr("ignored: the same instants as “%1”").arg(other);
+    case ColumnReason::SameInstants:
+        return repeatsInstants(layout, column) ? ColumnText::tr("the instants, the same in all files")
+                                               : ColumnText::tr("ignored: the same instants as “%1”").arg(other);
     case ColumnReason::OtherInstants:
         return ColumnText::tr("ignored: it belongs to other instants than those of “%1”").arg(other);
     case ColumnReason::NoName: return ColumnText::tr("ignored: it has no name");
@@ -183,13 +193,16 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::DerivativeOfOther: return ColumnText::tr("guessed: derivative of %1").arg(other);
     case ColumnReason::EvenRate: return ColumnText::tr("guessed: even rate");
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
+    case ColumnReason::FileName: return ColumnText::tr("guessed: file's name");
     case ColumnReason::ModelicaName: return ColumnText::tr("guessed: named as in Modelica");
     case ColumnReason::AngleForTime: return ColumnText::tr("guessed: no time here");
     case ColumnReason::UnknownName: return ColumnText::tr("name not known");
     case ColumnReason::UnknownBody: return ColumnText::tr("of which body?");
     case ColumnReason::RowNumber: return ColumnText::tr("counts the rows");
     case ColumnReason::Magnitude: return ColumnText::tr("magnitude of %1 …").arg(other);
-    case ColumnReason::SameInstants: return ColumnText::tr("same instants as %1").arg(other);
+    case ColumnReason::SameInstants:
+        return repeatsInstants(layout, column) ? ColumnText::tr("same in all files")
+                                               : ColumnText::tr("same instants as %1").arg(other);
     case ColumnReason::OtherInstants: return ColumnText::tr("other instants");
     case ColumnReason::NoName: return ColumnText::tr("no name");
     case ColumnReason::NoNumber: return ColumnText::tr("no number in it");

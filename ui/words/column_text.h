@@ -11,8 +11,14 @@
 namespace slidercrank
 {
 
-/// As printed; "column 3" where nothing is; "Value (b.csv)" where several files are joined.
+/// As printed; "column 3" where nothing is.
+QString headingAlone(const FileLayout &layout, std::size_t column);
+
+/// The same with the file, "Value (b.csv)", where several are joined.
 QString headingText(const FileLayout &layout, std::size_t column);
+
+/// Whether it only holds the instants of all files that are joined once more.
+bool repeatsInstants(const FileLayout &layout, std::size_t column);
 
 /// Where the row stands: "12", or "12 (b.csv)" where several files are joined.
 QString lineText(const FileLayout &layout, const SkippedRow &row);

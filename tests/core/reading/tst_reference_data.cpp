@@ -1131,6 +1131,49 @@ private slots:
         QCOMPARE(std::get<ReadError>(several).layout.columns.size(), std::size_t(4));
     }
 
+    void aPlotWhoseHeadingSaysNothingIsNamedByItsFile_data()
+    {
+        QTest::addColumn<std::string>("name");
+        QTest::addColumn<QByteArray>("names");
+        QTest::addColumn<std::string>("becomes");
+        const auto row = [](const char *name, const char *names, const char *becomes) {
+            QTest::addRow("%s: %s", name, names) << std::string(name) << QByteArray(names) << std::string(becomes);
+        };
+        row("slider_velocity.csv", "Time (sec),Value", "time R4_x_diff?");
+        row("slider velocity.txt", "t,y", "time R4_x_diff?");
+        row("coupler-angle.csv", "Time,Value [rad]", "time theta3?");
+        row("position_mm.csv", "Time,Series1", "time R4_x?");
+        row("theta3_diff2.csv", "t,Plot 1", "time theta3_diff2?");
+        row("velocidad.csv", "Tiempo,Valor", "time R4_x_diff?");
+        // Where the heading says something, or the name of the file nothing.
+        row("slider_velocity.csv", "time,R4_x", "time R4_x");
+        row("slider_velocity.csv", "time,temperature", "refused");
+        row("slider_velocity.csv", "time,Value [mm]", "refused");
+        row("slider_velocity.csv", "time,Value,Data", "refused");
+        row("slider_velocity.csv", "Value,Data", "refused");
+        row("plot2.csv", "time,Value", "refused");
+        row("", "time,Value", "refused");
+        row("plot.csv", "t,y", "time R4_y?");
+    }
+
+    void aPlotWhoseHeadingSaysNothingIsNamedByItsFile()
+    {
+        QFETCH(const std::string, name);
+        QFETCH(const QByteArray, names);
+        QFETCH(const std::string, becomes);
+        QByteArray bytes = names + '\n';
+        for (int row = 0; row < 20; ++row) {
+            bytes += QByteArray::number(row) + QByteArray(",7.5").repeated(names.count(',')) + '\n';
+        }
+        ByteSource source = sourceOf(bytes, kOnePiece);
+        source.name = name;
+        const auto outcome = readReferenceData(source);
+        const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+        QCOMPARE(data ? rolesOf(data->layout) : "refused", becomes);
+        const bool isGuessed = becomes.ends_with('?') && !name.starts_with("plot");
+        QCOMPARE(data && data->layout.columns[1].reason == ColumnReason::FileName, isGuessed);
+    }
+
     void refusesPlotsThatAreNotOfOneMotion_data()
     {
         QTest::addColumn<QByteArrayList>("files");

@@ -164,6 +164,21 @@ private slots:
         QVERIFY2(text.contains("SHA-256: unknown: the file cannot be read again, or was changed since"),
                  qPrintable(text));
         QVERIFY(allText(reportOf(contentWith(65.0, sampleFile()))).contains("No column was guessed."));
+
+        // Of several files, each.
+        QFile other(folder.filePath(QStringLiteral("other.csv")));
+        QVERIFY(other.open(QIODevice::WriteOnly) && other.write("time,R4_y\n0,25\n0.01,25\n0.02,25\n0.03,25\n") > 0);
+        other.close();
+        const auto both = readReference({{path, other.fileName()}, {}, {}});
+        content = contentWith(65.0, std::get<std::shared_ptr<const Reference>>(both));
+        content.checksums = checksumsOf(*content.result->reference);
+        text = allText(reportOf(content));
+        QVERIFY2(text.contains("File: " + path + "\nSHA-256: ") && text.contains("Reference: motion.csv + 1 more, "),
+                 qPrintable(text));
+        // As `sha256sum` has it.
+        QVERIFY(text.contains("File: " + other.fileName() +
+                              "\nSHA-256: "
+                              "fa4f08c4aab6a79ab3f05b081f9b6b73f9153329f9119f591dc7c2fcf3348be0\n"));
     }
 
     void reportsAMechanismWithoutAFile()

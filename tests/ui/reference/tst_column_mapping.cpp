@@ -45,7 +45,12 @@ class Dialog
 {
 public:
     explicit Dialog(const QByteArray &bytes, const QString &path = QStringLiteral("/a/results.csv"))
-        : m_mapping({path}, {bytes})
+        : Dialog(QByteArrayList{bytes}, QStringList{path})
+    {
+    }
+
+    Dialog(const QByteArrayList &bytes, const QStringList &paths)
+        : m_mapping(paths, bytes)
         , m_spy(&m_mapping, &ColumnMapping::chosen)
     {
         m_mapping.show();
@@ -326,6 +331,47 @@ private slots:
         const ReferenceSeries *series = session.reference()->data.find({Theta2, Order::Position});
         QVERIFY(series);
         QVERIFY(std::abs(series->values[1] - 0.1 * kDegreesPerRadian) < 1e-12);
+    }
+
+    void columnsOfJoinedFilesAreChosenTogether()
+    {
+        const QByteArrayList plots{"T,Value\n0,85\n0.5,45\n", "T,Value\n0,0\n0.5,3\n"};
+        QStringList paths;
+        for (const QByteArray &plot : plots) {
+            QFile file(m_folder.filePath(QStringLiteral("plot%1.csv").arg(paths.size() + 1)));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(plot) == plot.size());
+            paths += file.fileName();
+        }
+        Session session;
+        QSignalSpy refused(&session, &Session::referenceRefused);
+        session.loadReference(paths);
+        QVERIFY(refused.wait(kPatience));
+        QCOMPARE(refused.at(0).at(0).toStringList(), paths);
+
+        Dialog dialog(plots, paths);
+        QCOMPARE(dialog.meaning(0), "time");
+        QVERIFY(dialog.child<QLabel>("mappingProblem")->text().startsWith(QLatin1String("plot1.csv, line 1: ")));
+        dialog.choose("meaning", 1, QStringLiteral("R4_x"));
+        QVERIFY(dialog.child<QLabel>("mappingProblem")->text().startsWith(QLatin1String("plot2.csv, line 1: ")));
+        dialog.choose("meaning", 3, QStringLiteral("R4_x"));
+        QCOMPARE(
+            dialog.child<QLabel>("mappingProblem")->text(),
+            QStringLiteral("plot2.csv: it holds R4_x, and plot1.csv does, too: leave one of the two out, or choose "
+                           "what their columns are."));
+        dialog.choose("meaning", 3, QStringLiteral("R4_x_diff"));
+        QVERIFY(!dialog.child<QLabel>("mappingProblem")->isVisible());
+        QVERIFY(dialog.why(2).contains(QLatin1String("the same in all files")));
+        dialog.choose("unit", 3, QStringLiteral("m/s"));
+        QVERIFY(dialog.caption().startsWith(QLatin1String("Value (plot2.csv): ")));
+        dialog.use();
+        QCOMPARE(dialog.timesChosen(), 1);
+
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        session.loadReference(paths);
+        QVERIFY(loaded.wait(kPatience));
+        QCOMPARE(session.reference()->data.find({R4x, Order::Velocity})->values, (std::vector<double>{0.0, 3000.0}));
+        session.loadReference(paths[0]); // alone it is another file
+        QVERIFY(refused.wait(kPatience));
     }
 
     void columnsChosenAnewKeepTheConventionsOfTheOthers()

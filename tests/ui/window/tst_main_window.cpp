@@ -1103,10 +1103,10 @@ private slots:
         AWAIT(session.reference()->paths == plots && session.diagnosis());
         QVERIFY(errors() == whole);
         QCOMPARE(session.diagnosis()->found.rounded, found);
-        QCOMPARE(session.reference()->name, QStringLiteral("coupler.csv and 2 more"));
+        QCOMPARE(session.reference()->name, QStringLiteral("coupler.csv + 2 more"));
         const auto *bar = m_window->findChild<MessageBar *>();
-        AWAIT(bar->text().startsWith(QLatin1String("coupler.csv and 2 more differs from this mechanism.")));
-        QCOMPARE(session.undoStack().undoText(), QStringLiteral("opening of coupler.csv and 2 more"));
+        AWAIT(bar->text().startsWith(QLatin1String("coupler.csv + 2 more differs from this mechanism.")));
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("opening of coupler.csv + 2 more"));
         session.undoStack().undo();
         QCOMPARE(session.reference()->paths, QStringList(kSample));
         session.undoStack().redo();
@@ -1126,7 +1126,7 @@ private slots:
         AWAIT_COMPARE(m_window->session().reference()->paths, QStringList(plots[1]));
         auto *recent = m_window->findChild<QMenu *>(QStringLiteral("recentMenu"));
         emit recent->aboutToShow();
-        const QString entry = QDir::toNativeSeparators(plots[0]) + QStringLiteral(" and 2 more");
+        const QString entry = QDir::toNativeSeparators(plots[0]) + QStringLiteral(" + 2 more");
         for (QAction *action : recent->actions()) {
             if (action->text() == entry) {
                 action->trigger();
