@@ -111,6 +111,9 @@ int main(int argc, char *argv[])
 {
     Command command = WindowOptions();
     if (argc > 1) {
+        // Standard error is for our own sentences; what Qt misses in a session without a desktop, or in the locale C,
+        // is not among them.
+        QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
         const QCoreApplication application(argc, argv);
         introduceApplication();
         setLanguage(Language::System);
@@ -125,15 +128,15 @@ int main(int argc, char *argv[])
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
         }
-        // Standard error is for our own sentences; what a platform misses in a session without a desktop is not among
-        // them.
-        QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
     } else if (!hasDisplay() && !std::get<WindowOptions>(command).choosesDisplay) {
         say(QCoreApplication::translate(
             "slidercrank::CommandLine",
             "There is no display to open the window on: set DISPLAY, or use solve, limits, compare, identify, "
             "study or render, which need none."));
         return static_cast<int>(ExitStatus::WrongCommandLine);
+    }
+    if (!picture) {
+        QLoggingCategory::setFilterRules({});
     }
     const Application application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion")); // the one whose palettes are ours to choose, on every platform

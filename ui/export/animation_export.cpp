@@ -193,9 +193,12 @@ void AnimationExport::startFilming()
                             QStringLiteral("-i"),         QStringLiteral("-")};
     // Most players know colours at half the resolution only, and that needs even sides.
     const QStringList output{QStringLiteral("-vf"), QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white")};
-    const QStringList colours = QFileInfo(m_path).suffix().toLower() == QLatin1String("gif")
-                                    ? QStringList()
-                                    : QStringList{QStringLiteral("-pix_fmt"), QStringLiteral("yuv420p")};
+    const QStringList colours =
+        QFileInfo(m_path).suffix().toLower() == QLatin1String("gif")
+            ? QStringList()
+            : QStringList{QStringLiteral("-pix_fmt"), QStringLiteral("yuv420p"),
+                          // White stays white.
+                          QStringLiteral("-sws_flags"), QStringLiteral("accurate_rnd+full_chroma_int")};
     connect(m_film, &QProcess::bytesWritten, this, &AnimationExport::drawNext);
     connect(m_film, &QProcess::finished, this, &AnimationExport::finishFilm);
     connect(m_film, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {

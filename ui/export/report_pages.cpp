@@ -146,7 +146,8 @@ public:
 private:
     int alignment(qsizetype column) const
     {
-        return (m_table.numeric[column] == u'n' ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop | Qt::TextWordWrap;
+        const Qt::Alignment side = m_table.numeric[column] == u'n' ? Qt::AlignRight : Qt::AlignLeft;
+        return static_cast<int>(side | Qt::AlignTop) | Qt::TextWordWrap;
     }
 
     double cellWidth(qsizetype column) const

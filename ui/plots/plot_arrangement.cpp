@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <ranges>
 
 namespace slidercrank
 {
@@ -187,12 +186,12 @@ void drawLegend(QPainter &painter, const QRect &rect, const std::vector<LegendEn
         shown.erase(std::prev(last.base()));
         excess = excessOf(shown);
     }
-    for (LegendEntry &entry : std::views::reverse(shown)) {
-        const double length = metrics.horizontalAdvance(entry.text);
-        if (entry.mayBeElided && excess > 0.0 && length > kShortest) {
-            const Qt::TextElideMode elide = entry.ink == Ink::Kept ? Qt::ElideRight : Qt::ElideMiddle; // "b = 65 …"
-            entry.text = metrics.elidedText(entry.text, elide, std::max(kShortest, length - excess));
-            excess -= length - metrics.horizontalAdvance(entry.text);
+    for (auto entry = shown.rbegin(); entry != shown.rend(); ++entry) {
+        const double length = metrics.horizontalAdvance(entry->text);
+        if (entry->mayBeElided && excess > 0.0 && length > kShortest) {
+            const Qt::TextElideMode elide = entry->ink == Ink::Kept ? Qt::ElideRight : Qt::ElideMiddle; // "b = 65 …"
+            entry->text = metrics.elidedText(entry->text, elide, std::max(kShortest, length - excess));
+            excess -= length - metrics.horizontalAdvance(entry->text);
         }
     }
     painter.save();

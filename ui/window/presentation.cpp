@@ -52,7 +52,6 @@ void Presentation::setOn(bool on)
     setAlone(false);
     const MechanismSettings drawn = m_rooms.mechanism->settings();
     if (on) {
-        m_wasMaximized = m_window->isMaximized();
         m_widths = m_rooms.columns->sizes();
         m_hadAngles = drawn.angles;
     }
@@ -68,7 +67,8 @@ void Presentation::setOn(bool on)
     const int width = m_rooms.columns->width();
     m_rooms.columns->setSizes(on ? QList<int>{width * kPartOfMechanism / 100, width - width * kPartOfMechanism / 100}
                                  : m_widths);
-    m_window->setWindowState(on ? Qt::WindowFullScreen : m_wasMaximized ? Qt::WindowMaximized : Qt::WindowNoState);
+    // Maximized stays as it is beneath: a Wayland compositor may end a program that changes both at once.
+    m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));
     if (const QWidget *focus = m_window->focusWidget(); !focus || !focus->isVisible()) {
         m_rooms.mechanism->setFocus();
     }

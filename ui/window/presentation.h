@@ -37,7 +37,6 @@ private:
     const Rooms &m_rooms;
     QMainWindow *m_window;
     bool m_isOn = false;
-    bool m_wasMaximized = false;
     bool m_hadAngles = false;
     QList<int> m_widths; ///< of the columns before, px
 };

@@ -238,6 +238,13 @@ void TstAnimationExport::filmsWithFfmpeg()
                           QStringLiteral("-of"), QStringLiteral("csv=p=0"), path});
     QVERIFY(process.waitForFinished(kPatience));
     QCOMPARE(QString::fromLatin1(process.readAll()).trimmed(), QStringLiteral("62,42,11"));
+    const QString last = folder.filePath(QStringLiteral("last.png"));
+    QCOMPARE(QProcess::execute(QStringLiteral("ffmpeg"),
+                               {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-i"), path,
+                                QStringLiteral("-vf"), QStringLiteral("select=eq(n\\,10)"), QStringLiteral("-frames:v"),
+                                QStringLiteral("1"), last}),
+             0);
+    QCOMPARE(QImage(last).pixelColor(30, 20), QColor(Qt::white));
 }
 
 void TstAnimationExport::keepsTheOlderVideoUntilTheNewOneIsThere_data()

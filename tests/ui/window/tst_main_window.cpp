@@ -1276,9 +1276,13 @@ private slots:
         QCOMPARE(QFontInfo(plots->font()).pixelSize(), letters);
         AWAIT_COMPARE(columns->sizes().first(), sizes.first());
 
+        m_window->setWindowState(Qt::WindowMaximized);
         key(Qt::Key_F11);
+        QCOMPARE(m_window->windowState(), Qt::WindowMaximized | Qt::WindowFullScreen);
         key(Qt::Key_F11);
-        QVERIFY(!m_window->isFullScreen() && tabs->isVisible());
+        QCOMPARE(m_window->windowState(), Qt::WindowMaximized);
+        QVERIFY(tabs->isVisible());
+        m_window->setWindowState(Qt::WindowNoState);
         key(Qt::Key_F11);
         m_window->close(); // nothing of it is remembered
         init();
