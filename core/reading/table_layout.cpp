@@ -410,9 +410,18 @@ std::optional<ReadError> takeUnit(Heading &heading, std::string_view unit, std::
 std::optional<ReadError> takeAnnotations(Table &table, std::string_view text, const Form &form)
 {
     const std::size_t linesAbove = table.firstDataLine - 1;
-    for (const Line &line : firstLines(table.data)) {
-        const std::vector<std::string_view> cells = namesIn(line.text, table.layout.delimiter, form.width);
+    const auto cellsIn = [&](const Line &line) { return namesIn(line.text, table.layout.delimiter, form.width); };
+    const std::vector<Line> lines = firstLines(table.data);
+    for (std::size_t below = 0; below < lines.size(); ++below) {
+        const Line &line = lines[below];
+        const std::vector<std::string_view> cells = cellsIn(line);
         const std::optional<std::vector<std::string_view>> units = annotationsOf(cells);
+        const bool areOtherNames = !units && below == 0 && cells.size() == table.headings.size() &&
+                                   std::ranges::none_of(cells, looksNumeric) && lines.size() > 1 &&
+                                   annotationsOf(cellsIn(lines[1]));
+        if (areOtherNames) {
+            continue; // short ones, above the units
+        }
         if (!units) {
             break;
         }

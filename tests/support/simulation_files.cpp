@@ -174,7 +174,9 @@ std::vector<SimulationFile> simulationFiles()
             "another column could be the same quantity");
 
     // SolidWorks Motion.
-    constexpr auto kSolidWorks = "\"Linear Displacement1 (mm)\" as public scripts read it from such exports";
+    constexpr auto kSolidWorks = "\"Linear Displacement1 (mm)\" as a public script reads it with pandas from such an "
+                                 "export; the other names, and "
+                                 "the line above them, are a plausible form";
     read("SolidWorks Motion", kSolidWorks,
          {{"Time (sec)", Time},
           {"Linear Displacement1 (mm)", X},
@@ -432,7 +434,7 @@ std::vector<SimulationFile> simulationFiles()
           {"Y:Vel_TX-Slider(mm/s)", V}},
          {}, "time?[] R4_x[mm] - -");
     read("Chrono, joint data",
-         "Project Chrono's unit tests: \"timeElapsed(s)\\tX_Pos\\tY_Pos\\tZ_Pos\\tLength_Pos\\t…\"",
+         "older unit tests of Project Chrono: \"timeElapsed(s)\\tX_Pos\\tY_Pos\\tZ_Pos\\tLength_Pos\\t…\"",
          {{"timeElapsed(s)", Time}, {"X_Pos", X}, {"Y_Pos", Offset}, {"Z_Pos", Zero}, {"X_Vel", V}, {"X_Accel", A}},
          {.cell = "\t"}, "time[s] R4_x?[] R4_y?[] - R4_x_diff?[] R4_x_diff2?[]");
     constexpr auto kMbdyn =
@@ -587,6 +589,17 @@ std::vector<SimulationFile> simulationFiles()
     read("Vernier, Graphical Analysis", "\"Latest: Time (s)\" as public scripts read it from such exports",
          {{"Latest: Time (s)", Time}, {"Latest: Position (m)", X, kMetre}, {"Latest: Velocity (m/s)", V, kMetre}}, {},
          "time[s] R4_x?[m] R4_x_diff?[m/s]");
+    constexpr auto kLoggerPro = "github.com/OpenSourcePhysics/tracker support/vernier_data_format.txt: \"Vernier "
+                                "Format 2\", the file, the set, then "
+                                "long names, short names and units between tabs, and an empty line";
+    read("Vernier, Logger Pro", kLoggerPro, {{"Time", Time}, {"Position", X, kMetre}, {"Velocity", V, kMetre}},
+         {.before = "Vernier Format 2\nslider.cmbl 1/27/2009 11:47:50 .\nLatest\n",
+          .cell = "\t",
+          .below = "t\tx\tv\ns\tm\tm/s\n\n"},
+         "time[s] R4_x?[m] R4_x_diff?[m/s]");
+    read("Vernier, Logger Pro, without units", kLoggerPro, {{"Time", Time}, {"Position", X}},
+         {.before = "Vernier Format 2\nslider.cmbl 1/27/2009 11:47:50 .\nData Set\n", .cell = "\t", .below = "\t\n\n"},
+         "time[] R4_x?[]");
     read("OptiTrack, Motive", "docs.optitrack.com, data export: CSV; \"Frame\", \"Time (Seconds)\", X, Y, Z",
          {{"Frame", RowNumber}, {"Time (Seconds)", Time}, {"X", X}, {"Y", Offset}, {"Z", Zero}},
          {.before = "Format Version,1.23,Take Name,slider\n\n,,Marker,Marker,Marker\n,,Position,Position,Position\n"},

@@ -20,6 +20,7 @@ struct MechanismCanvas : MechanismProjection {
     QColor highlight; ///< what is pointed at
     QFont font;       ///< in pixels, so that text has the same size beside the drawing on every device
     QFont smallFont;
+    double hairline = 1.0; ///< pixels that are one where the drawing is seen
 };
 
 MechanismCanvas canvasOf(const MechanismProjection &projection, const QPalette &palette, const QFont &font);

@@ -158,7 +158,7 @@ void paintGrid(QPainter &painter, const MechanismCanvas &on, const MechanismDraw
     const double textHeight = metrics.height();
     const double cornerWidth = metrics.horizontalAdvance(MechanismScenery::tr("mm")) + 10.0;
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QPen(on.colours.grid, 1.0));
+    painter.setPen(QPen(on.colours.grid, on.hairline));
     const auto forEachLine = [step](double from, double to, const auto &paint) {
         for (double i = std::ceil(from / step); i <= std::floor(to / step); i += 1.0) {
             paint(i * step);

@@ -11,7 +11,8 @@
 #include "ui/words/written_number.h"
 
 #include <QAction>
-#include <QGuiApplication>
+#include <QApplication>
+#include <QFontInfo>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -212,6 +213,7 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     const MechanismCanvas on = canvas(size, palette);
     painter.save();
     painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
+    painter.scale(magnification(), magnification());
     paintGrid(painter, on, m_drawing);
     paintScenery(painter, on, m_drawing);
     paintLinkage(painter, on, m_drawing);
@@ -223,9 +225,28 @@ QPointF MechanismView::toPixels(QPointF model) const
     return projection().toPixels(model);
 }
 
+/// How many pixels one of the canvas is: links, joints and arrows grow with letters that are larger than usual, as they
+/// are in front of a class.
+double MechanismView::magnification() const
+{
+    const int usual = QFontInfo(QApplication::font(this)).pixelSize();
+    return std::max(1.0, static_cast<double>(QFontInfo(font()).pixelSize()) / usual);
+}
+
 MechanismCanvas MechanismView::canvas(const QSizeF &size, const QPalette &palette) const
 {
-    return canvasOf(m_frame.projection(size), palette, font());
+    const double magnified = magnification();
+    QFont letters = font();
+    letters.setPixelSize(static_cast<int>(std::lround(QFontInfo(letters).pixelSize() / magnified)));
+    MechanismCanvas canvas = canvasOf(m_frame.projection(size / magnified), palette, letters);
+    canvas.hairline = 1.0 / magnified;
+    return canvas;
+}
+
+DrawnPart MechanismView::partUnder(QPointF pixel) const
+{
+    const double magnified = magnification();
+    return partAt(m_drawing, m_frame.projection(QSizeF(size()) / magnified), pixel / magnified);
 }
 
 /// Of the mechanism and of what is compared with it.
@@ -264,7 +285,7 @@ void MechanismView::changeFrame(const std::function<void()> &change)
 
 void MechanismView::refitAtRest()
 {
-    if (m_hold || QGuiApplication::mouseButtons() != Qt::NoButton) { // maybe on a slider, between two pulls
+    if (m_hold || QApplication::mouseButtons() != Qt::NoButton) { // maybe on a slider, between two pulls
         m_refitDelay->start();
     } else if (m_drawing.result) {
         changeFrame([this] { m_frame.refit(reach()); });
@@ -280,7 +301,8 @@ void MechanismView::refreshScenery()
 
 void MechanismView::updateArea(const QRectF &area)
 {
-    update(area.toAlignedRect().intersected(rect()));
+    const double magnified = magnification();
+    update(QRectF(magnified * area.topLeft(), magnified * area.size()).toAlignedRect().intersected(rect()));
 }
 
 QRectF MechanismView::movingArea() const
@@ -291,29 +313,34 @@ QRectF MechanismView::movingArea() const
 void MechanismView::paintEvent(QPaintEvent *event)
 {
     const MechanismCanvas on = canvas(size(), palette());
+    const double magnified = magnification();
     const double ratio = devicePixelRatioF();
     if (m_grid.isNull() || m_grid.devicePixelRatio() != ratio) {
         // Rounded up: at a ratio of 1.5 the last half pixel has to be painted too.
         m_grid = QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
         m_grid.setDevicePixelRatio(ratio);
         QPainter painter(&m_grid);
+        painter.scale(magnified, magnified);
         paintGrid(painter, on, m_drawing);
         m_scenery = QPixmap();
     }
     if (m_scenery.isNull()) {
         m_scenery = m_grid;
         QPainter painter(&m_scenery);
+        painter.scale(magnified, magnified);
         paintScenery(painter, on, m_drawing);
     }
     QPainter painter(this);
     painter.setClipRegion(event->region());
     painter.drawPixmap(0, 0, m_scenery);
+    painter.scale(magnified, magnified);
     paintLinkage(painter, on, m_drawing);
     if (m_drawing.result && m_pointed != DrawnPart::Background) {
         paintSceneryHighlight(painter, on, m_drawing, m_pointed);
         paintLinkageHighlight(painter, on, m_drawing, m_pointed);
     }
     if (m_showsFocus) {
+        painter.resetTransform();
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(on.highlight, 2.0));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
@@ -410,7 +437,7 @@ void MechanismView::mousePressEvent(QMouseEvent *event)
     const bool withShift = event->modifiers().testFlag(Qt::ShiftModifier);
     m_hold = Hold{std::nullopt, event->button(), pixel, pixel, false, m_drawing.pose.time};
     if (isLeft) {
-        pointAt(partAt(m_drawing, projection(), pixel), withShift);
+        pointAt(partUnder(pixel), withShift);
         m_hold->drag = MechanismDrag::begin(m_drawing, m_pointed, withShift, projection().toModel(pixel));
     }
     if (m_hold->drag && m_hold->drag->length()) {
@@ -424,7 +451,7 @@ void MechanismView::mouseMoveEvent(QMouseEvent *event)
 {
     const QPointF pixel = event->position();
     if (!m_hold) {
-        pointAt(partAt(m_drawing, projection(), pixel), event->modifiers().testFlag(Qt::ShiftModifier));
+        pointAt(partUnder(pixel), event->modifiers().testFlag(Qt::ShiftModifier));
         return;
     }
     if (!m_hold->moves && (pixel - m_hold->pressed).manhattanLength() < kStillAClick) {
@@ -461,14 +488,13 @@ void MechanismView::mouseReleaseEvent(QMouseEvent *event)
         goToCrankAngle(limits.inner->theta2);
     }
     const bool isInside = rect().contains(event->position().toPoint());
-    pointAt(isInside ? partAt(m_drawing, projection(), event->position()) : DrawnPart::Background,
+    pointAt(isInside ? partUnder(event->position()) : DrawnPart::Background,
             event->modifiers().testFlag(Qt::ShiftModifier));
 }
 
 void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton &&
-        partAt(m_drawing, projection(), event->position()) == DrawnPart::Background) {
+    if (event->button() == Qt::LeftButton && partUnder(event->position()) == DrawnPart::Background) {
         fit();
     } else if (event->button() == Qt::LeftButton) {
         emit enlarged();

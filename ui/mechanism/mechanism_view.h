@@ -108,8 +108,10 @@ private:
         double time = 0.0;  ///< s, to go back to
     };
 
+    double magnification() const;
     MechanismCanvas canvas(const QSizeF &size, const QPalette &palette) const;
     MechanismProjection projection() const { return m_frame.projection(size()); }
+    DrawnPart partUnder(QPointF pixel) const;
     QRectF reach() const;
     QRectF visibleGhostReach() const;
     void makeChoices();

@@ -79,6 +79,29 @@ int countOf(const QImage &image, const QColor &colour)
     return count;
 }
 
+/// Letters of other than the usual height.
+void setLetters(MechanismView &view, double ofUsual)
+{
+    QFont font = view.font();
+    font.setPixelSize(static_cast<int>(std::lround(ofUsual * QFontInfo(font).pixelSize())));
+    view.setFont(font);
+}
+
+/// How thick the link is that lies there across the picture's columns.
+int thicknessAt(const QImage &image, QPoint at)
+{
+    const QColor paper = seriesColours(paletteFor(Theme::Light)).background;
+    int top = at.y();
+    int bottom = at.y();
+    while (top > 0 && image.pixelColor(at.x(), top) != paper) {
+        --top;
+    }
+    while (bottom < image.height() - 1 && image.pixelColor(at.x(), bottom) != paper) {
+        ++bottom;
+    }
+    return bottom - top - 1;
+}
+
 /// Between pixels of two pictures, in levels of a colour.
 int largestDifference(const QImage &one, const QImage &other)
 {
@@ -372,9 +395,44 @@ private slots:
         QVERIFY(countOf(image, seriesColours(paletteFor(Theme::Light)).model) > 100);
     }
 
-    void aPoseRepaintsWhatItLeft()
+    void linksGrowWithTheLetters()
     {
         Bench bench;
+        const auto crank = [&] { return bench.view.toPixels({7.0, 0.0}).toPoint(); };
+        const auto turnsByADragFromBelowThePin = [&] {
+            const QSignalSpy requested(&bench.view, &MechanismView::timeRequested);
+            const QPointF below = bench.pin() + QPointF(0.0, 21.0);
+            drag(bench.view, below, below - QPointF(0.0, 60.0));
+            bench.session.setTime(0.0);
+            bench.view.setZoom({}); // elsewhere it moves the drawing
+            return !requested.isEmpty();
+        };
+        const QPoint at = crank();
+        const int usual = thicknessAt(bench.picture(), at);
+        QVERIFY(usual >= 8 && usual <= 13);
+        QVERIFY(!turnsByADragFromBelowThePin());
+        setLetters(bench.view, 2.0);
+        QCOMPARE(crank(), at); // and nothing moves
+        const int doubled = thicknessAt(bench.picture(), at);
+        QVERIFY2(std::abs(doubled - 2 * usual) <= 2, qPrintable(QString::number(doubled)));
+        setLetters(bench.view, 0.25);
+        QCOMPARE(thicknessAt(bench.picture(), at), usual); // never thinner than usual
+        setLetters(bench.view, 8.0);
+        QVERIFY(turnsByADragFromBelowThePin()); // what is drawn larger is grasped farther off
+    }
+
+    void aPoseRepaintsWhatItLeft_data()
+    {
+        QTest::addColumn<double>("letters");
+        QTest::newRow("usual letters") << 1.0;
+        QTest::newRow("large letters") << 1.7;
+    }
+
+    void aPoseRepaintsWhatItLeft()
+    {
+        QFETCH(const double, letters);
+        Bench bench;
+        setLetters(bench.view, letters);
         if (bench.view.devicePixelRatioF() != 1.0) {
             QSKIP("the offscreen platform's screen has one pixel a point");
         }
