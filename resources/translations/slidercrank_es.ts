@@ -1517,16 +1517,20 @@ none          ni siquiera eso
         <translation>%1: de signo contrario.</translation>
     </message>
     <message>
-        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; θ³ is %1%2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; θ³ es %1%2.</translation>
+        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; %3 is %1%2.</source>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %3 es %1%2.</translation>
+    </message>
+    <message>
+        <source>%1: measured from the opposite direction; %3 is %1%2.</source>
+        <translation>%1: medido desde la dirección opuesta; %3 es %1%2.</translation>
     </message>
     <message>
         <source>%1: jumps by whole turns.</source>
         <translation>%1: salta vueltas enteras.</translation>
     </message>
     <message>
-        <source>%1: off by whole turns; θ³ is %1%2.</source>
-        <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
+        <source>%1: off by whole turns; %3 is %1%2.</source>
+        <translation>%1: desplazado vueltas enteras; %3 es %1%2.</translation>
     </message>
     <message>
         <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
