@@ -3192,8 +3192,8 @@ difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del r
         <translation>No hay posición en este instante: el ángulo de la manivela no es un número finito.</translation>
     </message>
     <message>
-        <source>Cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. b must be more than %1 mm for any pose; the crank turns round when b is at least %2 mm.</source>
-        <translation>No se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Para que haya alguna posición, b debe ser mayor que %1 mm; la manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
+        <source>Cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. b must be at least %1 mm for any pose; the crank turns round when b is at least %2 mm.</source>
+        <translation>No se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Para que haya alguna posición, b debe ser al menos %1 mm; la manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
     </message>
     <message>
         <source>Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at least %2 mm.</source>
