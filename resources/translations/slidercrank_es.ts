@@ -1551,16 +1551,8 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
         <translation>%1: de signo contrario.</translation>
     </message>
     <message>
-        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; θ³ is %1%2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; θ³ es %1%2.</translation>
-    </message>
-    <message>
         <source>%1: jumps by whole turns.</source>
         <translation>%1: salta vueltas enteras.</translation>
-    </message>
-    <message>
-        <source>%1: off by whole turns; θ³ is %1%2.</source>
-        <translation>%1: desplazado vueltas enteras; θ³ es %1%2.</translation>
     </message>
     <message>
         <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
@@ -1629,6 +1621,18 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     <message>
         <source>The file is of the other assembly: its slider is on the other side of A.</source>
         <translation>El archivo es de la otra configuración: su corredera está al otro lado de A.</translation>
+    </message>
+    <message>
+        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; %3 is %1%2.</source>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %3 es %1%2.</translation>
+    </message>
+    <message>
+        <source>%1: measured from the opposite direction; %3 is %1%2.</source>
+        <translation>%1: medido desde la dirección opuesta; %3 es %1%2.</translation>
+    </message>
+    <message>
+        <source>%1: off by whole turns; %3 is %1%2.</source>
+        <translation>%1: desplazado vueltas enteras; %3 es %1%2.</translation>
     </message>
 </context>
 <context>
@@ -3226,16 +3230,16 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>No hay posición en este instante: el ángulo de la manivela no es un número finito.</translation>
     </message>
     <message>
-        <source>Cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. b must be more than %1 mm for any pose; the crank turns round when b is at least %2 mm.</source>
-        <translation>No se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Para que haya alguna posición, b debe ser mayor que %1 mm; la manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
-    </message>
-    <message>
         <source>Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at least %2 mm.</source>
         <translation>No se puede ensamblar en θ₂ = %1°: la biela es demasiado corta. La manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
     </message>
     <message>
         <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
         <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>Cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. b must be at least %1 mm for any pose; the crank turns round when b is at least %2 mm.</source>
+        <translation>No se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Para que haya alguna posición, b debe ser al menos %1 mm; la manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
     </message>
 </context>
 <context>

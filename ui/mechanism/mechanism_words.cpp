@@ -163,12 +163,12 @@ QString explanationOf(const MechanismDrawing &drawing)
         return MechanismWords::tr("There is no pose at this instant: the crank angle is not a finite number.");
     }
     const Mechanism &mechanism = drawing.mechanism();
-    const QString turning = numberText(shortestCouplerForFullTurn(mechanism));
+    const QString turning = atLeastText(shortestCouplerForFullTurn(mechanism));
     if (drawing.result->limits.mobility == Mobility::Impossible) {
         return MechanismWords::tr(
                    "Cannot be assembled at any crank angle: the coupler does not reach the slider's line. b must "
-                   "be more than %1 mm for any pose; the crank turns round when b is at least %2 mm.")
-            .arg(numberText(shortestCouplerForAnyPose(mechanism)), turning);
+                   "be at least %1 mm for any pose; the crank turns round when b is at least %2 mm.")
+            .arg(atLeastText(shortestCouplerForAnyPose(mechanism)), turning);
     }
     const double angle = intoFirstTurn(drawing.pose.theta2);
     return MechanismWords::tr(

@@ -240,12 +240,15 @@ QString explanationOf(const Convention &convention, const ReferenceData &data)
                          : ConventionText::tr("%1: of the opposite sign.").arg(columns);
     }
     case Convention::Kind::HalfTurn:
-        return ConventionText::tr("%1: the coupler's angle seen from B, as textbooks draw θ₃; θ³ is %1%2.")
-            .arg(columns, angleAdded(convention.amount));
+        return (convention.channels.front().coordinate == Theta3
+                    ? ConventionText::tr("%1: the coupler's angle seen from B, as textbooks draw θ₃; %3 is %1%2.")
+                    : ConventionText::tr("%1: measured from the opposite direction; %3 is %1%2."))
+            .arg(columns, angleAdded(convention.amount), symbolOf(convention.channels.front()));
     case Convention::Kind::WholeTurns:
-        return convention.amount == 0.0 ? ConventionText::tr("%1: jumps by whole turns.").arg(columns)
-                                        : ConventionText::tr("%1: off by whole turns; θ³ is %1%2.")
-                                              .arg(columns, angleAdded(convention.amount));
+        return convention.amount == 0.0
+                   ? ConventionText::tr("%1: jumps by whole turns.").arg(columns)
+                   : ConventionText::tr("%1: off by whole turns; %3 is %1%2.")
+                         .arg(columns, angleAdded(convention.amount), symbolOf(convention.channels.front()));
     case Convention::Kind::ZeroPoint: return zeroPointExplanation(convention, data);
     case Convention::Kind::SwappedColumns: return ConventionText::tr("%1: each has the other's name.").arg(columns);
     case Convention::Kind::Branch:

@@ -71,14 +71,18 @@ LengthPair toldApart(double one, double other)
 
 /// Shortened to the side on which the limit holds: a length typed as it stands here will do.
 enum class Bound { AtLeast, AtMost };
-QString boundText(const QString &symbol, Bound bound, double limit)
+QString limitText(Bound bound, double limit)
 {
     constexpr double kSameNumber = 1e-6; // of the last digit shown: 0.1 + 0.2 is 0.3
     const double unit = limit == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(limit))));
-    const double shortened = bound == Bound::AtLeast ? std::ceil(limit * unit - kSameNumber) / unit
-                                                     : std::floor(limit * unit + kSameNumber) / unit;
+    return numberText(bound == Bound::AtLeast ? std::ceil(limit * unit - kSameNumber) / unit
+                                              : std::floor(limit * unit + kSameNumber) / unit);
+}
+
+QString boundText(const QString &symbol, Bound bound, double limit)
+{
     const QString sign = bound == Bound::AtLeast ? QStringLiteral("≥") : QStringLiteral("≤");
-    return MotionFacts::tr("%1 %2 %3 mm").arg(symbol, sign, numberText(shortened));
+    return MotionFacts::tr("%1 %2 %3 mm").arg(symbol, sign, limitText(bound, limit));
 }
 
 QString anyOf(const QStringList &bounds)
@@ -100,7 +104,9 @@ QString helpForFullTurn(const Mechanism &mechanism)
     if (longestCrankForFullTurn(mechanism) > 0.0) {
         bounds << boundText(kA, Bound::AtMost, longestCrankForFullTurn(mechanism));
     }
-    if (largestOffsetForFullTurn(mechanism) >= 0.0) {
+    if (largestOffsetForFullTurn(mechanism) == 0.0) {
+        bounds << QStringLiteral("c = 0");
+    } else if (largestOffsetForFullTurn(mechanism) > 0.0) {
         bounds << boundText(kOffset, Bound::AtMost, largestOffsetForFullTurn(mechanism));
     }
     return MotionFacts::tr("It would turn round with %1.").arg(anyOf(bounds));
@@ -282,6 +288,11 @@ void addPeak(FactList &list, const Peak &peak)
 }
 
 } // namespace
+
+QString atLeastText(double limit)
+{
+    return limitText(Bound::AtLeast, limit);
+}
 
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 {

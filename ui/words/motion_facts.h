@@ -31,6 +31,9 @@ struct MotionFact {
 /// Whether the crank turns round, with the numbers of the inequality that decides it, and what would help.
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits);
 
+/// The length that it takes (mm, without the unit), shortened so that one typed as it stands will do.
+QString atLeastText(double limit);
+
 /// Dead centres, the ends of a rocker, the stroke and its times, the transmission angle.
 std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &run);
 

@@ -123,6 +123,9 @@ private slots:
         QTest::newRow("rocker") << 20.0 << 40.0 << 25.0
                                 << "The crank rocks: b = 40 mm < a + |c| = 45 mm. It would turn round with b ≥ 45 mm, "
                                    "a ≤ 15 mm or |c| ≤ 20 mm.";
+        QTest::newRow("rocker that turns without its offset")
+            << 20.0 << 20.0 << 5.0
+            << "The crank rocks: b = 20 mm < a + |c| = 25 mm. It would turn round with b ≥ 25 mm, a ≤ 15 mm or c = 0.";
         QTest::newRow("rocker, two arcs") << 20.0 << 10.0 << 5.0
                                           << "The crank rocks within one of two arcs: b = 10 mm < a + |c| = 25 mm, and "
                                              "less than a − |c| = 15 mm too. "

@@ -490,6 +490,36 @@ private slots:
         QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
     }
 
+    void namesLengthsThatDo_data()
+    {
+        QTest::addColumn<double>("b");
+        QTest::addColumn<double>("c");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("full turn") << 40.0 << 25.00001 << QStringLiteral("is at least 45.0001 mm");
+        QTest::newRow("any pose") << 40.0 << 100.00001 << QStringLiteral("must be at least 80.0001 mm");
+    }
+
+    void namesLengthsThatDo()
+    {
+        QFETCH(const double, b);
+        QFETCH(const double, c);
+        QFETCH(const QString, words);
+        Parameters parameters;
+        parameters.b = b;
+        parameters.c = c;
+        Bench bench(parameters);
+        bench.session.setTime(kNoPoseOfRocker);
+        TextRecorder recorder(bench.view.size());
+        QPainter painter(&recorder);
+        bench.view.paintMechanism(painter, bench.view.size(), bench.view.palette());
+        painter.end();
+        QStringList lines;
+        for (const auto &[text, place] : recorder.texts) {
+            lines << text.trimmed();
+        }
+        QVERIFY2(lines.join(u' ').contains(words), qPrintable(lines.join(u' ')));
+    }
+
     void namesTheReferenceOffItsCoupler()
     {
         Bench bench;

@@ -56,6 +56,14 @@ private slots:
                                           << "theta3: the coupler's angle seen from B, as textbooks draw θ₃; θ³ is "
                                              "theta3 − 180°."
                                           << "Adds -180° to theta3, made continuous";
+        QTest::newRow("the crank's angle, half a turn off")
+            << Convention{Kind::HalfTurn, {{Theta2, Order::Position}}, -180.0}
+            << "theta2: measured from the opposite direction; θ₂ is theta2 − 180°."
+            << "Adds -180° to theta2, made continuous";
+        QTest::newRow("the crank's angle, whole turns off")
+            << Convention{Kind::WholeTurns, {{Theta2, Order::Position}}, 360.0}
+            << "theta2: off by whole turns; θ₂ is theta2 + 360°."
+            << "Adds 360° to theta2, made continuous";
         QTest::newRow("whole turns") << Convention{Kind::WholeTurns, {kTheta3}, 360.0}
                                      << "theta3: off by whole turns; θ³ is theta3 + 360°."
                                      << "Adds 360° to theta3, made continuous";
