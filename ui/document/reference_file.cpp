@@ -3,6 +3,7 @@
 
 #include "core/reading/crank_angles.h"
 #include "ui/document/byte_stream.h"
+#include "ui/document/whole_file.h"
 #include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
@@ -127,10 +128,10 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const QStr
     } else if (file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
         outcome = readReferenceData(piecesOf(file), stop, options);
         if (file.error() != QFileDevice::NoError) {
-            return cannotBeRead(shown, file.errorString());
+            return cannotBeRead(shown, withoutFullStop(file.errorString()));
         }
     } else {
-        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
     }
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         return sentenceOf(*error, shown);
