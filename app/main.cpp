@@ -3,6 +3,7 @@
 // Chooses: the window, or a command line. Only the window needs a display.
 
 #include "app/command_line.h"
+#include "app/console.h"
 #include "app/output.h"
 #include "app/subcommands.h"
 #include "ui/window/application.h"
@@ -111,6 +112,7 @@ int main(int argc, char *argv[])
 {
     Command command = WindowOptions();
     if (argc > 1) {
+        useConsole();
         const QCoreApplication application(argc, argv);
         introduceApplication();
         setLanguage(Language::System);
@@ -122,9 +124,11 @@ int main(int argc, char *argv[])
     }
     const RenderOptions *picture = std::get_if<RenderOptions>(&command);
     if (picture) {
+#ifndef Q_OS_WIN // which can draw in any session, and knows its fonts only so
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
         }
+#endif
         // Standard error is for our own sentences; what a platform misses in a session without a desktop is not among
         // them.
         QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
@@ -134,6 +138,9 @@ int main(int argc, char *argv[])
             "There is no display to open the window on: set DISPLAY, or use solve, limits, compare, identify, "
             "study or render, which need none."));
         return static_cast<int>(ExitStatus::WrongCommandLine);
+    }
+    if (!picture) {
+        leaveConsole();
     }
     const Application application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion")); // the one whose palettes are ours to choose, on every platform
