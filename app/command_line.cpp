@@ -21,7 +21,7 @@ ExitStatus graver(ExitStatus x, ExitStatus y)
 
 void say(const QString &sentence)
 {
-    const QByteArray line = sentence.toLocal8Bit() + '\n';
+    const QByteArray line = sentence.toUtf8() + '\n';
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 

@@ -3,6 +3,7 @@
 // Chooses: the window, or a command line. Only the window needs a display.
 
 #include "app/command_line.h"
+#include "app/console.h"
 #include "app/output.h"
 #include "app/subcommands.h"
 #include "ui/window/application.h"
@@ -111,6 +112,7 @@ int main(int argc, char *argv[])
 {
     Command command = WindowOptions();
     if (argc > 1) {
+        useConsole();
         // Standard error is for our own sentences; what Qt misses in a session without a desktop, or in the locale C,
         // is not among them.
         QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
@@ -125,9 +127,11 @@ int main(int argc, char *argv[])
     }
     const RenderOptions *picture = std::get_if<RenderOptions>(&command);
     if (picture) {
+#ifndef Q_OS_WIN // which can draw in any session, and knows its fonts only so
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
         }
+#endif
     } else if (!hasDisplay() && !std::get<WindowOptions>(command).choosesDisplay) {
         say(QCoreApplication::translate(
             "slidercrank::CommandLine",
@@ -137,6 +141,7 @@ int main(int argc, char *argv[])
     }
     if (!picture) {
         QLoggingCategory::setFilterRules({});
+        leaveConsole();
     }
     const Application application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion")); // the one whose palettes are ours to choose, on every platform

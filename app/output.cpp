@@ -31,9 +31,10 @@ Output::Output(const QString &path)
 bool Output::fail(const QString &reason)
 {
     m_failed = true;
-    say(m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(reason)
+    const QString why = withoutFullStop(reason);
+    say(m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(why)
                          : CommandLine::tr("%1 cannot be written: %2. Choose another file or folder with --output.")
-                               .arg(QDir::toNativeSeparators(m_path), reason));
+                               .arg(QDir::toNativeSeparators(m_path), why));
     return false;
 }
 

@@ -26,7 +26,9 @@ const Powers &powersOfTen()
     static const Powers table = [] {
         Powers powers{};
         for (int power = kLowestPower; power <= kHighestPower; ++power) {
-            powers[static_cast<std::size_t>(power - kLowestPower)] = std::pow(10.0, power);
+            std::array<char, 8> text{'1', 'e'}; // the nearest double on every system, which std::pow() is not
+            const char *end = std::to_chars(text.data() + 2, text.data() + text.size(), power).ptr;
+            std::from_chars(text.data(), end, powers[static_cast<std::size_t>(power - kLowestPower)]);
         }
         return powers;
     }();

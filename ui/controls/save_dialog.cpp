@@ -108,12 +108,16 @@ void chooseFileToSave(QWidget *parent, const SaveRequest &request)
     }
     dialog->selectFile(request.name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+#ifdef Q_OS_WIN // its own dialog lets the name follow the kind, and of Qt's names would show the whole path with "/"
+    dialog->setDefaultSuffix(suffixOf(request.filter.isEmpty() ? request.filters.value(0) : request.filter));
+#else
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, request](const QString &filter) {
         const QFileInfo file(dialog->selectedFiles().value(0));
         if (suffixesOf(request.filters).contains(file.suffix(), Qt::CaseInsensitive)) {
             dialog->selectFile(file.completeBaseName() + u'.' + suffixOf(filter));
         }
     });
+#endif
     QObject::connect(dialog, &QDialog::accepted, parent, [parent, request, dialog] {
         take(parent, request, typedPath(*dialog), dialog->selectedNameFilter());
     });

@@ -12,6 +12,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
+#else
+#include "ui/document/whole_file.h"
 #endif
 
 namespace slidercrank
@@ -77,7 +79,7 @@ public:
     }
 
     bool isOpen() const { return m_file.isOpen(); }
-    QString fault() const { return m_file.errorString(); }
+    QString fault() const { return withoutFullStop(m_file.errorString()); }
 
     std::optional<qsizetype> read(char *room, qsizetype size, const std::stop_token &stop)
     {

@@ -4,6 +4,7 @@
 #include "core/reading/crank_angles.h"
 #include "core/reading/joined_files.h"
 #include "ui/document/byte_stream.h"
+#include "ui/document/whole_file.h"
 #include "ui/words/column_text.h"
 #include "ui/words/finding_text.h"
 #include "ui/words/read_fault_text.h"
@@ -126,7 +127,7 @@ std::optional<QString> open(const QString &path, const std::stop_token &stop,
     } else if (opened.file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
         opened.source = piecesOf(opened.file);
     } else {
-        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, opened.file.errorString());
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(opened.file.errorString()));
     }
     opened.source.name = info.fileName().toStdString();
     return std::nullopt;
@@ -216,7 +217,7 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const Refe
     std::variant<ReferenceData, ReadError> outcome = readJoined(sources, stop, options);
     for (const OpenedFile &opened : files) {
         if (opened.file.error() != QFileDevice::NoError) {
-            return cannotBeRead(shownNameOf(opened.file.fileName()), opened.file.errorString());
+            return cannotBeRead(shownNameOf(opened.file.fileName()), withoutFullStop(opened.file.errorString()));
         }
     }
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {

@@ -376,11 +376,11 @@ std::variant<Scene, QString> readScene(const QString &path)
         return SceneText::tr("%1 is a folder: choose a scene's file.").arg(shown);
     }
     if (!(isStandardInput(path) ? file.open(stdin, QIODevice::ReadOnly) : file.open(QIODevice::ReadOnly))) {
-        return SceneText::tr("%1 cannot be opened: %2.").arg(shown, file.errorString());
+        return SceneText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
     }
     const QByteArray bytes = file.read(kLargestFile + 1);
     if (file.error() != QFileDevice::NoError) {
-        return SceneText::tr("%1 cannot be read: %2.").arg(shown, file.errorString());
+        return SceneText::tr("%1 cannot be read: %2.").arg(shown, withoutFullStop(file.errorString()));
     }
     if (bytes.size() > kLargestFile) {
         return SceneText::tr("%1 is no scene: it is too large. Open a file that this program saved.").arg(shown);

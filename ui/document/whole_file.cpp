@@ -18,7 +18,7 @@ WholeFile::WholeFile(const QString &path)
 bool WholeFile::fail(const QString &reason)
 {
     m_failed = true;
-    m_reason = reason;
+    m_reason = withoutFullStop(reason);
     m_file.cancelWriting();
     return false;
 }
@@ -55,6 +55,14 @@ bool WholeFile::synchronize()
 bool WholeFile::commit()
 {
     return !m_failed && synchronize() && (m_file.commit() || fail(m_file.errorString()));
+}
+
+QString withoutFullStop(QString reason)
+{
+    if (reason.endsWith(u'.')) {
+        reason.chop(1);
+    }
+    return reason;
 }
 
 std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes)

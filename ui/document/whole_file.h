@@ -35,6 +35,9 @@ private:
     bool m_failed = false;
 };
 
+/// What the system calls a fault, as part of a sentence: Windows makes it one of its own.
+QString withoutFullStop(QString reason);
+
 /// All at once: nothing when it is written, else the reason why not.
 std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes);
 

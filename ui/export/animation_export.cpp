@@ -50,7 +50,8 @@ QString frameName(const QString &path, int frame, int count)
 
 QString notWritten(const QString &path, const QString &reason)
 {
-    return AnimationExport::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), reason);
+    return AnimationExport::tr("%1 cannot be written: %2.")
+        .arg(QDir::toNativeSeparators(path), withoutFullStop(reason));
 }
 
 struct Move {
@@ -203,7 +204,7 @@ void AnimationExport::startFilming()
     connect(m_film, &QProcess::finished, this, &AnimationExport::finishFilm);
     connect(m_film, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) { // then it does not finish either
-            end(tr("ffmpeg could not be started: %1.").arg(m_film->errorString()));
+            end(tr("ffmpeg could not be started: %1.").arg(withoutFullStop(m_film->errorString())));
         }
     });
     m_film->start(ffmpeg(), input + output + colours + QStringList{filmPath()});
