@@ -20,6 +20,7 @@ The results of another simulation, saved as CSV, are laid over the plots, and
 told in numbers how far they are from the model, and whose motion they are.
 Everything can also be done from the command line.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6 (<< 6.7.2-5~) | qt6-svg-plugins") # the window's icon; a plugin no linker knows of
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core | fonts-noto-core, qt6-translations-l10n, qt6-wayland")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg")
 

@@ -13,7 +13,11 @@
 #include "core/mechanism/mechanism.h"
 
 #include <boost/math/constants/constants.hpp>
+// g++ 14 takes for possible what a condition in there excludes.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Warray-bounds"
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#pragma GCC diagnostic pop
 
 #include <array>
 #include <cmath>

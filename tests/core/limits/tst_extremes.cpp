@@ -98,10 +98,10 @@ const Peak &peakOf(const std::vector<Peak> &peaks, Channel channel)
     return *std::find_if(peaks.begin(), peaks.end(), [&](const Peak &peak) { return peak.channel == channel; });
 }
 
-const Channel kSliderSpeed{R4x, Order::Velocity};
-const Channel kSliderAcceleration{R4x, Order::Acceleration};
-const Channel kCouplerSpeed{Theta3, Order::Velocity};
-const Channel kCouplerAcceleration{Theta3, Order::Acceleration};
+constexpr Channel kSliderSpeed{R4x, Order::Velocity};
+constexpr Channel kSliderAcceleration{R4x, Order::Acceleration};
+constexpr Channel kCouplerSpeed{Theta3, Order::Velocity};
+constexpr Channel kCouplerAcceleration{Theta3, Order::Acceleration};
 constexpr std::array<Channel, 4> kRates{kSliderSpeed, kSliderAcceleration, kCouplerSpeed, kCouplerAcceleration};
 
 std::string describe(const Parameters &p, const Peak &peak, const ExactPeak &exact)
