@@ -250,21 +250,24 @@ QString NumberBox::textFor(double value) const
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
     }
+    constexpr int kMargins = 4; // px: what QLineEdit keeps free beside its text
+    const auto fits = [this](const QString &text) {
+        return fontMetrics().horizontalAdvance(text + m_suffix) <= lineEdit()->width() - kMargins;
+    };
     if (m_fixedDecimals >= 0) {
         const bool nothing = std::abs(value) < 0.5 * std::pow(10.0, -m_fixedDecimals); // not "-0.00"
-        return localeWithoutGroups().toString(nothing ? 0.0 : value, 'f', m_fixedDecimals);
-    }
-    if (m_editing) {
+        const QString text = localeWithoutGroups().toString(nothing ? 0.0 : value, 'f', m_fixedDecimals);
+        if (m_editing || fits(text)) {
+            return text;
+        }
+    } else if (m_editing) {
         return typedNumberText(value);
     }
     // As many digits as there is room for: with its end cut off -2.17724e-5 would read as -2.1772.
     constexpr int kMostDigits = 6;
     constexpr int kFewestDigits = 2;
-    constexpr int kMargins = 4; // px: what QLineEdit keeps free beside its text
-    const int room = lineEdit()->width() - kMargins;
     for (int digits = kMostDigits; digits > kFewestDigits; --digits) {
-        const QString text = numberText(value, digits);
-        if (fontMetrics().horizontalAdvance(text + m_suffix) <= room) {
+        if (const QString text = numberText(value, digits); fits(text)) {
             return text;
         }
     }

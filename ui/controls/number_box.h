@@ -61,7 +61,7 @@ public:
     /// Shown behind the number, with the space that belongs there: " mm", "°".
     void setSuffix(const QString &suffix);
 
-    /// Always so many decimals, also while edited: for a number that runs.
+    /// Always so many decimals where there is room, also while edited: for a number that runs.
     void setFixedDecimals(int decimals);
 
     /// What one press of an arrow adds; 0: a tenth of the number's power of ten.

@@ -211,12 +211,13 @@ private:
 
 QRectF ghostWordPlace(const MechanismCanvas &on, const ReferencePose &ghost)
 {
-    constexpr double kHalfWidth = 20.0;
+    constexpr double kLetters = 2.5; // half of "conservado", in heights of a line
     const double height = QFontMetricsF(on.smallFont).height();
+    const double halfWidth = kLetters * height;
     const bool isCouplerBelow = ghost.pinY < ghost.sliderY;
     const QPointF slider = on.toPixels({ghost.sliderX, ghost.sliderY});
-    return {slider.x() - kHalfWidth,
-            slider.y() + (isCouplerBelow ? -kDeadCentreMark - height : kRailBelowLine + kHatchLength), 2.0 * kHalfWidth,
+    return {slider.x() - halfWidth,
+            slider.y() + (isCouplerBelow ? -kDeadCentreMark - height : kRailBelowLine + kHatchLength), 2.0 * halfWidth,
             height};
 }
 

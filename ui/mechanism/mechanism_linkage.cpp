@@ -300,9 +300,10 @@ QRectF ghostArea(const MechanismCanvas &on, const MechanismDrawing &drawing)
     if (!ghost.exists) {
         return {};
     }
-    return around(
-        {on.toPixels({0.0, 0.0}), on.toPixels({ghost.pinX, ghost.pinY}), on.toPixels({ghost.sliderX, ghost.sliderY})},
-        kAroundFile);
+    return around({on.toPixels({0.0, 0.0}), on.toPixels({ghost.pinX, ghost.pinY}),
+                   on.toPixels({ghost.sliderX, ghost.sliderY})},
+                  kAroundFile)
+        .united(ghostWordPlace(on, ghost));
 }
 
 } // namespace slidercrank

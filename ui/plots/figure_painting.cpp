@@ -3,10 +3,12 @@
 
 #include "ui/plots/plot_canvas.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPicture>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -52,6 +54,12 @@ std::array<PlacedPlot, kPlotCount> placedPlots(PlotFigure &figure, const PlotArr
         picture.hasTimeLabels = arrangement.hasTimeLabels(i);
         int &length = lengths[i % kPlotColumns];
         length = std::max(length, picture.valueScale.labelLength(picture.values));
+        if (picture.hasTimeLabels) { // their title stands before the first of them
+            const QFontMetricsF metrics(typography.tick);
+            const double title = metrics.horizontalAdvance(picture.timeLabels.title) +
+                                 0.5 * metrics.horizontalAdvance(picture.timeLabels.label(picture.time.lower));
+            length = std::max(length, static_cast<int>(std::ceil((title - kTickLength) / typography.digitWidth)));
+        }
         if (picture.rightValues) {
             rightLength = std::max(rightLength, picture.rightScale.labelLength(*picture.rightValues));
         }

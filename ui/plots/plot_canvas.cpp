@@ -221,7 +221,7 @@ void PlotCanvas::Lettering::draw(QCPPainter *painter)
     painter->setPen(QPen(colours.text));
     if (picture.hasTimeLabels) {
         // In the corner that both axes leave free.
-        const QString first = picture.timeLabels.scale.label(picture.timeLabels.at(picture.time.lower), QLocale());
+        const QString first = picture.timeLabels.label(picture.time.lower);
         const double right = axes.left() - 0.5 * QFontMetricsF(m_plot->m_tickFont).horizontalAdvance(first) - 5.0;
         const QRectF corner(0.0, axes.bottom() + kTickLength + kLabelGap - 1, right, axes.height());
         painter->drawText(corner, Qt::AlignRight | Qt::AlignTop | Qt::TextDontClip, picture.timeLabels.title);

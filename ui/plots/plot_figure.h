@@ -13,6 +13,7 @@
 #include "ui/words/axis_scale.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QSize>
 #include <QString>
 
@@ -78,6 +79,7 @@ struct PlotPicture {
         AxisScale scale;      ///< of the labels
         QString title;        ///< "t [s]", "θ₂ [°]"
         double at(double seconds) const { return (seconds - zero) / perUnit; }
+        QString label(double seconds) const { return scale.label(at(seconds), QLocale()); }
     };
 
     Interval time;

@@ -2,9 +2,11 @@
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
+#include "ui/mechanism/mechanism_labels.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/words/theme.h"
 
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 #include <QPicture>
@@ -537,6 +539,12 @@ private slots:
             const QPointF slider = bench.view.toPixels({ghost.sliderX, ghost.sliderY});
             const QPointF crank = bench.view.toPixels({ghost.pinX, ghost.pinY});
             QVERIFY((word->second.center().y() < slider.y()) == (crank.y() > slider.y()));
+        }
+        for (const int pixels : {11, 13, 20, 30}) { // whole in every language, also in front of a class
+            MechanismCanvas canvas;
+            canvas.smallFont.setPixelSize(pixels);
+            QVERIFY(ghostWordPlace(canvas, kGhost).width() >=
+                    QFontMetricsF(canvas.smallFont).horizontalAdvance(QStringLiteral("conservado")));
         }
     }
 

@@ -344,6 +344,14 @@ private slots:
             QVERIFY2(std::abs(shown - omega2) <= 0.05 * std::abs(omega2), qPrintable(edit->text()));
             QVERIFY2(edit->fontMetrics().horizontalAdvance(edit->text()) < edit->width(), qPrintable(edit->text()));
         }
+        NumberBox angle;
+        angle.setFixedDecimals(2);
+        angle.resize(angle.minimumSizeHint());
+        angle.show();
+        angle.setValue(8676619541.25);
+        QVERIFY2(textOf(&angle).endsWith(QStringLiteral("·10⁹")), qPrintable(textOf(&angle)));
+        angle.setValue(62.5);
+        QCOMPARE(textOf(&angle), QStringLiteral("62.50"));
     }
 
     void anArrowIsAStep()

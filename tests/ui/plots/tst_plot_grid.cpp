@@ -164,6 +164,7 @@ private slots:
     void offersToExportAPlot();
     void drawsAsManyPointsAsPixelsAtMost();
     void keepsTheAxesInPlaceWhileValuesChange();
+    void hasRoomForTheTitleOfShortTimes();
     void alignsThePlotsOfAColumn();
     void keepsReadingsWithinNarrowPlots();
     void framesThePlotWithTheFocusAndNoMore();
@@ -953,6 +954,25 @@ void TstPlotGrid::keepsTheAxesInPlaceWhileValuesChange()
         settle();
         QCOMPARE(shown.plot(QStringLiteral("plot_theta3_diff2"))->axisRect()->rect(), before);
     }
+}
+
+void TstPlotGrid::hasRoomForTheTitleOfShortTimes()
+{
+    Session session;
+    Sampling sampling;
+    sampling.duration = 6e-5;
+    session.setSampling(sampling);
+    ShownGrid shown(session.result());
+    TextRecorder recorder({300, 200});
+    QPainter painter(&recorder);
+    shown.grid.paintPlot(painter, QStringLiteral("plot_theta3"), {300, 200}, paletteFor(Theme::Light));
+    painter.end();
+    bool isThere = false;
+    for (const auto &[text, place] : recorder.texts) {
+        isThere = isThere || text.startsWith(QLatin1String("t ["));
+        QVERIFY2(place.left() >= 0.0, qPrintable(text));
+    }
+    QVERIFY(isThere);
 }
 
 void TstPlotGrid::alignsThePlotsOfAColumn()
