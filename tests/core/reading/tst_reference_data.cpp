@@ -1016,6 +1016,9 @@ private slots:
         stop.request_stop();
         const auto outcome = read("time,R4_x\n0,1\n", stop.get_token());
         QCOMPARE(std::get<ReadError>(outcome).fault.kind, Kind::Stopped);
+        const std::vector<ByteSource> two(2, sourceOf("time,R4_x\n0,1\n", kOnePiece));
+        const auto joined = slidercrank::readJoined(two, stop.get_token());
+        QCOMPARE(std::get<ReadError>(joined).fault.kind, Kind::Stopped);
     }
 
     void findsASeries()
