@@ -23,7 +23,8 @@ struct ByteSource {
     /// How many a thread takes at a time: any number gives the same. These stay in the processor's cache.
     std::size_t piece = std::size_t{1} << 18U;
 
-    std::string name{}; ///< of the file; empty: none
+    std::string name{};       ///< of the file; empty: none
+    bool isBeginning = false; ///< of a file that goes on
 };
 
 /// Bytes in memory, which outlive it.

@@ -90,12 +90,14 @@ std::vector<std::vector<ColumnChoice>> choicesByFile(const std::vector<ColumnCho
     }
     const auto isOfAbscissa = [](const ColumnChoice &choice) { return isAbscissa(choice.role); };
     const auto chosen = std::ranges::find_if(byFile.front(), isOfAbscissa);
-    for (std::size_t file = 1; file < byFile.size() && chosen != byFile.front().end(); ++file) {
+    for (std::size_t i = 0; i < all.columns.size() && chosen != byFile.front().end(); ++i) {
+        const std::size_t file = all.columns[i].file;
+        const std::size_t column = i - first[file];
         const bool isSaid = std::ranges::any_of(byFile[file], [&](const ColumnChoice &choice) {
-            return isAbscissa(choice.role) || choice.column == chosen->column;
+            return isAbscissa(choice.role) || choice.column == column;
         });
-        if (!isSaid) {
-            byFile[file].push_back(*chosen);
+        if (!isSaid && all.columns[i].heading == all.columns[chosen->column].heading) {
+            byFile[file].push_back({column, chosen->role, {}, chosen->unit});
         }
     }
     return byFile;
@@ -166,7 +168,8 @@ void keepRows(ReferenceData &data, const std::vector<std::size_t> &rows)
 }
 
 /// The channels of `next`, the file of that number, beside those of `data`; or why it is none of the same motion.
-std::optional<ReadError> join(ReferenceData &data, ReferenceData next, std::size_t file)
+/// `areBeginnings`: one of them may break off earlier.
+std::optional<ReadError> join(ReferenceData &data, ReferenceData next, std::size_t file, bool areBeginnings)
 {
     const auto refused = [&](Fault kind, std::size_t other, Channel channel = {}) {
         ReadFault fault{kind, channel};
@@ -180,9 +183,11 @@ std::optional<ReadError> join(ReferenceData &data, ReferenceData next, std::size
         return refused(Fault::CountsOtherwise, 0);
     }
     const CommonRows rows = commonRows(instantsOf(data), instantsOf(next));
-    const bool areTheSame = data.time.size() - rows.ofOne.size() <= next.skippedRowCount() &&
-                            next.time.size() - rows.ofOther.size() <= data.skippedRowCount();
-    if (rows.ofOne.empty() || !areTheSame) {
+    const auto lackIn = [areBeginnings](const std::vector<double> &time, const std::vector<std::size_t> &common) {
+        return (areBeginnings ? common.back() + 1 : time.size()) - common.size();
+    };
+    if (rows.ofOne.empty() || lackIn(data.time, rows.ofOne) > next.skippedRowCount() ||
+        lackIn(next.time, rows.ofOther) > data.skippedRowCount()) {
         return refused(Fault::OtherInstants, 0);
     }
     for (const ReferenceSeries &series : next.series) {
@@ -236,6 +241,8 @@ std::variant<ReferenceData, ReadError> readAll(std::span<const ByteSource> files
     const auto sizeOf = [](std::size_t sum, const ByteSource &file) { return sum + file.size; };
     const std::size_t bytes = std::accumulate(files.begin(), files.end(), std::size_t{0}, sizeOf);
 
+    const bool areBeginnings = std::ranges::count(files, true, &ByteSource::isBeginning) > 0;
+
     std::optional<ReferenceData> all;
     std::optional<ReadError> error;
     FileLayout layout;
@@ -261,7 +268,7 @@ std::variant<ReferenceData, ReadError> readAll(std::span<const ByteSource> files
             continue; // its columns are all that is wanted
         }
         if (all) {
-            error = join(*all, std::move(*data), i);
+            error = join(*all, std::move(*data), i, areBeginnings);
         } else {
             all = std::move(*data);
         }

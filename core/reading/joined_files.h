@@ -18,8 +18,8 @@ namespace slidercrank
 {
 
 /// A channel comes from one file only. `options`: columns count on from file to file; what is chosen as the time, or
-/// the angle, of the first file holds for that column of the others, too. An error has the columns of all files. One
-/// file alone is read as it is.
+/// the angle, of the first file holds for a column of that heading in the others, too. An error has the columns of all
+/// files. One file alone is read as it is.
 std::variant<ReferenceData, ReadError> readJoined(std::span<const ByteSource> files, std::stop_token stop = {},
                                                   const ReadOptions &options = {});
 

@@ -349,6 +349,7 @@ std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const
     for (qsizetype i = 0; i < paths.size(); ++i) {
         sources.push_back(sourceOf(viewOf(bytes[i])));
         sources.back().name = QFileInfo(paths[i]).fileName().toStdString();
+        sources.back().isBeginning = bytes[i].size() < QFileInfo(paths[i]).size();
     }
     return readJoined(sources, {}, options);
 }

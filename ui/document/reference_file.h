@@ -86,7 +86,7 @@ QByteArrayList checksumsOf(const Reference &reference);
 QByteArray beginningOf(const QString &path);
 QByteArrayList beginningsOf(const QStringList &paths);
 
-/// What files of those names read as that hold these bytes.
+/// What files of those names read as that hold these bytes, or begin with them.
 std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const QByteArrayList &bytes,
                                                  const ReadOptions &options = {});
 

@@ -1016,6 +1016,9 @@ private slots:
         stop.request_stop();
         const auto outcome = read("time,R4_x\n0,1\n", stop.get_token());
         QCOMPARE(std::get<ReadError>(outcome).fault.kind, Kind::Stopped);
+        const std::vector<ByteSource> two(2, sourceOf("time,R4_x\n0,1\n", kOnePiece));
+        const auto joined = slidercrank::readJoined(two, stop.get_token());
+        QCOMPARE(std::get<ReadError>(joined).fault.kind, Kind::Stopped);
     }
 
     void findsASeries()
@@ -1090,6 +1093,20 @@ private slots:
                  QStringLiteral("time 0 0.03333 0.06667 0.1; R4_x 1 2 3 4; theta3 5 6 7 8; ignored time"));
     }
 
+    void beginningsOfPlotsMayBreakOffAnywhere()
+    {
+        const QByteArrayList plots{"time,R4_x\n0,1\n1,2\n2,3\n", "time,theta3\n0,5\n1,6\n"};
+        std::vector<ByteSource> sources{sourceOf(plots[0], kOnePiece), sourceOf(plots[1], kOnePiece)};
+        QVERIFY(std::holds_alternative<ReadError>(slidercrank::readJoined(sources)));
+        sources[1].isBeginning = true;
+        QCOMPARE(described(slidercrank::readJoined(sources)),
+                 QStringLiteral("time 0 1; R4_x 1 2; theta3 5 6; ignored time"));
+        const QByteArray late = "time,theta3\n0.5,5\n1,6\n";
+        sources[1] = sourceOf(late, kOnePiece);
+        sources[1].isBeginning = true;
+        QVERIFY(std::holds_alternative<ReadError>(slidercrank::readJoined(sources)));
+    }
+
     void plotsOfAnglesAreJoinedToo()
     {
         const auto outcome = readJoined({"theta2,R4_x\n0,1\n90,2\n180,3\n", "theta2,theta3\n0.0,4\n90.0,5\n180.0,6\n"});
@@ -1126,6 +1143,9 @@ private slots:
         const auto byAngle =
             readJoined({"q,R4_x\n0,1\n90,2\n", "q,theta3\n0,3\n90,4\n"}, {{{0, ColumnRole::CrankAngle, {}, {}}}, {}});
         QCOMPARE(described(byAngle), QStringLiteral("time 0 0.25; R4_x 1 2; theta3 3 4; ignored q"));
+        const auto elsewhere =
+            readJoined({"q,R4_x\n0,1\n1,2\n", "theta3,time\n3,0\n4,1\n"}, {{{0, ColumnRole::Time, {}, {}}}, {}});
+        QCOMPARE(described(elsewhere), QStringLiteral("time 0 1; R4_x 1 2; theta3 3 4; ignored time"));
         const auto several = readJoined(files, {{}, {}, {{"Value", ColumnRole::Channel, x, {}}}});
         QCOMPARE(std::get<ReadError>(several).fault.kind, Kind::SeveralColumns);
         QCOMPARE(std::get<ReadError>(several).layout.columns.size(), std::size_t(4));
