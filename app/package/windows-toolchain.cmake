@@ -5,11 +5,12 @@ set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
 set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
-set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
+cmake_path(SET libraries NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../../build/windows/libraries)
+set(CMAKE_EXE_LINKER_FLAGS_INIT
+    "-static -Wl,--whole-archive,${libraries}/lib/libmathematics.a,--no-whole-archive")
 set(CMAKE_EXE_LINKER_FLAGS_RELEASE_INIT -s)
 
 # What runs while building is Debian's, what is linked is not.
-cmake_path(SET libraries NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../../build/windows/libraries)
 set(CMAKE_FIND_ROOT_PATH ${libraries} /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
