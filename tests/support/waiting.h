@@ -18,10 +18,15 @@ namespace slidercrank
 /// Only a test that is red waits so long, ms.
 inline constexpr int kPatience = 120'000;
 
-/// As QTRY_VERIFY and its like, but with patience.
-#define AWAIT(state) QTRY_VERIFY_WITH_TIMEOUT(state, slidercrank::kPatience)
-#define AWAIT2(state, hint) QTRY_VERIFY2_WITH_TIMEOUT(state, hint, slidercrank::kPatience)
-#define AWAIT_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, slidercrank::kPatience)
+/// As QTRY_VERIFY and its like, but with patience, and without their conversions.
+#define AWAIT_THEN(state, verify)                                                                                      \
+    do {                                                                                                               \
+        static_cast<void>(QTest::qWaitFor([&] { return static_cast<bool>(state); }, slidercrank::kPatience));          \
+        verify;                                                                                                        \
+    } while (false)
+#define AWAIT(state) AWAIT_THEN(state, QVERIFY(state))
+#define AWAIT2(state, hint) AWAIT_THEN(state, QVERIFY2(state, hint))
+#define AWAIT_COMPARE(actual, expected) AWAIT_THEN((actual) == (expected), QCOMPARE(actual, expected))
 
 /// Lays out, paints and does all else that is posted, and what that posts in its turn.
 inline void settle()

@@ -46,12 +46,13 @@ void *operator new(std::size_t size, const std::nothrow_t &) noexcept
     return std::malloc(std::max<std::size_t>(size, 1));
 }
 
-void operator delete(void *memory) noexcept
+// Not inlined, lest g++ 14 take new and free for a mistaken pair.
+[[gnu::noinline]] void operator delete(void *memory) noexcept
 {
     std::free(memory);
 }
 
-void operator delete(void *memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept
 {
     std::free(memory);
 }

@@ -71,6 +71,7 @@ private slots:
     void takesThePlaceOfOlderFrames_data();
     void takesThePlaceOfOlderFrames();
     void bringsOlderFramesBackWhenItFails();
+    void leavesNothingBehindWhenCancelled_data();
     void leavesNothingBehindWhenCancelled();
     void saysWhyItCannotWrite_data();
     void saysWhyItCannotWrite();
@@ -178,13 +179,22 @@ void TstAnimationExport::bringsOlderFramesBackWhenItFails()
     }
 }
 
+void TstAnimationExport::leavesNothingBehindWhenCancelled_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString &suffix : AnimationExport::suffixes()) {
+        QTest::newRow(qPrintable(suffix)) << QStringLiteral("motion.") + suffix;
+    }
+}
+
 void TstAnimationExport::leavesNothingBehindWhenCancelled()
 {
+    QFETCH(const QString, name);
     const QTemporaryDir folder;
     auto animation = std::make_unique<AnimationExport>(shortAnimation(), drawGrey);
     QSignalSpy progressed(animation.get(), &AnimationExport::progressed);
     QSignalSpy finished(animation.get(), &AnimationExport::finished);
-    animation->start(folder.filePath(QStringLiteral("motion.png")));
+    animation->start(folder.filePath(name));
     while (progressed.count() < 3) {
         QVERIFY(progressed.wait(kPatience));
     }
