@@ -5030,6 +5030,22 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::SceneFile</name>
     <message>
+        <source>Changed elsewhere</source>
+        <translation>Cambiado en otra parte</translation>
+    </message>
+    <message>
+        <source>%1 was changed elsewhere since it was opened here. Replace it?</source>
+        <translation>%1 se cambió en otra parte desde que se abrió aquí. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
         <source>Unsaved changes</source>
         <translation>Cambios sin guardar</translation>
     </message>
