@@ -5131,6 +5131,22 @@ SHA-256: %2</translation>
         <source>Save what you changed as a scene, to go on from there another time?</source>
         <translation>¿Guardar lo que ha cambiado como escena, para continuar desde ahí otro día?</translation>
     </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation>Cambiado en otra parte</translation>
+    </message>
+    <message>
+        <source>%1 was changed elsewhere since it was opened here. Replace it?</source>
+        <translation>%1 se cambió en otra parte desde que se abrió aquí. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::SceneText</name>

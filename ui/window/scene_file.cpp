@@ -11,6 +11,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStandardPaths>
 
 #include <utility>
@@ -28,6 +29,12 @@ QString folderOf(const QString &path)
     const QString last = path.isEmpty() ? recentFiles(kRecentScenes).value(0) : path;
     return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
                           : QFileInfo(last).absolutePath();
+}
+
+FileState stateOf(const QString &path)
+{
+    const QFileInfo file(path);
+    return {file.size(), file.lastModified()};
 }
 
 } // namespace
@@ -100,12 +107,13 @@ void SceneFile::open(const QString &path, const QStringList &reference)
                               .arg(QDir::toNativeSeparators(absolute)));
         return;
     }
+    const FileState state = stateOf(absolute);
     std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit problemFound(*sentence);
         return;
     }
-    askThen([this, reference, opening = Opening{absolute, std::get<Scene>(std::move(outcome)), {}}] {
+    askThen([this, reference, opening = Opening{absolute, state, std::get<Scene>(std::move(outcome)), {}}] {
         show(opening, reference.isEmpty() ? opening.scene.reference : std::nullopt);
         if (!reference.isEmpty()) {
             m_session->loadReference(reference);
@@ -115,7 +123,7 @@ void SceneFile::open(const QString &path, const QStringList &reference)
 
 void SceneFile::restore(const Scene &scene, const QString &path, const std::function<void()> &goOn)
 {
-    askThen([this, opening = Opening{path, scene, goOn}] { show(opening, opening.scene.reference); });
+    askThen([this, opening = Opening{path, stateOf(path), scene, goOn}] { show(opening, opening.scene.reference); });
 }
 
 void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource> &reference)
@@ -132,6 +140,7 @@ void SceneFile::finishOpening(const QString &problem)
     }
     const Opening opening = *std::exchange(m_opening, std::nullopt);
     m_path = opening.path;
+    m_state = opening.state;
     m_asRead = opening.scene.asRead;
     m_missing = problem.isEmpty() ? std::nullopt : opening.scene.reference;
     m_rooms.plots->setSettings(opening.scene.plots);
@@ -169,9 +178,31 @@ void SceneFile::save(const std::function<void()> &goOn)
 {
     if (m_path.isEmpty()) {
         saveAs(goOn);
+    } else if (QFileInfo::exists(m_path) && stateOf(m_path) != m_state) {
+        askToReplace(goOn);
     } else if (saveTo(m_path) && goOn) {
         goOn();
     }
+}
+
+void SceneFile::askToReplace(const std::function<void()> &goOn)
+{
+    auto *question = new QMessageBox(
+        QMessageBox::Question, tr("Changed elsewhere"),
+        tr("%1 was changed elsewhere since it was opened here. Replace it?").arg(QFileInfo(m_path).fileName()),
+        QMessageBox::NoButton, m_window);
+    question->setObjectName(QStringLiteral("changedQuestion"));
+    question->addButton(tr("Replace"), QMessageBox::AcceptRole);
+    QPushButton *other = question->addButton(tr("Save as…"), QMessageBox::ActionRole);
+    question->setDefaultButton(question->addButton(QMessageBox::Cancel));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::accepted, this, [this, goOn] {
+        if (saveTo(m_path) && goOn) {
+            goOn();
+        }
+    });
+    connect(other, &QPushButton::clicked, this, [this, goOn] { saveAs(goOn); });
+    question->open();
 }
 
 void SceneFile::saveAs(const std::function<void()> &goOn)
@@ -196,6 +227,7 @@ bool SceneFile::saveTo(const QString &path)
         return false;
     }
     m_path = absolute;
+    m_state = stateOf(absolute);
     m_session->undoStack().setClean();
     rememberFile(kRecentScenes, m_path);
     emit changed();

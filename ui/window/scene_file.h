@@ -44,7 +44,8 @@ public slots:
     void open(const QString &path, const QStringList &reference = {});
     void chooseAndOpen();
 
-    /// Asks for a name where there is none yet; then goes on once it is saved.
+    /// Asks for a name where there is none yet, and where somebody else has written to the file since; then goes on
+    /// once it is saved.
     void save(const std::function<void()> &goOn = {});
     void saveAs(const std::function<void()> &goOn = {});
 
@@ -60,16 +61,19 @@ signals:
 private:
     struct Opening {
         QString path;
+        FileState state; ///< of the file there
         Scene scene;
         std::function<void()> restored; ///< empty: it is as in the file
     };
     void show(const Opening &opening, const std::optional<ReferenceSource> &reference);
     void finishOpening(const QString &problem);
+    void askToReplace(const std::function<void()> &goOn);
 
     Session *m_session;
     const Rooms &m_rooms;
     QWidget *m_window;
     QString m_path;
+    FileState m_state;                        ///< of the file there, as it was opened or saved last
     QJsonObject m_asRead;                     ///< of the file at m_path
     std::optional<ReferenceSource> m_missing; ///< of the scene, which is open without it: saved again all the same
     std::optional<Opening> m_opening;         ///< while its reference is read

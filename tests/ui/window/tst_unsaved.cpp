@@ -89,6 +89,41 @@ private slots:
         QVERIFY(!question("unsavedQuestion"));
     }
 
+    void whatAnotherWindowSavedIsAskedAbout()
+    {
+        const QString path = sceneWithReference();
+        const auto savedA = [&path] {
+            const auto outcome = readScene(path);
+            return std::get<Scene>(outcome).parameters.a;
+        };
+        m_window->scene().open(path);
+        AWAIT(m_window->session().reference());
+        m_window->session().setParameter(Parameter::A, 13.0);
+        m_window->scene().save(); // its own
+        QVERIFY(!question("changedQuestion"));
+        QCOMPARE(savedA(), 13.0);
+
+        Scene other;
+        other.parameters.a = 14.5;
+        QCOMPARE(writeScene(other, path), std::nullopt);
+        m_window->session().setParameter(Parameter::A, 15.0);
+        m_window->scene().save();
+        QVERIFY(question("changedQuestion"));
+        question("changedQuestion")->button(QMessageBox::Cancel)->click();
+        QCOMPARE(savedA(), 14.5);
+        QVERIFY(m_window->isWindowModified());
+        settle();
+
+        m_window->scene().save();
+        for (QAbstractButton *button : question("changedQuestion")->buttons()) {
+            if (button->text() == QLatin1String("Replace")) {
+                button->click();
+            }
+        }
+        QCOMPARE(savedA(), 15.0);
+        QVERIFY(!m_window->isWindowModified());
+    }
+
     void aCloseWaitsForTheFileThatIsBeingWritten()
     {
         const QString path = startWriting();
