@@ -4,7 +4,6 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include <cstdio>
 #include <optional>
 
 #ifdef Q_OS_UNIX
@@ -75,7 +74,8 @@ public:
         : m_file(path)
     {
         const QIODevice::OpenMode mode = QIODevice::ReadOnly | QIODevice::Unbuffered;
-        isStandardInput(path) ? m_file.open(stdin, mode) : m_file.open(mode);
+        constexpr int kStandardInput = 0; // stdin itself would take the end of a pipe for a fault
+        isStandardInput(path) ? m_file.open(kStandardInput, mode) : m_file.open(mode);
     }
 
     bool isOpen() const { return m_file.isOpen(); }
