@@ -264,8 +264,8 @@ std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<do
         }
     }
     const Positions rows = positionsOnRows(problem);
-    constexpr std::size_t kFewestRows = 5;
-    if (rows.phase.size() < kFewestRows || (rows.theta3.empty() && rows.R4x.empty())) {
+    constexpr std::size_t kFewest = 5;
+    if (rows.phase.size() < kFewest || (rows.theta3.empty() && rows.R4x.empty())) {
         return starts;
     }
     std::vector<double> few;

@@ -76,15 +76,17 @@ QImage imageOf(const FigureSize &size, const FigureDrawing &draw)
 }
 
 /// What Qt's generator leaves to be desired: millimetres with three decimals, which viewers round to one pixel too
-/// many, and fonts without a fallback for machines that have none of that name.
-QByteArray polished(const QByteArray &svg, const QSize &size)
+/// many, fonts without a fallback for machines that have none of that name, and a title that some versions escape.
+QByteArray polished(const QByteArray &svg, const QSize &size, const QString &title)
 {
     static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
     static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
+    static const QString kTitle = QStringLiteral("<title>title</title>");
     QString text = QString::fromUtf8(svg);
     text.replace(kMillimetres,
                  QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(size.width()).arg(size.height()));
     text.replace(kFamily, QStringLiteral(R"re(font-family="'\1', sans-serif")re"));
+    text.replace(kTitle, QStringLiteral("<title>%1</title>").arg(title.toHtmlEscaped()));
     return text.toUtf8();
 }
 
@@ -98,11 +100,11 @@ QByteArray svgOf(const QSize &size, const QString &title, const FigureDrawing &d
     generator.setResolution(kDotsPerInch);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(title.toHtmlEscaped()); // it is written as it is
+    generator.setTitle(title.isEmpty() ? title : QStringLiteral("title"));
     QPainter painter(&generator);
     draw(painter, size);
     painter.end();
-    return polished(buffer.data(), size);
+    return polished(buffer.data(), size, title);
 }
 
 QByteArray pdfOf(const QSize &size, const QString &title, const FigureDrawing &draw)

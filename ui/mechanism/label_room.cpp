@@ -51,19 +51,19 @@ void LabelRoom::ratherKeepOff(const QLineF &line)
 double LabelRoom::crossedBy(const QRectF &label) const
 {
     constexpr double kOutside = 8.0;
-    constexpr double kLink = 4.0;
-    constexpr double kBox = 6.0; // a label over another is not to be read
-    constexpr double kLine = 1.0;
+    constexpr double kOverLink = 4.0;
+    constexpr double kOverBox = 6.0; // a label over another is not to be read
+    constexpr double kOverLine = 1.0;
     double crossed = m_drawing.contains(label) ? 0.0 : kOutside;
     for (const Link &link : m_links) {
         const double half = link.halfWidth;
-        crossed += isWithin(label.adjusted(-half, -half, half, half), link.line) ? kLink : 0.0;
+        crossed += isWithin(label.adjusted(-half, -half, half, half), link.line) ? kOverLink : 0.0;
     }
     for (const QRectF &box : m_boxes) {
-        crossed += box.intersects(label) ? kBox : 0.0;
+        crossed += box.intersects(label) ? kOverBox : 0.0;
     }
     for (const QLineF &line : m_lines) {
-        crossed += isWithin(label, line) ? kLine : 0.0;
+        crossed += isWithin(label, line) ? kOverLine : 0.0;
     }
     return crossed;
 }

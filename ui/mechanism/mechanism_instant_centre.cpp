@@ -144,9 +144,9 @@ void paintInstantCentre(QPainter &painter, const MechanismCanvas &on, const Mech
         paintCross(painter, at, ink);
     } else if (const QPointF pin = on.toPixels(drawing.pins->A); inside.contains(pin)) {
         const QPointF direction = unitVector(at - pin);
-        constexpr double kHead = 12.0;
+        constexpr double kSide = 12.0;
         named = edgeOf(inside, pin, direction);
-        paintArrowHead(painter, named, direction, kHead, ink);
+        paintArrowHead(painter, named, direction, kSide, ink);
         away = QPointF(-direction.y(), direction.x());
     } else {
         return;

@@ -285,7 +285,7 @@ void paintLabels(QPainter &painter, const MechanismCanvas &on, const MechanismDr
 
 void paintOffset(QPainter &painter, const MechanismCanvas &on, const Mechanism &mechanism)
 {
-    constexpr double kHead = 8.0;
+    constexpr double kLongest = 8.0;
     const QPointF pivot = on.toPixels({0.0, 0.0});
     const QLineF offset = offsetLine(on, mechanism);
     const double x = offset.x1();
@@ -295,7 +295,7 @@ void paintOffset(QPainter &painter, const MechanismCanvas &on, const Mechanism &
                      QPointF(pivot.x() + outwards * kJointRadius, pivot.y()));
     if (offset.length() > 1.0) {
         painter.drawLine(offset);
-        const double head = std::min(kHead, 0.4 * offset.length());
+        const double head = std::min(kLongest, 0.4 * offset.length());
         const QPointF up(0.0, offset.dy() < 0.0 ? -1.0 : 1.0);
         paintArrowHead(painter, offset.p2(), up, head, on.muted);
         paintArrowHead(painter, offset.p1(), -up, head, on.muted);

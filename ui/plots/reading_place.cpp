@@ -104,8 +104,8 @@ double distance(const QRectF &box, const QPointF &point)
 
 ReadingPlace placeOfReading(const QSizeF &box, const QRect &room, const PlotSight &sight)
 {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    ReadingPlace best{room.topLeft(), kInfinity};
+    constexpr double kWorst = std::numeric_limits<double>::infinity();
+    ReadingPlace best{room.topLeft(), kWorst};
     if (box.width() > room.width() || box.height() > room.height()) {
         return best;
     }
@@ -117,7 +117,7 @@ ReadingPlace placeOfReading(const QSizeF &box, const QRect &room, const PlotSigh
         near.push_back(sight.axes.topLeft());
     }
     constexpr double kPerHidden = 100.0; // px farther away rather than one more hidden
-    double leastCost = kInfinity;
+    double leastCost = kWorst;
     for (int row = 0; kCell * row + box.height() <= room.height(); ++row) {
         for (int column = 0; kCell * column + box.width() <= room.width(); ++column) {
             const QPointF topLeft(room.left() + kCell * column, room.top() + kCell * row);

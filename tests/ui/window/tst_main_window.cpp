@@ -1336,9 +1336,10 @@ private slots:
 
     void remembersItsLayout()
     {
-        m_window->resize(1250, 850);
+        const QSize size(780, 740); // on the screen: what is remembered of another is made to fit
+        m_window->resize(size);
         auto *columns = m_window->findChild<QSplitter *>(QStringLiteral("columns"));
-        columns->setSizes({500, 750});
+        columns->setSizes({360, 420});
         m_window->findChild<FoldingTabs *>()->setFolded(true);
         QCoreApplication::processEvents();
         const QList<int> sizes = columns->sizes();
@@ -1346,7 +1347,7 @@ private slots:
         m_window = std::make_unique<MainWindow>();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        QCOMPARE(m_window->size(), QSize(1250, 850));
+        QCOMPARE(m_window->size(), size);
         QCOMPARE(m_window->findChild<QSplitter *>(QStringLiteral("columns"))->sizes(), sizes);
         QVERIFY(m_window->findChild<FoldingTabs *>()->isFolded());
         m_window->findChild<FoldingTabs *>()->setFolded(false);
