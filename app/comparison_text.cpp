@@ -217,7 +217,7 @@ void warnOf(const QString &file, const ReferenceData &data)
     }
     QStringList ignored;
     for (std::size_t i = 0; i < data.layout.columns.size(); ++i) {
-        if (data.layout.columns[i].role == ColumnRole::Ignored) {
+        if (data.layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(data.layout, i)) {
             ignored += QStringLiteral("%1 (%2)").arg(headingText(data.layout, i), shortReasonText(data.layout, i));
         }
     }
