@@ -45,24 +45,24 @@ Exports::Exports(Session *session, const Rooms &rooms, QWidget *window)
 
 Exports::Picture Exports::figure() const
 {
-    const auto draw = [plots = m_rooms.plots](QPainter &painter, const QSize &size) {
-        plots->paintFigure(painter, size, paletteFor(Theme::Light));
+    const auto draw = [this](QPainter &painter, const QSize &size) { // in rooms that may have been made anew
+        m_rooms.plots->paintFigure(painter, size, paletteFor(Theme::Light));
     };
     return {QStringLiteral("figure.png"), m_rooms.plots->size(), draw, tr("The figure is in the clipboard.")};
 }
 
 Exports::Picture Exports::plot(const QString &name) const
 {
-    const auto draw = [plots = m_rooms.plots, name](QPainter &painter, const QSize &size) {
-        plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
+    const auto draw = [this, name](QPainter &painter, const QSize &size) {
+        m_rooms.plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
     };
     return {name + QStringLiteral(".png"), kPlotSize, draw, tr("The plot is in the clipboard.")};
 }
 
 Exports::Picture Exports::mechanism() const
 {
-    const auto draw = [view = m_rooms.mechanism](QPainter &painter, const QSize &size) {
-        view->paintMechanism(painter, size, paletteFor(Theme::Light));
+    const auto draw = [this](QPainter &painter, const QSize &size) {
+        m_rooms.mechanism->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
     return {QStringLiteral("mechanism.png"), m_rooms.mechanism->size(), draw, tr("The mechanism is in the clipboard.")};
 }

@@ -131,6 +131,24 @@ private slots:
         QCOMPARE(lastFolder(QStandardPaths::HomeLocation), m_folder->path());
     }
 
+    void writesAPictureWhileTheLanguageChanges_data()
+    {
+        QTest::addColumn<QString>("menu");
+        QTest::newRow("figure") << QStringLiteral("Figure…");
+        QTest::newRow("mechanism") << QStringLiteral("Mechanism…");
+    }
+
+    void writesAPictureWhileTheLanguageChanges()
+    {
+        QFETCH(const QString, menu);
+        trigger({QStringLiteral("Export"), menu});
+        QEvent change(QEvent::LanguageChange); // the system's, with the dialog open
+        QCoreApplication::sendEvent(m_window.get(), &change);
+        settle(*m_window);
+        choose(QStringLiteral("new"), 0);
+        AWAIT(QFile::exists(m_folder->filePath(QStringLiteral("new.png"))));
+    }
+
     void theAnimationIsAsItsFormSays()
     {
         trigger({QStringLiteral("Export"), QStringLiteral("Animation…")});
@@ -216,9 +234,11 @@ private slots:
     {
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("written");
-        QTest::newRow("inches") << QStringLiteral("b = 2\" and 3\" %1") << QStringLiteral("b = 2\" and 3\" %1.slidercrank");
+        QTest::newRow("inches") << QStringLiteral("b = 2\" and 3\" %1")
+                                << QStringLiteral("b = 2\" and 3\" %1.slidercrank");
         QTest::newRow("all of it quoted") << QStringLiteral("\"my rig\"") << QStringLiteral("my rig.slidercrank");
-        QTest::newRow("letters of all kinds") << QStringLiteral("'θ₂ ñ 曲柄 <b>&") << QStringLiteral("'θ₂ ñ 曲柄 <b>&.slidercrank");
+        QTest::newRow("letters of all kinds")
+            << QStringLiteral("'θ₂ ñ 曲柄 <b>&") << QStringLiteral("'θ₂ ñ 曲柄 <b>&.slidercrank");
     }
 
     void writesToTheNameAsTyped()
