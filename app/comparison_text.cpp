@@ -216,10 +216,8 @@ void warnOf(const QString &file, const ReferenceData &data)
                      QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
     QStringList ignored;
-    for (std::size_t i = 0; i < data.layout.columns.size(); ++i) {
-        if (data.layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(data.layout, i)) {
-            ignored += QStringLiteral("%1 (%2)").arg(headingText(data.layout, i), shortReasonText(data.layout, i));
-        }
+    for (const std::size_t i : ignoredColumns(data.layout)) {
+        ignored += QStringLiteral("%1 (%2)").arg(headingText(data.layout, i), shortReasonText(data.layout, i));
     }
     if (!ignored.isEmpty()) {
         say(CommandLine::tr("%1: these columns were not used: %2.")

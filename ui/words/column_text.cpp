@@ -75,13 +75,22 @@ bool repeatsInstants(const FileLayout &layout, std::size_t column)
     return !layout.files.empty() && layout.columns[column].reason == ColumnReason::SameInstants;
 }
 
+std::vector<std::size_t> ignoredColumns(const FileLayout &layout)
+{
+    std::vector<std::size_t> columns;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        if (layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
+            columns.push_back(i);
+        }
+    }
+    return columns;
+}
+
 QStringList ignoredHeadings(const FileLayout &layout)
 {
     QStringList headings;
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        if (layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
-            headings += headingText(layout, i);
-        }
+    for (const std::size_t column : ignoredColumns(layout)) {
+        headings += headingText(layout, column);
     }
     return headings;
 }

@@ -8,6 +8,9 @@
 #include <QString>
 #include <QStringList>
 
+#include <cstddef>
+#include <vector>
+
 namespace slidercrank
 {
 
@@ -23,7 +26,8 @@ bool repeatsInstants(const FileLayout &layout, std::size_t column);
 /// Where the row stands: "12", or "12 (b.csv)" where several files are joined.
 QString lineText(const FileLayout &layout, const SkippedRow &row);
 
-/// Of the columns that mean no channel, or hold no number.
+/// The columns that mean no channel, or hold no number; those that repeat the instants apart.
+std::vector<std::size_t> ignoredColumns(const FileLayout &layout);
 QStringList ignoredHeadings(const FileLayout &layout);
 
 /// "time", "θ³", or a dash for a column that is ignored.
