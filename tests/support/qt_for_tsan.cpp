@@ -71,6 +71,12 @@ private:
 
 } // namespace
 
+/// A test may fork where threads are, to be killed or to run into a limit in its child.
+extern "C" const char *__tsan_default_options()
+{
+    return "die_after_fork=0";
+}
+
 void QThreadPool::start(std::function<void()> work, int priority)
 {
     start(new Handed(std::move(work)), priority);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -27,13 +28,20 @@ using Kind = Convention::Kind;
 namespace
 {
 
-std::size_t largestAllocation = 0; // bytes, since it was set to 0
+std::atomic<std::size_t> largestAllocation = 0; // bytes, since it was set to 0; QtTest's watchdog allocates as well
+
+void count(std::size_t size)
+{
+    if (size > largestAllocation) {
+        largestAllocation = size;
+    }
+}
 
 } // namespace
 
 void *operator new(std::size_t size)
 {
-    largestAllocation = std::max(largestAllocation, size);
+    count(size);
     if (void *memory = std::malloc(std::max<std::size_t>(size, 1))) {
         return memory;
     }
@@ -42,7 +50,7 @@ void *operator new(std::size_t size)
 
 void *operator new(std::size_t size, const std::nothrow_t &) noexcept
 {
-    largestAllocation = std::max(largestAllocation, size);
+    count(size);
     return std::malloc(std::max<std::size_t>(size, 1));
 }
 
