@@ -11,6 +11,11 @@
 #include <fcntl.h>
 #include <io.h>
 #include <windows.h>
+#else
+#include <csignal>
+
+#include <fcntl.h>
+#include <unistd.h>
 #endif
 
 namespace slidercrank
@@ -25,6 +30,8 @@ bool isBorrowed = false; // slidercrank.exe has no console of its own, slidercra
 UINT codePageBefore = 0;
 
 } // namespace
+
+void prepareStreams() {}
 
 void useConsole()
 {
@@ -56,6 +63,17 @@ void leaveConsole()
 }
 
 #else
+
+/// Closed ones are filled with what can be used no more than they can.
+void prepareStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0) {
+            ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); // as the first that is free
+        }
+    }
+    std::signal(SIGXFSZ, SIG_IGN); // then writing fails
+}
 
 void useConsole() {}
 

@@ -6,6 +6,10 @@
 namespace slidercrank
 {
 
+/// To be called first. One that is closed would be the next file that is opened, and what is said would stand in it; a
+/// file that has grown to its limit would be the end without a word.
+void prepareStreams();
+
 /// On Windows they are made so, on the console of whoever started the program where they go nowhere else.
 void useConsole();
 

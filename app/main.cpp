@@ -14,7 +14,6 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QLocale>
-#include <QLoggingCategory>
 #include <QSettings>
 
 #include <new>
@@ -110,12 +109,17 @@ bool hasDisplay()
 
 int main(int argc, char *argv[])
 {
+    prepareStreams();
     Command command = WindowOptions();
     if (argc > 1) {
         useConsole();
         // Standard error is for our own sentences; what Qt misses in a session without a desktop, or in the locale C,
-        // is not among them.
-        QLoggingCategory::setFilterRules(QStringLiteral("*.warning=false"));
+        // is not among them, unless it is the end.
+        qInstallMessageHandler([](QtMsgType type, const QMessageLogContext &, const QString &text) {
+            if (type == QtFatalMsg) {
+                say(text);
+            }
+        });
         const QCoreApplication application(argc, argv);
         introduceApplication();
         setLanguage(Language::System);
@@ -140,7 +144,7 @@ int main(int argc, char *argv[])
         return static_cast<int>(ExitStatus::WrongCommandLine);
     }
     if (!picture) {
-        QLoggingCategory::setFilterRules({});
+        qInstallMessageHandler(nullptr);
         leaveConsole();
     }
     const Application application(argc, argv);

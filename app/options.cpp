@@ -433,7 +433,7 @@ Command readRender(OptionReader &reader, const QStringList &positional)
 {
     RenderOptions options;
     readSubject(reader, options);
-    options.output = reader.file("output");
+    options.output = readOutputBeside(reader, reader.texts("reference"));
     refuseOutput(reader, options);
     options.mechanism = readMechanism(reader);
     options.sampling = readSampling(reader);
@@ -559,8 +559,8 @@ Command readWindow(OptionReader &reader, const QStringList &positional, bool cho
         reader.refuse(CommandLine::tr("The window opens one scene, not %1: remove \"%2\".")
                           .arg(positional.size())
                           .arg(positional[1]));
-    } else {
-        reader.takeScene(options.scene); // to know before there is a window whether it is one
+    } else if (!isPipeOrDevice(QFileInfo(options.scene))) { // which the window refuses
+        reader.takeScene(options.scene);                    // to know before there is a window whether it is one
     }
     return options;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output.h"
 
+#include "ui/document/byte_stream.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -9,20 +11,9 @@
 namespace slidercrank
 {
 
-namespace
-{
-
-bool isDeviceOrPipe(const QString &path)
-{
-    const QFileInfo file(path);
-    return file.exists() && !file.isFile() && !file.isDir();
-}
-
-} // namespace
-
 Output::Output(const QString &path)
     : m_path(path)
-    , m_isStream(path.isEmpty() || isDeviceOrPipe(path))
+    , m_isStream(path.isEmpty() || isPipeOrDevice(QFileInfo(path)))
     , m_stream(path)
     , m_file(path)
 {

@@ -34,7 +34,7 @@ private:
     bool fail(const QString &reason);
 
     QString m_path;
-    bool m_isStream; ///< written as it comes: a WholeFile would put a plain file in the place of a pipe
+    bool m_isStream; ///< written as it comes: a WholeFile would not be
     QFile m_stream;
     WholeFile m_file;
     bool m_failed = false;

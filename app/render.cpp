@@ -86,14 +86,28 @@ Animation filmOf(const RenderOptions &options)
 std::atomic<int> interruption = 0; // the signal that asks to end, e.g. of Control C
 static_assert(std::atomic<int>::is_always_lock_free, "what a signal's handler may write");
 
+/// Of all that ask to end but those that were ignored from the start, as under nohup.
+void handleEndings(void (*handler)(int))
+{
+    constexpr int kEndings[] = {
+        SIGINT, SIGTERM,
+#ifdef SIGHUP
+        SIGHUP, // the terminal was closed
+#endif
+    };
+    for (const int signal : kEndings) {
+        if (std::signal(signal, SIG_IGN) != SIG_IGN) {
+            std::signal(signal, handler);
+        }
+    }
+}
+
 /// As exportFigure(); returns when everything is written. Interrupted, it leaves nothing half done behind and does not
 /// return.
 std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawing &draw)
 {
     constexpr auto kLookEvery = std::chrono::milliseconds(50);
-    for (const int signal : {SIGINT, SIGTERM}) {
-        std::signal(signal, [](int which) { interruption = which; });
-    }
+    handleEndings([](int which) { interruption = which; });
     auto film = std::make_unique<AnimationExport>(filmOf(options), draw);
     std::optional<QString> problem;
     QEventLoop loop;
@@ -113,9 +127,7 @@ std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawi
         loop.exec();
     }
     film.reset(); // cancels what is not done
-    for (const int signal : {SIGINT, SIGTERM}) {
-        std::signal(signal, SIG_DFL);
-    }
+    handleEndings(SIG_DFL);
     if (const int signal = interruption; signal != 0) {
         std::raise(signal); // so that who started the program sees how it ended
     }

@@ -6056,6 +6056,13 @@ SHA-256: %2</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::WholeFileText</name>
+    <message>
+        <source>it is a pipe or a device</source>
+        <translation>es una tubería o un dispositivo</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::Recovery</name>
     <message>
         <source>Restore</source>

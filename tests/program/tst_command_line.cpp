@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -1245,11 +1246,12 @@ void TestCommandLine::saysWhatAFileMeansOtherwise()
 void TestCommandLine::neverOverwritesWhatItReads()
 {
     QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("motion.csv"));
+    const QString path = folder.filePath(QStringLiteral("motion.svg")); // however it is named
     run({"solve", "--output", path});
     const QByteArray content = contentOf(path);
     for (const QStringList &line :
-         {QStringList{"compare", sample(), path}, QStringList{"identify", path, "--format", "json"}}) {
+         {QStringList{"compare", sample(), path}, QStringList{"identify", path, "--format", "json"},
+          QStringList{"render", "--reference", path}}) {
         const Outcome outcome = run(line + QStringList{"--output", path});
         QCOMPARE(outcome.status, 2);
         QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("would overwrite"), outcome.err.constData());
@@ -2266,6 +2268,11 @@ void TestCommandLine::needsNoPlatformButToRender()
     QCOMPARE(run({"identify", sample()}, noPlatform).status, 0);
     QCOMPARE(run({"--help"}, noPlatform).status, 0);
     QCOMPARE(run({"render", "--output", "x.gif"}, noPlatform).status, 2);
+    QProcessEnvironment full = withoutDisplay(); // no room for what Qt would keep there
+    full.remove(QStringLiteral("XDG_RUNTIME_DIR"));
+    full.insert(QStringLiteral("TMPDIR"), QStringLiteral("/proc"));
+    const QTemporaryDir folder;
+    QCOMPARE(run({"render", "--output", folder.filePath(QStringLiteral("x.svg"))}, full).err, QByteArray());
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const Outcome window = run(QStringList());
     QCOMPARE(window.status, 2);
@@ -2477,8 +2484,12 @@ void TestCommandLine::filmsFrames()
 void TestCommandLine::leavesNothingBehindWhenInterrupted_data()
 {
     QTest::addColumn<QString>("name");
-    QTest::newRow("frames") << "motion.png";
-    QTest::newRow("video") << "motion.mp4";
+    QTest::addColumn<int>("signal");
+    QTest::newRow("frames") << "motion.png" << SIGTERM;
+    QTest::newRow("video") << "motion.mp4" << SIGTERM;
+#ifdef SIGHUP
+    QTest::newRow("the terminal is closed") << "motion.png" << SIGHUP;
+#endif
 }
 
 void TestCommandLine::leavesNothingBehindWhenInterrupted()
@@ -2487,6 +2498,7 @@ void TestCommandLine::leavesNothingBehindWhenInterrupted()
     QSKIP("Windows has no signal by which one program asks another to end.");
 #endif
     QFETCH(const QString, name);
+    QFETCH(const int, signal);
     if (!name.endsWith(QLatin1String("png")) && QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
         QSKIP("There is no ffmpeg here to make a video.");
     }
@@ -2496,7 +2508,9 @@ void TestCommandLine::leavesNothingBehindWhenInterrupted()
     process.start(QStringLiteral(SLIDERCRANK_PROGRAM),
                   {"render", "--what", "frames", "--duration", "1000", "--output", folder.filePath(name)});
     AWAIT(!QDir(folder.path()).isEmpty()); // it is at work
-    process.terminate();
+#ifdef Q_OS_UNIX
+    QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
+#endif
     QVERIFY(process.waitForFinished(slidercrank::kPatience));
     QCOMPARE(process.exitStatus(), QProcess::CrashExit); // by the signal
     QCOMPARE(process.readAllStandardError(), QByteArray());

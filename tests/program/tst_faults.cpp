@@ -42,6 +42,8 @@
 #include <set>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 using namespace slidercrank;
 
@@ -89,7 +91,6 @@ Outcome run(const QStringList &arguments, const QProcessEnvironment &environment
     program.setProcessEnvironment(environment);
     if (disk) {
         program.setChildProcessModifier([bytes = *disk] {
-            std::signal(SIGXFSZ, SIG_IGN);
             const rlimit small{bytes, bytes};
             setrlimit(RLIMIT_FSIZE, &small);
         });
@@ -164,6 +165,8 @@ private slots:
     void aCommandIsKilledAtACall_data() { nameCommands({"solve to CSV", "render frames"}); }
     void aCommandIsKilledAtACall();
     void standardOutputHasNoRoom();
+    void aStreamIsClosed();
+    void aPipeStaysOne();
     void aCallOfTheWindowFails_data() { nameSaves(); }
     void aCallOfTheWindowFails();
     void theWindowHasLittleRoom_data() { nameSaves(); }
@@ -303,6 +306,45 @@ void TstFaults::standardOutputHasNoRoom()
         judge(QLatin1String(line), isTold ? QString() : QString::fromLocal8Bit(said));
     }
     QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+}
+
+/// Then the next file that is opened has its number.
+void TstFaults::aStreamIsClosed()
+{
+    const auto without = [](const QList<int> &streams, const QStringList &arguments) {
+        QProcess program;
+        program.setChildProcessModifier([&streams] {
+            for (const int stream : streams) {
+                ::close(stream);
+            }
+        });
+        program.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+        program.waitForFinished(kPatience);
+        return QString::number(program.exitCode()) + u' ' + QString::fromLocal8Bit(program.readAllStandardError());
+    };
+    QCOMPARE(without({STDIN_FILENO}, {"compare", "-"}), "3 Standard input cannot be read: Bad file descriptor.\n");
+    QCOMPARE(without({STDOUT_FILENO}, {"limits"}), "3 Standard output cannot be written: Bad file descriptor.\n");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("x.csv"));
+    const QStringList asked{"compare", kSample, "nowhere.csv", "--format", "csv", "--output", path};
+    without({}, asked);
+    const QByteArray whole = contentOf(path);
+    QVERIFY(QFile::remove(path));
+    QCOMPARE(without({STDOUT_FILENO, STDERR_FILENO}, asked), "3 ");
+    QCOMPARE(contentOf(path), whole);
+}
+
+/// And a device what it is: no file comes in its place.
+void TstFaults::aPipeStaysOne()
+{
+    const QTemporaryDir folder;
+    const QString pipe = folder.filePath(QStringLiteral("pipe"));
+    const QString link = folder.filePath(QStringLiteral("link"));
+    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+    QVERIFY(QFile::link(pipe, link));
+    QCOMPARE(writeWhole(pipe, kOlder), QStringLiteral("it is a pipe or a device"));
+    QCOMPARE(writeWhole(link, kOlder), QStringLiteral("it is a pipe or a device"));
+    QVERIFY(QFileInfo(link).isSymLink() && QFileInfo(pipe).exists() && !QFileInfo(pipe).isFile());
 }
 
 QList<Save> TstFaults::savesOfTheWindow()

@@ -140,6 +140,24 @@ private slots:
         QCOMPARE(outcome.status, 3);
     }
 
+    /// A window waits for nobody.
+    void aPipeIsNoScene()
+    {
+#ifdef Q_OS_UNIX
+        const QString pipe = m_folder->filePath(QStringLiteral("x.slidercrank"));
+        QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char *name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"}) {
+            environment.remove(QLatin1String(name));
+        }
+        process.setProcessEnvironment(environment);
+        process.start(QStringLiteral(SLIDERCRANK_PROGRAM), {pipe});
+        const Outcome outcome = outcomeOf(process);
+        QVERIFY2(outcome.err.contains("no display"), outcome.err.constData());
+#endif
+    }
+
     void readsAPipeToItsEnd()
     {
 #ifdef Q_OS_UNIX

@@ -98,9 +98,14 @@ bool isStandardInput(const QString &path)
     return path == u"-";
 }
 
+bool isPipeOrDevice(const QFileInfo &file)
+{
+    return file.exists() && !file.isFile() && !file.isDir();
+}
+
 bool isStream(const QFileInfo &file)
 {
-    return file.exists() && !file.isDir() && (!file.isFile() || file.size() == 0);
+    return isPipeOrDevice(file) || (file.isFile() && file.size() == 0);
 }
 
 std::variant<QByteArray, QString> readStream(const QString &path, const std::stop_token &stop,

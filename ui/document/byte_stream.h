@@ -18,6 +18,9 @@ namespace slidercrank
 /// What is read from standard input rather than from a file of that name: "-".
 bool isStandardInput(const QString &path);
 
+/// There, and neither a file nor a folder.
+bool isPipeOrDevice(const QFileInfo &file);
+
 /// Neither a file with something in it nor a folder.
 bool isStream(const QFileInfo &file);
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/whole_file.h"
 
+#include "ui/document/byte_stream.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
 #ifdef Q_OS_UNIX
 #include <cerrno>
 
@@ -9,6 +14,15 @@
 
 namespace slidercrank
 {
+
+namespace
+{
+
+struct WholeFileText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::WholeFileText)
+};
+
+} // namespace
 
 WholeFile::WholeFile(const QString &path)
     : m_file(path)
@@ -26,6 +40,9 @@ bool WholeFile::fail(const QString &reason)
 /// Without a buffer, because QSaveFile::commit() of Qt 6.4 does not see that the last of one finds no room.
 bool WholeFile::open()
 {
+    if (isPipeOrDevice(QFileInfo(m_file.fileName()))) { // in whose place a file would come
+        return fail(WholeFileText::tr("it is a pipe or a device"));
+    }
     return m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || fail(m_file.errorString());
 }
 

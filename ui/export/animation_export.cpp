@@ -5,6 +5,7 @@
 
 #include <QBuffer>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QPainter>
@@ -133,14 +134,15 @@ QStringList AnimationExport::olderFrames(const QString &path, int count)
         return {};
     }
     const QDir folder = QFileInfo(path).absoluteDir();
+    const auto isFrame = [&folder](const QString &name) { return QFileInfo(folder.filePath(name)).isFile(); };
     std::set<QString> names;
     for (const QString &name : frameNames(path, count)) {
-        if (folder.exists(name)) {
+        if (isFrame(name)) {
             names.insert(name);
         }
     }
     for (const int most : {999, 9'999, 99'999, Animation::kMostFrames}) { // each number of digits
-        for (int frame = 0; folder.exists(frameName(path, frame, most)); ++frame) {
+        for (int frame = 0; isFrame(frameName(path, frame, most)); ++frame) {
             names.insert(frameName(path, frame, most));
         }
     }
@@ -270,6 +272,22 @@ QString AnimationExport::putInPlace()
     return {};
 }
 
+QString AnimationExport::putFilmInPlace()
+{
+    constexpr qint64 kAtATime = 1 << 20; // bytes
+    QFile film(filmPath());
+    WholeFile file(m_path);
+    if (film.open(QIODevice::ReadOnly) && file.open()) {
+        for (QByteArray bytes = film.read(kAtATime); !bytes.isEmpty() && file.write(bytes);) {
+            bytes = film.read(kAtATime);
+        }
+    }
+    if (film.error() != QFileDevice::NoError) {
+        return notWritten(m_path, film.errorString());
+    }
+    return file.commit() ? QString() : notWritten(m_path, file.reason());
+}
+
 void AnimationExport::finishFilm(int exitCode)
 {
     const QString words = QString::fromLocal8Bit(m_film->readAll()).simplified();
@@ -278,7 +296,7 @@ void AnimationExport::finishFilm(int exitCode)
         end(tr("ffmpeg could not make the video: %1").arg(words.isEmpty() ? tr("it ended early.") : words));
         return;
     }
-    end(putInPlace());
+    end(putFilmInPlace());
 }
 
 void AnimationExport::end(const QString &problem)

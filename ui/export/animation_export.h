@@ -70,6 +70,7 @@ private:
     QString filmPath() const; ///< until it is complete
     void startFilming();
     void finishFilm(int exitCode);
+    QString putFilmInPlace();
     void end(const QString &problem);
 
     Animation m_animation;

@@ -2,6 +2,7 @@
 #include "ui/window/scene_file.h"
 
 #include "ui/controls/save_dialog.h"
+#include "ui/document/byte_stream.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/window/remembered.h"
@@ -102,7 +103,7 @@ void SceneFile::askThen(const std::function<void()> &goOn)
 void SceneFile::open(const QString &path, const QStringList &reference)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    if (const QFileInfo file(absolute); file.exists() && !file.isFile() && !file.isDir()) {
+    if (isPipeOrDevice(QFileInfo(absolute))) {
         emit problemFound(tr("%1 is a pipe or a device: save the scene in a file, and open that.")
                               .arg(QDir::toNativeSeparators(absolute)));
         return;

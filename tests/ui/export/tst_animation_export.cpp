@@ -71,6 +71,7 @@ private slots:
     void takesThePlaceOfOlderFrames_data();
     void takesThePlaceOfOlderFrames();
     void bringsOlderFramesBackWhenItFails();
+    void leavesAFolderWhereItIs();
     void leavesNothingBehindWhenCancelled_data();
     void leavesNothingBehindWhenCancelled();
     void saysWhyItCannotWrite_data();
@@ -177,6 +178,22 @@ void TstAnimationExport::bringsOlderFramesBackWhenItFails()
     for (const QString &name : before) {
         QCOMPARE(contentOf(folder.filePath(name)), QByteArray("older"));
     }
+}
+
+/// One that is called as a frame, with whatever is in it.
+void TstAnimationExport::leavesAFolderWhereItIs()
+{
+    const QTemporaryDir folder;
+    putOlder(folder.filePath(QStringLiteral("motion_001.png")));
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("motion_002.png")));
+    putOlder(folder.filePath(QStringLiteral("motion_002.png/notes.txt")));
+    AnimationExport animation(shortAnimation(), drawGrey);
+    const QString problem = run(animation, folder.filePath(QStringLiteral("motion.png")));
+    QVERIFY2(problem.contains(QStringLiteral("cannot be written")), qPrintable(problem));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name),
+             QStringList({"motion_001.png", "motion_002.png"}));
+    QCOMPARE(contentOf(folder.filePath(QStringLiteral("motion_001.png"))), QByteArray("older"));
+    QCOMPARE(contentOf(folder.filePath(QStringLiteral("motion_002.png/notes.txt"))), QByteArray("older"));
 }
 
 void TstAnimationExport::leavesNothingBehindWhenCancelled_data()
@@ -288,12 +305,15 @@ void TstAnimationExport::keepsTheOlderVideoUntilTheNewOneIsThere()
     const auto restore = qScopeGuard([&path] { qputenv("PATH", path); });
 
     const QTemporaryDir folder;
-    putOlder(folder.filePath(QStringLiteral("motion.mp4")));
+    const QString older = folder.filePath(QStringLiteral("older.mp4"));
+    putOlder(older);
+    QVERIFY(QFile::link(older, folder.filePath(QStringLiteral("motion.mp4"))));
     AnimationExport animation(shortAnimation(), drawGrey);
     const QString problem = run(animation, folder.filePath(QStringLiteral("motion.mp4")));
     QVERIFY2(problem.contains(words) && problem.isEmpty() == words.isEmpty(), qPrintable(problem));
-    QCOMPARE(contentOf(folder.filePath(QStringLiteral("motion.mp4"))), content);
-    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 1);
+    QCOMPARE(contentOf(older), content);
+    QCOMPARE(contentOf(folder.filePath(QStringLiteral("motion.mp4"))), content); // by way of the link
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 2);
 }
 
 QTEST_MAIN(TstAnimationExport)
