@@ -2,6 +2,7 @@
 #include "ui/window/key_owner.h"
 
 #include "ui/controls/number_box.h"
+#include "ui/parameters/run_form.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -28,10 +29,15 @@ bool needsSpace(const QWidget &widget)
            qobject_cast<const QMenuBar *>(&widget);
 }
 
-bool needsArrows(const QWidget &widget)
+/// Of the arrows to the side, Home and End.
+bool moves(const QWidget &widget, int key)
 {
-    return qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QComboBox *>(&widget) ||
-           qobject_cast<const QAbstractItemView *>(&widget) || widget.inherits("QTabBar");
+    const bool isArrow = key == Qt::Key_Left || key == Qt::Key_Right;
+    if (!isArrow && key != Qt::Key_Home && key != Qt::Key_End) {
+        return false;
+    }
+    return qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget) ||
+           (isArrow ? widget.inherits("QTabBar") : widget.inherits("QComboBox"));
 }
 
 /// Enter on a button, or on a list that is closed.
@@ -72,8 +78,8 @@ bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
         return false;
     }
     auto *widget = qobject_cast<QWidget *>(watched);
-    if (!widget || widget->window() != m_window) {
-        return false; // open lists and dialogs are windows of their own
+    if (!widget || (widget->window() != m_window && !qobject_cast<RunForm *>(widget->window()))) {
+        return false; // open lists and dialogs keep their keys
     }
     switch (type) {
     case QEvent::Show:
@@ -89,9 +95,7 @@ bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::ShortcutOverride: {
         const auto *key = static_cast<QKeyEvent *>(event);
-        const bool moves = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
-                           key->key() == Qt::Key_End;
-        if (moves && needsArrows(*widget)) {
+        if (moves(*widget, key->key())) {
             event->accept();
             return true;
         }

@@ -8,6 +8,7 @@
 #include "ui/mechanism/part_highlight.h"
 #include "ui/newton/newton_panel.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/run_form.h"
 #include "ui/parameters/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/reference/column_mapping.h"
@@ -194,6 +195,7 @@ void MainWindow::makeRooms(bool withGhost)
     connectRooms();
     m_rooms.ghost = new Ghost(m_session, m_rooms.mechanism, withGhost); // behind a mechanism that is up to date
     setMenuBar(new Menus(*this, m_rooms));
+    m_rooms.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>()); // for their keys
     m_status->retranslate();
     showTitle();
     showResult(m_session->result());

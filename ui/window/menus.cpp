@@ -17,6 +17,7 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QDir>
+#include <QKeyEvent>
 #include <QMessageBox>
 
 #include <functional>
@@ -238,6 +239,20 @@ void Menus::addHelp()
                     [this] { (new HelpPage(tr("Keyboard and mouse"), shortcutsText(*this), &m_window))->show(); });
     help->addSeparator();
     help->addAction(tr("&About"), this, &Menus::showAbout);
+}
+
+/// From a closed menu's title the Tab key leads on from where the focus was, as one Escape would.
+void Menus::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() != Qt::Key_Tab && event->key() != Qt::Key_Backtab) {
+        QMenuBar::keyPressEvent(event);
+        return;
+    }
+    QKeyEvent leave(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+    QMenuBar::keyPressEvent(&leave);
+    if (QWidget *focus = m_window.focusWidget(); focus && focus != this) {
+        QCoreApplication::sendEvent(focus, event);
+    }
 }
 
 void Menus::showAbout()
