@@ -116,7 +116,8 @@ void RunForm::openAt(const QWidget &widget)
     place.moveLeft(std::max(place.left(), room.left()));
     move(place.topLeft());
     show();
-    m_start->setFocus(Qt::TabFocusReason); // what is typed replaces what is there
+    m_start->setFocus(Qt::PopupFocusReason);
+    m_start->selectAll(); // what is typed replaces what is there
 }
 
 double RunForm::turn() const

@@ -207,8 +207,7 @@ void Menus::addPlayback()
 {
     QMenu *playback = addMenu(tr("&Playback"));
     Timeline *timeline = m_rooms.timeline;
-    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), timeline, &Timeline::togglePlaying)
-        ->setAutoRepeat(false);
+    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), timeline, &Timeline::togglePlaying);
     playback->addAction(tr("Step &forward"), QKeySequence(Qt::Key_Right), timeline, &Timeline::stepForward);
     playback->addAction(tr("Step &back"), QKeySequence(Qt::Key_Left), timeline, &Timeline::stepBack);
     playback->addAction(tr("To the &start"), QKeySequence(Qt::Key_Home), timeline, &Timeline::toStart);

@@ -284,6 +284,34 @@ private slots:
         QVERIFY(m_timeline->isPlaying());
         press(Qt::Key_Escape);
         QVERIFY(!QApplication::activePopupWidget());
+        press(Qt::Key_R, Qt::ControlModifier); // once more
+        AWAIT(start->hasFocus());
+        press(Qt::Key_4);
+        QCOMPARE(start->text(), QStringLiteral("4"));
+        press(Qt::Key_Escape);
+        press(Qt::Key_Escape);
+    }
+
+    void aHeldSpaceIsPressedOnce_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"playButton", "loopButton", "mechanismView", "box_b"}) {
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+    }
+
+    void aHeldSpaceIsPressedOnce()
+    {
+        QFETCH(const QString, name);
+        child<QWidget>(name)->setFocus();
+        QWindow *window = m_window->windowHandle();
+        const QVariantList state = stateOf(child<QWidget>(name));
+        for (const bool repeated : {false, true, true}) {
+            QTest::simulateEvent(window, true, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), repeated);
+            QTest::simulateEvent(window, false, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), repeated);
+            QVERIFY(m_timeline->isPlaying());
+        }
+        QCOMPARE(stateOf(child<QWidget>(name)), state);
     }
 
     void anIdleKeyOfABoxIsTheWindows()
@@ -327,6 +355,8 @@ private slots:
         press(Qt::Key_Escape);
         AWAIT(!QApplication::activePopupWidget());
         QVERIFY(!box->hasFocus());
+        press(Qt::Key_Right); // along the bar
+        QCOMPARE(m_window->session().time(), 0.0);
         press(Qt::Key_Tab);
         QVERIFY2(child<QWidget>(QStringLiteral("reset_b"))->hasFocus() ||
                      child<QWidget>(QStringLiteral("slider_c"))->hasFocus(),
