@@ -85,7 +85,11 @@ bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
         return false;
     }
     auto *widget = qobject_cast<QWidget *>(watched);
-    if (!widget || (widget->window() != m_window && !qobject_cast<RunForm *>(widget->window()))) {
+    if (!widget) {
+        return false;
+    }
+    const bool isOurs = widget->window() == m_window || qobject_cast<RunForm *>(widget->window());
+    if (!isOurs && type != QEvent::Show && type != QEvent::Wheel) {
         return false; // open lists and dialogs keep their keys
     }
     switch (type) {
