@@ -313,6 +313,7 @@ QWidget *MainWindow::makeReferencePanel()
     connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
     connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
     connect(panel, &ReferencePanel::takeOverRequested, m_session, &Session::takeOver);
+    connect(panel, &ReferencePanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     return panel;
 }
 
@@ -339,6 +340,7 @@ QWidget *MainWindow::makeStudyPanel()
     auto *panel = new StudyPanel(this);
     follow(&Session::parametersChanged, panel, &StudyPanel::setParameters, m_session->parameters());
     connect(panel, &StudyPanel::problemFound, m_messages, &Messages::tellProblem);
+    connect(panel, &StudyPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     return panel;
 }
 

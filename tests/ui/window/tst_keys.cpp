@@ -520,6 +520,9 @@ private slots:
                                 << QStringLiteral("channel,verdict,max_error,max_error_at [s],rms,max_percent,"
                                                   "max_percent_at [s],percent_of_peak,step")
                                 << QStringLiteral("R4_x_diff [mm/s],differs,9.46935096");
+        QTest::newRow("columns of the file")
+            << 1 << QStringLiteral("columnTable") << QStringLiteral("heading,unit,read_as,rounded_to,values,why")
+            << QStringLiteral("R4_x,mm");
         QTest::newRow("motion limits") << 4 << QStringLiteral("positionTable")
                                        << QStringLiteral("limit,value,theta2 [°],time [s]")
                                        << QStringLiteral("inner dead centre [mm],37.4165738");
