@@ -113,9 +113,13 @@ double OptionReader::number(const char *name, double otherwise, const std::optio
     if (!has(name)) {
         return otherwise;
     }
-    const Quantity quantity = readQuantity(text(name).toStdString(), unit);
+    const Quantity quantity = readQuantity(text(name), unit, QLocale::c());
     if (!quantity.fault) {
         return quantity.value;
+    }
+    if (*quantity.fault == QuantityFault::TooLarge) {
+        refuse(tooLarge(name));
+        return otherwise;
     }
     const bool asksForUnit =
         *quantity.fault == QuantityFault::UnknownUnit || *quantity.fault == QuantityFault::WrongUnit;
@@ -141,8 +145,8 @@ int OptionReader::integer(const char *name, int otherwise, int smallest, int lar
     if (!has(name)) {
         return otherwise;
     }
-    const std::optional<int> number = parsedInteger(text(name));
-    if (!number || *number < smallest || *number > largest) {
+    const double number = readQuantity(text(name), {}, QLocale::c()).value; // a fault: NaN
+    if (!(number >= smallest && number <= largest) || number != std::round(number)) {
         refuse(CommandLine::tr("--%1 must be a whole number from %2 to %3, not \"%4\".")
                    .arg(QLatin1String(name))
                    .arg(smallest)
@@ -150,7 +154,7 @@ int OptionReader::integer(const char *name, int otherwise, int smallest, int lar
                    .arg(text(name)));
         return otherwise;
     }
-    return *number;
+    return static_cast<int>(number);
 }
 
 QString OptionReader::file(const char *name)

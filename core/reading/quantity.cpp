@@ -189,7 +189,8 @@ Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
                                                                          : QuantityFault::NotANumber);
     }
     std::string_view rest = std::string_view(plain).substr(length);
-    if (rest.starts_with(',') && digitsAt(rest, 1) > 0) {
+    if (rest.starts_with(',') && digitsAt(rest, 1) > 0 && rest.find(',', 1) == rest.npos &&
+        plain.find('.') == plain.npos) {
         return refused(QuantityFault::CommaForPoint);
     }
     while (const std::size_t space = spaceAt(rest, 0)) {

@@ -24,7 +24,7 @@ inline constexpr Unit kSecond{Dimension::Time, 0, 1.0};
 
 enum class QuantityFault {
     NotANumber,    ///< nothing, words, "20/3"
-    CommaForPoint, ///< "30,5"
+    CommaForPoint, ///< "30,5"; "1,234.5" and "1,234,567" are no numbers
     TooLarge,      ///< beyond a double
     UnknownUnit,   ///< "3 feet"
     WrongUnit,     ///< "3 s" where a length is wanted, any unit where none is

@@ -1252,9 +1252,9 @@ standard error, and the others are still compared. FILE may be - for standard in
 Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
 columna del movimiento exacto del mecanismo en los instantes del propio archivo. El redondeo hace incierto un valor en media
 unidad de su última cifra, y en lo que el movimiento avanza en media unidad de la de su instante (los instantes a
-intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
 se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
 informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
 </translation>
     </message>
@@ -1584,11 +1584,11 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
-        <translation>%1: su error máximo es el %2 % del pico.</translation>
+        <translation>%1: su error máximo es el %2 % del pico.</translation>
     </message>
     <message>
         <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
+        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
     </message>
     <message>
         <source>%1: measured from where it began; %2 is %1%3.</source>
@@ -1723,7 +1723,7 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     </message>
     <message>
         <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
-        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
+        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
     </message>
     <message>
         <source>There are too few instants to find the mechanism: export more of them.</source>
@@ -1743,7 +1743,7 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     </message>
     <message>
         <source>No mechanism was found that explains this file. The nearest: %1, off by up to %2 % of peak, in %3.</source>
-        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1, que se aparta hasta un %2 % del pico, en %3.</translation>
+        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1, que se aparta hasta un %2 % del pico, en %3.</translation>
     </message>
     <message>
         <source>The coupler angle θ³ alone determines only b/a and c/a; a = %1 is taken as given.</source>
@@ -2022,9 +2022,9 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
         <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
 close: none beyond a hundred times
 differs: anything else, and what lies beyond the rounding by 1 % of half the motion&apos;s range</source>
-        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
+        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
 próximo: ninguno más allá de cien veces
-difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
+difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
     </message>
     <message>
         <source>Without bounds where one of the two ends its stroke</source>
@@ -2227,7 +2227,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>%1 Largest error: %2 → %3 % of peak.</source>
-        <translation>%1 Error máximo: %2 → %3 % del pico.</translation>
+        <translation>%1 Error máximo: %2 → %3 % del pico.</translation>
     </message>
     <message>
         <source>The file fits %1</source>
@@ -2342,7 +2342,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>, most in %1: by up to %2 % of its peak</source>
-        <translation>, sobre todo en %1: hasta un %2 % de su pico</translation>
+        <translation>, sobre todo en %1: hasta un %2 % de su pico</translation>
     </message>
     <message>
         <source>At %1 of the file&apos;s instants the mechanism cannot be assembled, or has no derivatives.</source>
@@ -2374,19 +2374,19 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none beyond it by more than %3 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ cota para al menos el %1 % de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| ≤ cota para al menos el %1 % de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3 % de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2 % de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>|model − reference| &gt; %1 · bound somewhere, or beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2 % de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
-        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4 %.</translation>
+        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4 %.</translation>
     </message>
     <message>
         <source>ground</source>
@@ -2652,7 +2652,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>|model − x| / |x| · 100 %</source>
-        <translation>|modelo − x| / |x| · 100 %</translation>
+        <translation>|modelo − x| / |x| · 100 %</translation>
     </message>
     <message>
         <source>Drag A, or B along its line</source>
@@ -3763,6 +3763,10 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>%1 in all, at most %2 where it had a rough start</source>
         <translation>%1 en total, máx. %2 donde partió de un comienzo aproximado</translation>
+    </message>
+    <message>
+        <source>The crank stands still, ω₂ = 0; it could turn round: b = %1 ≥ a + |c| = %2.</source>
+        <translation>La manivela está quieta, ω₂ = 0; podría dar la vuelta completa: b = %1 ≥ a + |c| = %2.</translation>
     </message>
 </context>
 <context>
@@ -5013,7 +5017,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (evenly spaced instants count as exact), none beyond %2 times that bound, nor by more than %4 % of half the motion&apos;s range. Close: none beyond %3 times, nor by more than %5 %.</source>
-        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4 % de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5 %.</translation>
+        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4 % de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5 %.</translation>
     </message>
     <message>
         <source>Iterations: %1; the largest residual is %2.</source>
@@ -5462,6 +5466,10 @@ SHA-256: %2</translation>
     <message>
         <source>residual %1</source>
         <translation>residuo %1</translation>
+    </message>
+    <message>
+        <source>crank stands still</source>
+        <translation>la manivela está quieta</translation>
     </message>
 </context>
 <context>

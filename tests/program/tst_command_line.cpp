@@ -578,7 +578,8 @@ void TestCommandLine::understandsAUnitBehindANumber()
          {"--a 1in --b 7cm --c −0.5cm --omega2 60rpm --theta20 90deg --duration 500ms --start 0.25s ",
           "--a 25.4mm --b 0.07m --c -5 --omega2 360deg/s --theta20 90° --duration 0.5s --start 250ms ",
           "--a 2.54·10¹ --b 7·10^-2m --c −5·10⁰ --omega2 0.6·10²rpm --theta20 90deg --duration 5×10⁻¹ --start "
-          "250ms "}) {
+          "250ms ",
+          "--a 25.4 --b 70 --c \" -5 \" --omega2 60rpm --theta20 ９０deg --duration 0.5 --start 0.25 --steps 2e2 "}) {
         const Outcome outcome = run(QStringLiteral("solve ") + QString::fromUtf8(line) + same);
         QVERIFY2(outcome.status == 0, qPrintable(outcome.err));
         QCOMPARE(outcome.out, plain.out);
@@ -650,9 +651,8 @@ void TestCommandLine::refusesAWrongCommandLine_data()
     row("solve --b \"\"", "--b must be a number");
     row("solve --b nan", "--b must be a number");
     row("solve --c inf", "--c must be a number");
-    row("solve --c 1e999", "--c must be a number");
+    row("solve --c 1e999", "--c must not exceed 1e12");
     row("solve --c +-5", "--c must be a number");
-    row("solve --c \" 5\"", "--c must be a number");
     row("solve --c 0x10", "--c must be a number");
     row("solve --b 0", "--b must be greater than 0");
     row("solve --a -3", "--a must be greater than 0");

@@ -20,6 +20,16 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+bool isUndo(const QKeyEvent &key)
+{
+    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
+
+} // namespace
+
 NumberBox::NumberBox(QWidget *parent)
     : QAbstractSpinBox(parent)
     , m_widestText(QStringLiteral("-000.000"))
@@ -183,7 +193,7 @@ void NumberBox::selectFromItsEnd()
 
 bool NumberBox::isTyping() const
 {
-    return m_typed && lineEdit()->text() != textFor(m_value) + m_suffix;
+    return m_typed && lineEdit()->text().trimmed() != textFor(m_value) + m_suffix;
 }
 
 /// What was typed and not taken over yet is undone in the box; anything else is the window's to undo. So are all keys
@@ -195,8 +205,7 @@ bool NumberBox::event(QEvent *event)
         const auto is = [key](QKeySequence::StandardKey meaning) { return key->matches(meaning); };
         const bool isClipboard =
             is(QKeySequence::Copy) || is(QKeySequence::Cut) || is(QKeySequence::Paste) || is(QKeySequence::SelectAll);
-        const bool isUndo = is(QKeySequence::Undo) || is(QKeySequence::Redo);
-        const bool isMeant = isUndo ? isTyping() : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
+        const bool isMeant = isUndo(*key) ? isTyping() : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
         if (!isMeant) {
             event->ignore();
             return false;
@@ -217,6 +226,10 @@ bool NumberBox::eventFilter(QObject *watched, QEvent *event)
 
 void NumberBox::keyPressEvent(QKeyEvent *event)
 {
+    if (isUndo(*event) && !isTyping()) {
+        event->ignore(); // also where the window has nothing more to undo
+        return;
+    }
     if (event->key() == Qt::Key_Escape && m_typed) {
         showValue();
         selectFromItsEnd();
@@ -304,7 +317,11 @@ void NumberBox::commit()
         showValue();
         return;
     }
-    const Quantity typed = readQuantity(text, m_unit);
+    QString number = text;
+    if (const QString suffix = m_suffix.trimmed(); !m_unit && text.endsWith(suffix)) {
+        number.chop(suffix.size()); // "2×", as displayed
+    }
+    const Quantity typed = m_range.isWhole ? readCount(number) : readQuantity(number, m_unit);
     if (typed.fault) {
         refuse(quantityFaultText(text, *typed.fault, m_unit));
     } else {

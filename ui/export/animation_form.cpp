@@ -82,6 +82,7 @@ AnimationForm::AnimationForm(const Animation &animation, const Parameters &param
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     showOutcome();
+    m_rate->selectAll(); // what is typed replaces what is there
 }
 
 NumberBox *AnimationForm::addWholeBox(const QString &objectName, const QString &name, double smallest, double largest)
@@ -107,6 +108,17 @@ Animation AnimationForm::animation() const
     animation.size.size =
         QSizeF(even(m_width->value()) / animation.size.scale, even(m_height->value()) / animation.size.scale).toSize();
     return animation;
+}
+
+void AnimationForm::accept()
+{
+    for (NumberBox *box : {m_rate, m_width, m_height, m_length}) {
+        if (box->isTyping()) {
+            box->setFocus();
+            return;
+        }
+    }
+    QDialog::accept();
 }
 
 double AnimationForm::perUnit() const

@@ -28,6 +28,9 @@ public:
     /// As it is chosen; the start and the speed stay.
     Animation animation() const;
 
+    /// Not with a number that a box does not take.
+    void accept() override;
+
 private:
     enum LengthUnit { Seconds, Turns };
     NumberBox *addWholeBox(const QString &objectName, const QString &name, double smallest, double largest);

@@ -234,7 +234,8 @@ QString methodText(const Result &result)
     const QString residual = numberText(summary.largestResidual, 2);
     if (summary.found() > 0 && summary.mostIterations <= newton.maxIterations) {
         text += Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
-                    .arg(QLocale().toString(summary.iterations), QString::number(summary.mostIterations), residual);
+                    .arg(countText(static_cast<std::size_t>(summary.iterations)),
+                         QString::number(summary.mostIterations), residual);
     } else if (summary.found() > 0) {
         text +=
             Report::tr("Iterations: %1; the largest residual is %2.").arg(iterationsText(summary, newton), residual);

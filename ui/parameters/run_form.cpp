@@ -58,13 +58,12 @@ RunForm::RunForm(QWidget *parent)
             [this](double steps) { edit(with(m_sampling, &Sampling::steps, static_cast<int>(steps))); });
 
     m_speedBox = addBox(grid, QStringLiteral("speedBox"), tr("Playing speed"), tr("×"));
-    m_speedBox->setRange({.smallest = 0.0, .isOpen = true});
+    m_speedBox->setRange({.smallest = kSlowestPlaying, .largest = kFastestPlaying});
     m_speedBox->setToolTip(tr("Seconds of the motion in a second of the clock"));
     connect(m_speedBox, &NumberBox::edited, this, &RunForm::speedEdited);
 
     m_turnBox = addBox(grid, QStringLiteral("turnBox"), tr("A turn plays in"), tr(" s"));
     m_turnBox->setUnit(kSecond);
-    m_turnBox->setRange({.smallest = 0.0, .isOpen = true});
     m_turnBox->setToolTip(tr("Seconds of the clock for one turn of the crank"));
     connect(m_turnBox, &NumberBox::edited, this, [this](double seconds) { emit speedEdited(turn() / seconds); });
 
@@ -118,6 +117,7 @@ void RunForm::openAt(const QWidget &widget)
     move(place.topLeft());
     show();
     m_start->setFocus(Qt::PopupFocusReason);
+    m_start->selectAll(); // what is typed replaces what is there
 }
 
 double RunForm::turn() const
@@ -131,7 +131,8 @@ void RunForm::showTurn()
     m_oneTurn->setEnabled(turns);
     m_turnBox->setEnabled(turns);
     if (turns) {
-        m_turnBox->setValue(turn() / m_speed);
+        m_turnBox->setRange({.smallest = turn() / kFastestPlaying, .largest = turn() / kSlowestPlaying});
+        m_turnBox->setValue(QString::number(turn() / m_speed, 'g', 15).toDouble()); // 3500, not 3499.9999999999995
     }
 }
 

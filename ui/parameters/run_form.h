@@ -16,6 +16,10 @@ namespace slidercrank
 
 class NumberBox;
 
+// Of playing: seconds of the motion in a second of the clock.
+inline constexpr double kSlowestPlaying = 1e-9;
+inline constexpr double kFastestPlaying = 1e9;
+
 class RunForm : public QFrame
 {
     Q_OBJECT

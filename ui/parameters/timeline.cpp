@@ -29,9 +29,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kSlowest = 1e-9;
-constexpr double kFastest = 1e9;
-
 double steadySeconds()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -334,7 +331,7 @@ void Timeline::toEnd()
 
 void Timeline::setSpeed(double speed)
 {
-    m_speed = speed > 0.0 ? std::clamp(speed, kSlowest, kFastest) : kSlowest; // not a number, too
+    m_speed = speed > 0.0 ? std::clamp(speed, kSlowestPlaying, kFastestPlaying) : kSlowestPlaying; // not a number, too
     m_runForm->setSpeed(m_speed);
     showRun();
     if (isPlaying()) {

@@ -153,14 +153,21 @@ QWidget *ReferencePanel::createFilePage()
 QWidget *ReferencePanel::createTables()
 {
     m_columns = tableToRead(QStringLiteral("columnTable"), tr("Columns of the file, a row a column"),
-                            {{tr("heading")},
-                             {tr("unit")},
-                             {tr("read as")},
-                             {tr("rounded to"), tr("How the file rounded this column, inferred from all its values")},
-                             {tr("values")},
-                             {tr("why")}});
+                            {{tr("heading"), {}, QStringLiteral("heading")},
+                             {tr("unit"), {}, QStringLiteral("unit")},
+                             {tr("read as"), {}, QStringLiteral("read_as")},
+                             {tr("rounded to"), tr("How the file rounded this column, inferred from all its values"),
+                              QStringLiteral("rounded_to")},
+                             {tr("values"), {}, QStringLiteral("values")},
+                             {tr("why"), {}, QStringLiteral("why")}});
     m_skipped = tableToRead(QStringLiteral("skippedTable"), tr("Rows of the file that were left out"),
-                            {{tr("line")}, {tr("column")}, {tr("text")}, {tr("why it was left out")}});
+                            {{tr("line"), {}, QStringLiteral("line")},
+                             {tr("column"), {}, QStringLiteral("column")},
+                             {tr("text"), {}, QStringLiteral("text")},
+                             {tr("why it was left out"), {}, QStringLiteral("why")}});
+    for (const NumberTable *table : {m_columns, m_skipped}) {
+        connect(table, &NumberTable::copied, this, &ReferencePanel::rowsCopied);
+    }
     m_tables = new QStackedWidget;
     m_tables->addWidget(m_columns);
     m_tables->addWidget(m_skipped);

@@ -45,6 +45,7 @@ signals:
     void applyRequested(const slidercrank::Convention &convention);
     void readAsPrintedRequested();
     void takeOverRequested();
+    void rowsCopied(int count); ///< of a table, to the clipboard
 
 protected:
     void resizeEvent(QResizeEvent *event) override;

@@ -259,15 +259,19 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_picture = new StudyPicture;
     m_table = new NumberTable(
         QStringLiteral("studyTable"), tr("Methods, a row a method and tolerance"),
-        {{tr("method"), tr("How the motion is computed"), {}, false},
-         {tr("tolerance"), tr("Of Newton-Raphson: absolute for the report's way, relative for the others")},
+        {{tr("method"), tr("How the motion is computed"), QStringLiteral("method"), false},
+         {tr("tolerance"), tr("Of Newton-Raphson: absolute for the report's way, relative for the others"),
+          QStringLiteral("tolerance")},
          {tr("time [ns]"),
-          tr("Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds")},
+          tr("Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds"),
+          QStringLiteral("time [ns]")},
          {tr("error"),
-          tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants")},
-         {tr("iterations"), tr("Per state")},
-         {tr("instants"), tr("What the method says of them"), {}, false}},
+          tr("The worst of the six plotted channels, relative to the channel's peak, over solved instants"),
+          QStringLiteral("error")},
+         {tr("iterations"), tr("Per state"), QStringLiteral("iterations")},
+         {tr("instants"), tr("What the method says of them"), QStringLiteral("instants"), false}},
         TableLook::Striped);
+    connect(m_table, &NumberTable::copied, this, &StudyPanel::rowsCopied);
     m_table->hide(); // until there is something in it
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &now) {
         m_picture->mark(now.isValid() ? std::optional(static_cast<std::size_t>(now.row())) : std::nullopt);
@@ -394,10 +398,14 @@ void StudyPanel::fillTable(const CaseResult &which)
     std::vector<TableRow> rows;
     for (const MethodResult &method : which.methods) {
         TableRow row;
-        for (const QString &text : {titleOf(method), toleranceOf(method), shortNumber(method.nsPerState, kDigits),
-                                    shortNumber(method.maxError, kDigits),
-                                    shortNumber(method.iterationsPerState, kDigits), outcomeOf(method)}) {
-            row.cells.push_back({.text = text, .explanation = descriptionOf(method)});
+        row.cells = {{.text = titleOf(method)},
+                     {.text = toleranceOf(method), .number = method.tolerance},
+                     {.text = shortNumber(method.nsPerState, kDigits), .number = method.nsPerState},
+                     {.text = shortNumber(method.maxError, kDigits), .number = method.maxError},
+                     {.text = shortNumber(method.iterationsPerState, kDigits), .number = method.iterationsPerState},
+                     {.text = outcomeOf(method)}};
+        for (TableCell &cell : row.cells) {
+            cell.explanation = descriptionOf(method);
         }
         row.cells.front().mark = markOf(method, *this);
         if (method.silentFailures.value_or(0) > 0) {

@@ -52,6 +52,7 @@ public slots:
 signals:
     void finished();                            ///< or cancelled
     void problemFound(const QString &sentence); ///< one sentence, for the message bar
+    void rowsCopied(int count);                 ///< of the table, to the clipboard
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -2,15 +2,16 @@
 #include "ui/window/key_owner.h"
 
 #include "ui/controls/number_box.h"
+#include "ui/parameters/run_form.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QMenuBar>
 #include <QSlider>
 
 namespace slidercrank
@@ -24,14 +25,18 @@ bool needsSpace(const QWidget &widget)
     if (const auto *box = qobject_cast<const NumberBox *>(&widget)) {
         return box->isTyping(); // "25 mm"; a box that only has the focus needs none
     }
-    return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QCheckBox *>(&widget) ||
-           qobject_cast<const QMenuBar *>(&widget);
+    return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QCheckBox *>(&widget);
 }
 
-bool needsArrows(const QWidget &widget)
+/// Of the arrows to the side, Home and End.
+bool moves(const QWidget &widget, int key)
 {
-    return qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QComboBox *>(&widget) ||
-           qobject_cast<const QAbstractItemView *>(&widget) || widget.inherits("QTabBar");
+    const bool isArrow = key == Qt::Key_Left || key == Qt::Key_Right;
+    if (!isArrow && key != Qt::Key_Home && key != Qt::Key_End) {
+        return false;
+    }
+    return qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget) ||
+           (isArrow ? widget.inherits("QTabBar") || widget.inherits("QMenuBar") : widget.inherits("QComboBox"));
 }
 
 /// Enter on a button, or on a list that is closed.
@@ -65,15 +70,27 @@ KeyOwner::KeyOwner(QWidget *window)
     qApp->installEventFilter(this);
 }
 
+/// X11 tells of a key that is held as of one let go and pressed at the same moment; not all of these are known to Qt.
+bool KeyOwner::isHeld(const QKeyEvent &key) const
+{
+    return key.isAutoRepeat() ||
+           (key.timestamp() == m_spaceLetGo && QGuiApplication::platformName() == QStringLiteral("xcb"));
+}
+
 bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
 {
     const QEvent::Type type = event->type(); // first: every event of the program comes by
-    if (type != QEvent::Show && type != QEvent::Wheel && type != QEvent::ShortcutOverride && type != QEvent::KeyPress) {
+    if (type != QEvent::Show && type != QEvent::Wheel && type != QEvent::ShortcutOverride && type != QEvent::KeyPress &&
+        type != QEvent::KeyRelease) {
         return false;
     }
     auto *widget = qobject_cast<QWidget *>(watched);
-    if (!widget || widget->window() != m_window) {
-        return false; // open lists and dialogs are windows of their own
+    if (!widget) {
+        return false;
+    }
+    const bool isOurs = widget->window() == m_window || qobject_cast<RunForm *>(widget->window());
+    if (!isOurs && type != QEvent::Show && type != QEvent::Wheel) {
+        return false; // open lists and dialogs keep their keys
     }
     switch (type) {
     case QEvent::Show:
@@ -89,20 +106,26 @@ bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::ShortcutOverride: {
         const auto *key = static_cast<QKeyEvent *>(event);
-        const bool moves = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
-                           key->key() == Qt::Key_End;
-        if (moves && needsArrows(*widget)) {
+        if (moves(*widget, key->key())) {
             event->accept();
             return true;
         }
         if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier && !needsSpace(*widget)) {
-            event->ignore();
+            event->setAccepted(isHeld(*key)); // once is enough
             return true;
         }
         break;
     }
+    case QEvent::KeyRelease:
+        if (const auto *key = static_cast<QKeyEvent *>(event); key->key() == Qt::Key_Space) {
+            m_spaceLetGo = key->timestamp();
+        }
+        break;
     case QEvent::KeyPress: {
         const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->key() == Qt::Key_Space && isHeld(*key) && !needsSpace(*widget)) {
+            return true;
+        }
         return (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) && press(*widget, *key);
     }
     default: break;

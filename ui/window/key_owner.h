@@ -24,7 +24,10 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    bool isHeld(const QKeyEvent &key) const;
+
     QWidget *m_window;
+    quint64 m_spaceLetGo = 0; ///< when; of the window system's clock, ms
 };
 
 } // namespace slidercrank

@@ -8,6 +8,7 @@
 #include "ui/mechanism/part_highlight.h"
 #include "ui/newton/newton_panel.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/run_form.h"
 #include "ui/parameters/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/reference/column_mapping.h"
@@ -194,6 +195,7 @@ void MainWindow::makeRooms(bool withGhost)
     connectRooms();
     m_rooms.ghost = new Ghost(m_session, m_rooms.mechanism, withGhost); // behind a mechanism that is up to date
     setMenuBar(new Menus(*this, m_rooms));
+    m_rooms.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>()); // for their keys
     m_status->retranslate();
     showTitle();
     showResult(m_session->result());
@@ -311,6 +313,7 @@ QWidget *MainWindow::makeReferencePanel()
     connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
     connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
     connect(panel, &ReferencePanel::takeOverRequested, m_session, &Session::takeOver);
+    connect(panel, &ReferencePanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     return panel;
 }
 
@@ -337,6 +340,7 @@ QWidget *MainWindow::makeStudyPanel()
     auto *panel = new StudyPanel(this);
     follow(&Session::parametersChanged, panel, &StudyPanel::setParameters, m_session->parameters());
     connect(panel, &StudyPanel::problemFound, m_messages, &Messages::tellProblem);
+    connect(panel, &StudyPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     return panel;
 }
 

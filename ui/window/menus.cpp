@@ -17,6 +17,7 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QDir>
+#include <QKeyEvent>
 #include <QMessageBox>
 
 #include <functional>
@@ -206,8 +207,7 @@ void Menus::addPlayback()
 {
     QMenu *playback = addMenu(tr("&Playback"));
     Timeline *timeline = m_rooms.timeline;
-    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), timeline, &Timeline::togglePlaying)
-        ->setAutoRepeat(false);
+    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), timeline, &Timeline::togglePlaying);
     playback->addAction(tr("Step &forward"), QKeySequence(Qt::Key_Right), timeline, &Timeline::stepForward);
     playback->addAction(tr("Step &back"), QKeySequence(Qt::Key_Left), timeline, &Timeline::stepBack);
     playback->addAction(tr("To the &start"), QKeySequence(Qt::Key_Home), timeline, &Timeline::toStart);
@@ -238,6 +238,20 @@ void Menus::addHelp()
                     [this] { (new HelpPage(tr("Keyboard and mouse"), shortcutsText(*this), &m_window))->show(); });
     help->addSeparator();
     help->addAction(tr("&About"), this, &Menus::showAbout);
+}
+
+/// From a closed menu's title the Tab key leads on from where the focus was, as one Escape would.
+void Menus::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() != Qt::Key_Tab && event->key() != Qt::Key_Backtab) {
+        QMenuBar::keyPressEvent(event);
+        return;
+    }
+    QKeyEvent leave(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+    QMenuBar::keyPressEvent(&leave);
+    if (QWidget *focus = m_window.focusWidget(); focus && focus != this) {
+        QCoreApplication::sendEvent(focus, event);
+    }
 }
 
 void Menus::showAbout()

@@ -18,6 +18,9 @@ class Menus : public QMenuBar
 public:
     Menus(MainWindow &window, const Rooms &rooms);
 
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
 private:
     void addFile();
     void addEdit();

@@ -18,8 +18,11 @@ namespace
 
 constexpr int kMoment = 250; // ms: what is done sooner is not worth a flicker
 
-QString mobilityText(Mobility mobility)
+QString mobilityText(Mobility mobility, double omega2)
 {
+    if (omega2 == 0.0 && (mobility == Mobility::FullTurn || mobility == Mobility::Rocker)) {
+        return StatusBar::tr("crank stands still");
+    }
     switch (mobility) {
     case Mobility::FullTurn: return StatusBar::tr("crank turns round");
     case Mobility::Rocker: return StatusBar::tr("crank rocks");
@@ -62,7 +65,8 @@ void StatusBar::showRun(const Result &result)
     const std::size_t samples = run.instants;
     const std::size_t missing = run.count(Status::NotAssemblable);
     const QString branch = result.mechanism.branch() == Branch::Open ? tr("Open assembly") : tr("Crossed assembly");
-    QString assembly = QStringLiteral("%1, %2").arg(branch, mobilityText(result.limits.mobility));
+    QString assembly =
+        QStringLiteral("%1, %2").arg(branch, mobilityText(result.limits.mobility, result.mechanism.omega2()));
     if (missing > 0 && result.limits.mobility != Mobility::Impossible) {
         assembly += tr(", no pose at %1 of %2 instants").arg(missing).arg(samples);
     }

@@ -304,7 +304,7 @@ QString summaryOf(std::span<const ChannelComparison> channels)
     if (missing > 0) {
         text += u' ' + FindingText::tr("At %1 of the file's instants the mechanism cannot be assembled, or has no "
                                        "derivatives.")
-                           .arg(QLocale().toString(static_cast<qulonglong>(missing)));
+                           .arg(countText(missing));
     }
     return text;
 }

@@ -299,6 +299,10 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
     const LengthPair turning = toldApart(mechanism.b(), shortestCouplerForFullTurn(mechanism));
     switch (limits.mobility) {
     case Mobility::FullTurn:
+        if (limits.largestPressureAngle < 0.5 * std::numbers::pi && mechanism.omega2() == 0.0) {
+            return MotionFacts::tr("The crank stands still, ω₂ = 0; it could turn round: b = %1 ≥ a + |c| = %2.")
+                .arg(turning.one, turning.other);
+        }
         if (limits.largestPressureAngle < 0.5 * std::numbers::pi) {
             return MotionFacts::tr("The crank turns round: b = %1 ≥ a + |c| = %2.").arg(turning.one, turning.other);
         }
@@ -408,16 +412,15 @@ QString iterationsText(const RunSummary &run, const NewtonOptions &options)
     if (run.found() == 0) {
         return dash();
     }
-    const QLocale locale;
-    const QString all = locale.toString(run.iterations);
-    const QString most = locale.toString(run.mostIterations);
+    const QString all = countText(static_cast<std::size_t>(run.iterations));
+    const QString most = QString::number(run.mostIterations);
     if (run.mostIterations <= options.maxIterations) {
         return MotionFacts::tr("%1 in all, at most %2 an instant").arg(all, most);
     }
     return run.mostFromBefore == 0
                ? MotionFacts::tr("%1 in all, at most %2 where it had a rough start").arg(all, most)
                : MotionFacts::tr("%1 in all, at most %2 from one instant to the next, %3 where it had a rough start")
-                     .arg(all, locale.toString(run.mostFromBefore), most);
+                     .arg(all, QString::number(run.mostFromBefore), most);
 }
 
 QString crankAngleText(double radians)

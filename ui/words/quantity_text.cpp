@@ -2,7 +2,7 @@
 #include "ui/words/quantity_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
+#include <QRegularExpression>
 
 namespace slidercrank
 {
@@ -29,12 +29,27 @@ QString withoutLocale(const QString &text, const QLocale &locale)
     return plain;
 }
 
+/// As a sentence can hold it.
+QString quoted(const QString &text)
+{
+    constexpr int kMost = 24; // letters
+    const QString line = text.simplified();
+    return line.size() > kMost ? line.first(kMost) + QStringLiteral("…") : line;
+}
+
 } // namespace
 
-Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted)
+Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted, const QLocale &locale)
 {
-    const QByteArray bytes = withoutLocale(text.trimmed(), QLocale()).toUtf8();
+    const QByteArray bytes = withoutLocale(text.trimmed(), locale).toUtf8();
     return readQuantity({bytes.constData(), static_cast<std::size_t>(bytes.size())}, wanted);
+}
+
+Quantity readCount(const QString &text)
+{
+    const QString separator = QLocale().groupSeparator();
+    const QRegularExpression groups(QStringLiteral("^\\d{1,3}(%1\\d{3})+$").arg(QRegularExpression::escape(separator)));
+    return readQuantity(groups.match(text).hasMatch() ? QString(text).remove(separator) : text, std::nullopt);
 }
 
 QStringList unitsFor(const Unit &wanted)
@@ -53,18 +68,18 @@ QStringList unitsFor(const Unit &wanted)
 QString quantityFaultText(const QString &text, QuantityFault fault, const std::optional<Unit> &wanted)
 {
     switch (fault) {
-    case QuantityFault::NotANumber: return QuantityText::tr("“%1” is not a number.").arg(text);
+    case QuantityFault::NotANumber: return QuantityText::tr("“%1” is not a number.").arg(quoted(text));
     case QuantityFault::CommaForPoint: {
         const QString sign = QLocale().decimalPoint();
-        return QuantityText::tr("The decimal sign here is “%1”: %2.").arg(sign, QString(text).replace(u',', sign));
+        return QuantityText::tr("The decimal sign here is “%1”: %2.").arg(sign, quoted(text).replace(u',', sign));
     }
-    case QuantityFault::TooLarge: return QuantityText::tr("“%1” is too large.").arg(text);
+    case QuantityFault::TooLarge: return QuantityText::tr("“%1” is too large.").arg(quoted(text));
     case QuantityFault::UnknownUnit:
     case QuantityFault::WrongUnit: break;
     }
     return wanted ? QuantityText::tr("“%1”: the units here are %2.")
-                        .arg(text, unitsFor(*wanted).join(QuantityText::tr(", ")))
-                  : QuantityText::tr("“%1”: no unit belongs to this number.").arg(text);
+                        .arg(quoted(text), unitsFor(*wanted).join(QuantityText::tr(", ")))
+                  : QuantityText::tr("“%1”: no unit belongs to this number.").arg(quoted(text));
 }
 
 } // namespace slidercrank

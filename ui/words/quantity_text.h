@@ -5,6 +5,7 @@
 
 #include "core/reading/quantity.h"
 
+#include <QLocale>
 #include <QString>
 #include <QStringList>
 
@@ -12,7 +13,10 @@ namespace slidercrank
 {
 
 /// With the locale's decimal sign, or a point.
-Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted);
+Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted, const QLocale &locale = {});
+
+/// A whole number, also in groups of three as countText() writes it.
+Quantity readCount(const QString &text);
 
 QString quantityFaultText(const QString &text, QuantityFault fault, const std::optional<Unit> &wanted);
 

@@ -76,7 +76,14 @@ QString numberText(std::optional<double> value, int significantDigits)
 
 QString countText(std::size_t count)
 {
-    return QLocale().toString(static_cast<qulonglong>(count));
+    const QLocale locale;
+    const QString separator = locale.groupSeparator();
+    QString text = locale.toString(static_cast<qulonglong>(count));
+    constexpr qsizetype kGroup = 3;
+    if (const qsizetype first = text.indexOf(separator); !separator.isEmpty() && first > kGroup) {
+        text.insert(first - kGroup, separator); // Qt has 1000.000 for a million in Spanish
+    }
+    return text;
 }
 
 QString dash()

@@ -105,6 +105,9 @@ private slots:
         QTest::newRow("a power beyond a double") << "10⁹⁹⁹" << QuantityFault::TooLarge;
         QTest::newRow("a comma") << "30,5" << QuantityFault::CommaForPoint;
         QTest::newRow("a comma, with a unit") << "30,5 mm" << QuantityFault::CommaForPoint;
+        QTest::newRow("a comma and a point") << "1,234.5" << QuantityFault::NotANumber;
+        QTest::newRow("a point and a comma") << "1.234,5" << QuantityFault::NotANumber;
+        QTest::newRow("several commas") << "1,234,567" << QuantityFault::NotANumber;
         QTest::newRow("beyond a double") << "1e999" << QuantityFault::TooLarge;
         QTest::newRow("a unit nobody knows") << "12abc" << QuantityFault::UnknownUnit;
         QTest::newRow("a number of C") << "0x10" << QuantityFault::UnknownUnit;

@@ -157,7 +157,15 @@ private slots:
         QCOMPARE(Shown(lengths(a, b, c)).reason(), sentence);
     }
 
-    void theReasonDoesNotDependOnTheSpeed()
+    void aCrankWithoutSpeedStandsStill()
+    {
+        Parameters parameters = lengths(20.0, 65.0, 25.0);
+        parameters.omega2 = 0.0;
+        QCOMPARE(Shown(parameters).reason(),
+                 QStringLiteral("The crank stands still, ω₂ = 0; it could turn round: b = 65 mm ≥ a + |c| = 45 mm."));
+    }
+
+    void theReasonOfAToggleDoesNotDependOnTheSpeed()
     {
         Parameters parameters = lengths(20.0, 45.0, -25.0);
         const QString turning = Shown(parameters).reason();

@@ -190,6 +190,11 @@ private slots:
                                     << "“20/3” is not a number.";
         QTest::newRow("a comma") << "30,5"
                                  << "The decimal sign here is “.”: 30.5.";
+        QTest::newRow("a comma and a point") << "1,234.5"
+                                             << "“1,234.5” is not a number.";
+        QTest::newRow("several commas") << "1,234,567"
+                                        << "“1,234,567” is not a number.";
+        QTest::newRow("endless") << QString(400, '9') << "“999999999999999999999999…” is too large.";
         QTest::newRow("another unit") << "30 s"
                                       << "“30 s”: the units here are mm, cm, m, in.";
         QTest::newRow("zero") << "0"

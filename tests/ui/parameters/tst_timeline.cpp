@@ -471,6 +471,23 @@ private slots:
         QCOMPARE(bench.timeline.speed(), 0.5);
     }
 
+    void aSpeedIsReadAsItIsShown()
+    {
+        Bench bench;
+        bench.timeline.show();
+        bench.timeline.openRun();
+        auto *factor = child<NumberBox>(bench.timeline, "speedBox");
+        type(factor, "2×");
+        QCOMPARE(bench.timeline.speed(), 2.0);
+        type(factor, "1e12"); // refused, not cut
+        QCOMPARE(bench.timeline.speed(), 2.0);
+        QCOMPARE(child<QLabel>(bench.timeline, "refusalLabel")->text(), QString("This must be at most 10⁹×."));
+        auto *turn = child<NumberBox>(bench.timeline, "turnBox");
+        type(turn, "3500");
+        QCOMPARE(turn->value(), 3500.0); // to the last digit
+        QVERIFY(turn->text().startsWith("3500 "));
+    }
+
     void fasterAndSlowerGoFromOneSpeedToTheNext()
     {
         Bench bench;

@@ -8,6 +8,7 @@
 #include "tests/support/waiting.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QHeaderView>
@@ -86,6 +87,7 @@ private slots:
     void saysThatTheMechanismHasChanged();
     void pointsAnswerToTheMouse();
     void theTableMarksItsPoint();
+    void copiesTheRowsThatAreChosen();
     void exportsThePictureAndTheNumbers();
     void refusesToExportNothing();
     void placesPointsByTimeAndError();
@@ -226,6 +228,23 @@ void tst_study_panel::theTableMarksItsPoint()
     auto *table = part<QTableView>(panel, "studyTable");
     table->setCurrentIndex(table->model()->index(3, 0));
     QVERIFY(picture->grab().toImage() != before);
+}
+
+void tst_study_panel::copiesTheRowsThatAreChosen()
+{
+    StudyPanel panel;
+    auto result = std::make_shared<StudyResult>();
+    result->cases.push_back(smallCase());
+    panel.setResult(result);
+    QSignalSpy copied(&panel, &StudyPanel::rowsCopied);
+    auto *table = part<QTableView>(panel, "studyTable");
+    table->selectRow(1);
+    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+    QCOMPARE(copied.count(), 1);
+    const QStringList lines = QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 2);
+    QCOMPARE(lines[0], QStringLiteral("method,tolerance,time [ns],error,iterations,instants"));
+    QVERIFY2(lines[1].contains(QStringLiteral(",,50,5e-16,,")), qPrintable(lines[1]));
 }
 
 void tst_study_panel::exportsThePictureAndTheNumbers()

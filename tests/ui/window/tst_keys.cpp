@@ -261,6 +261,108 @@ private slots:
         QVERIFY(m_timeline->isPlaying());
     }
 
+    void theRunsFormHasTheKeysOfTheWindow()
+    {
+        press(Qt::Key_R, Qt::ControlModifier);
+        auto *start = child<QAbstractSpinBox>(QStringLiteral("startBox"));
+        AWAIT(start->hasFocus());
+        press(Qt::Key_Space);
+        QVERIFY(m_timeline->isPlaying());
+        QCOMPARE(start->text(), QStringLiteral("0 s"));
+        press(Qt::Key_Space);
+        QVERIFY(!m_timeline->isPlaying());
+        press(Qt::Key_3); // in place of what is there
+        QCOMPARE(start->text(), QStringLiteral("3"));
+        press(Qt::Key_Return);
+        QCOMPARE(m_window->session().sampling().start, 3.0);
+        press(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->session().sampling().start, 0.0);
+        child<QWidget>(QStringLiteral("oneTurnButton"))->setFocus();
+        press(Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(m_window->session().sampling().start, 3.0);
+        press(Qt::Key_Space);
+        QVERIFY(m_timeline->isPlaying());
+        press(Qt::Key_Escape);
+        QVERIFY(!QApplication::activePopupWidget());
+        press(Qt::Key_R, Qt::ControlModifier); // once more
+        AWAIT(start->hasFocus());
+        press(Qt::Key_4);
+        QCOMPARE(start->text(), QStringLiteral("4"));
+        press(Qt::Key_Escape);
+        press(Qt::Key_Escape);
+    }
+
+    void aHeldSpaceIsPressedOnce_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"playButton", "loopButton", "mechanismView", "box_b"}) {
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+    }
+
+    void aHeldSpaceIsPressedOnce()
+    {
+        QFETCH(const QString, name);
+        child<QWidget>(name)->setFocus();
+        QWindow *window = m_window->windowHandle();
+        const QVariantList state = stateOf(child<QWidget>(name));
+        for (const bool repeated : {false, true, true}) {
+            QTest::simulateEvent(window, true, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), repeated);
+            QTest::simulateEvent(window, false, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), repeated);
+            QVERIFY(m_timeline->isPlaying());
+        }
+        QCOMPARE(stateOf(child<QWidget>(name)), state);
+    }
+
+    void anIdleKeyOfABoxIsTheWindows()
+    {
+        auto *line = child<QAbstractSpinBox>(QStringLiteral("box_b"))->findChild<QLineEdit *>();
+        typeInto(QStringLiteral("box_b"), QStringLiteral("7"));
+        press(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(line->text(), QStringLiteral("65 mm"));
+        press(Qt::Key_Y, Qt::ControlModifier); // the window has nothing to redo: nothing comes back
+        QCOMPARE(line->text(), QStringLiteral("65 mm"));
+        press(Qt::Key_End);
+        press(Qt::Key_Space, Qt::ShiftModifier); // no number begins so
+        press(Qt::Key_Space);
+        QVERIFY(m_timeline->isPlaying());
+    }
+
+    void keysThatAControlHasNoUseForAreTheTimelines()
+    {
+        m_window->session().setTime(0.5);
+        child<QWidget>(QStringLiteral("tabBar"))->setFocus();
+        press(Qt::Key_Right);
+        QCOMPARE(child<QTabBar>(QStringLiteral("tabBar"))->currentIndex(), 1);
+        QCOMPARE(m_window->session().time(), 0.5);
+        press(Qt::Key_Home);
+        QCOMPARE(m_window->session().time(), 0.0);
+        auto *list = child<QComboBox>(QStringLiteral("branchBox"));
+        list->setFocus();
+        press(Qt::Key_Right);
+        QCOMPARE(m_window->session().time(), 0.005);
+        press(Qt::Key_End);
+        QCOMPARE(m_window->session().time(), 0.005);
+        QCOMPARE(m_window->session().parameters().branch, Branch::Crossed);
+    }
+
+    void theTabKeyLeavesAClosedMenu()
+    {
+        auto *box = child<QWidget>(QStringLiteral("box_b"));
+        box->setFocus();
+        press(Qt::Key_E, Qt::AltModifier);
+        AWAIT(QApplication::activePopupWidget());
+        press(Qt::Key_Escape);
+        AWAIT(!QApplication::activePopupWidget());
+        QVERIFY(!box->hasFocus());
+        press(Qt::Key_Right); // along the bar
+        QCOMPARE(m_window->session().time(), 0.0);
+        press(Qt::Key_Tab);
+        QVERIFY2(child<QWidget>(QStringLiteral("reset_b"))->hasFocus() ||
+                     child<QWidget>(QStringLiteral("slider_c"))->hasFocus(),
+                 qPrintable(described(QApplication::focusWidget())));
+    }
+
     void enterPressesAButton_data()
     {
         QTest::addColumn<QString>("name");
@@ -418,6 +520,9 @@ private slots:
                                 << QStringLiteral("channel,verdict,max_error,max_error_at [s],rms,max_percent,"
                                                   "max_percent_at [s],percent_of_peak,step")
                                 << QStringLiteral("R4_x_diff [mm/s],differs,9.46935096");
+        QTest::newRow("columns of the file")
+            << 1 << QStringLiteral("columnTable") << QStringLiteral("heading,unit,read_as,rounded_to,values,why")
+            << QStringLiteral("R4_x,mm");
         QTest::newRow("motion limits") << 4 << QStringLiteral("positionTable")
                                        << QStringLiteral("limit,value,theta2 [°],time [s]")
                                        << QStringLiteral("inner dead centre [mm],37.4165738");

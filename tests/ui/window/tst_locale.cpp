@@ -3,10 +3,12 @@
 // Numbers on screen as the user writes them, here with a decimal comma; numbers in files with a point, always.
 
 #include "core/mechanism/channel.h"
+#include "ui/parameters/timeline.h"
 #include "ui/plots/plot_overlay.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
+#include "ui/words/written_number.h"
 
 #include "tests/support/waiting.h"
 
@@ -119,6 +121,24 @@ private slots:
         QTest::keyClick(box, Qt::Key_Return);
         QCOMPARE(m_window->session().parameters().b, 67.5);
         QCOMPARE(box->text(), QStringLiteral("67,5 mm"));
+    }
+
+    void aCountIsReadAsItIsShown()
+    {
+        QCOMPARE(countText(1'000'000), QStringLiteral("1.000.000"));
+        QCOMPARE(countText(1'234'567'890), QStringLiteral("1.234.567.890"));
+        QCOMPARE(countText(1000), QStringLiteral("1000"));
+        m_window->findChild<Timeline *>()->openRun();
+        auto *box = m_window->findChild<QAbstractSpinBox *>(QStringLiteral("stepsBox"));
+        box->setFocus();
+        for (const auto &[typed, steps] :
+             {std::pair("10.000", 10'000), {"1.000.000", 1'000'000}, {"1.000.001", 1'000'000}}) {
+            box->selectAll();
+            QTest::keyClicks(box, QLatin1String(typed));
+            QTest::keyClick(box, Qt::Key_Return);
+            QCOMPARE(m_window->session().sampling().steps, steps);
+        }
+        QCOMPARE(box->accessibleDescription(), QStringLiteral("This must be a whole number from 1 to 1.000.000."));
     }
 
     void everyNumberOnTheScreenHasAComma()

@@ -1261,6 +1261,8 @@ private slots:
         const int largest = m_window->screen()->size().height() / 45;
         QCOMPARE(QFontInfo(plots->font()).pixelSize(), std::max(letters, largest));
         QCOMPARE(QFontInfo(mechanism->font()).pixelSize(), std::max(letters, largest));
+        const auto *message = m_window->findChild<QLabel *>(QStringLiteral("messageText"));
+        QCOMPARE(QFontInfo(message->font()).pixelSize(), std::max(letters, largest));
         QVERIFY(chosen->isVisible() && !boxA->isVisible() && !boxC->isVisible()); // one of them at a time
         m_window->findChild<QComboBox *>(QStringLiteral("parameterBox"))->setCurrentIndex(2);
         QVERIFY(boxC->isVisible());

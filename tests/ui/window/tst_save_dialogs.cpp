@@ -20,11 +20,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPointer>
 #include <QScopeGuard>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 
 using namespace slidercrank;
 
@@ -176,6 +178,30 @@ private slots:
         const auto frame = [this](const char *name) { return QImage(m_folder->filePath(QLatin1String(name))); };
         QVERIFY(frame("new_001.png") != frame("new_013.png")); // a turn and a half later
         QCOMPARE(frame("new_001.png"), frame("new_009.png"));  // a turn later
+    }
+
+    void theAnimationsFormStaysUntilItsNumbersAreTaken()
+    {
+        trigger({QStringLiteral("Export"), QStringLiteral("Animation…")});
+        const QPointer<AnimationForm> form = m_window->findChild<AnimationForm *>();
+        auto *unit = form->findChild<QComboBox *>(QStringLiteral("lengthUnitBox"));
+        QWheelEvent wheel(QPointF(5, 5), unit->mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120), Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(unit, &wheel);
+        QCOMPARE(unit->currentIndex(), 0); // it has no focus
+        auto *rate = form->findChild<NumberBox *>(QStringLiteral("rateBox"));
+        AWAIT(rate->hasFocus());
+        QTest::keyClicks(rate, QStringLiteral("20/3")); // in place of what is there
+        QTest::keyClick(rate, Qt::Key_Return);
+        QVERIFY(form && form->isVisible());
+        QCOMPARE(rate->text(), QStringLiteral("20/3"));
+        QCOMPARE(rate->accessibleDescription(), QStringLiteral("“20/3” is not a number."));
+        QTest::keyClick(rate, Qt::Key_Escape);
+        QTest::keyClick(rate, Qt::Key_Return);
+        AWAIT(!form || !form->isVisible());
+        settle();
+        m_window->findChild<QFileDialog *>()->reject();
+        settle();
     }
 
     void offersVideosOnlyWhereTheyCanBeMade()
