@@ -46,7 +46,8 @@ private:
     struct Offer {
         Kept kept;
         Scene scene;
-        QString file; ///< that the scene was of; empty: of none
+        QString file;    ///< that the scene was of; empty: of none
+        FileState state; ///< of that file then
     };
     static Kept claim(const QString &path);
 

@@ -121,9 +121,10 @@ void SceneFile::open(const QString &path, const QStringList &reference)
     });
 }
 
-void SceneFile::restore(const Scene &scene, const QString &path, const std::function<void()> &goOn)
+void SceneFile::restore(const Scene &scene, const QString &path, const FileState &state,
+                        const std::function<void()> &goOn)
 {
-    askThen([this, opening = Opening{path, stateOf(path), scene, goOn}] { show(opening, opening.scene.reference); });
+    askThen([this, opening = Opening{path, state, scene, goOn}] { show(opening, opening.scene.reference); });
 }
 
 void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource> &reference)
