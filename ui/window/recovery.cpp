@@ -116,22 +116,35 @@ void Recovery::follow()
 /// In silence where it cannot be: saving says why.
 void Recovery::keep()
 {
+    if (m_writing.isRunning()) {
+        m_soon.start(kMostLost);
+        return;
+    }
     if (!m_own) {
         const QString name = QUuid::createUuid().toString(QUuid::Id128);
         QDir().mkpath(folder().path());
-        m_own = claim(folder().filePath(kPrefix + name + QStringLiteral(".json")));
+        m_own = std::make_shared<const Kept>(claim(folder().filePath(kPrefix + name + QStringLiteral(".json"))));
     }
     Scene scene = m_scene->scene();
     scene.asRead.insert(kFile, m_scene->path());
     scene.asRead.insert(kSize, m_scene->state().size);
     scene.asRead.insert(kChanged, m_scene->state().changed.toMSecsSinceEpoch());
-    writeScene(scene, m_own->path);
+    const auto write = [scene, own = m_own](const std::stop_token &stop, const auto &) {
+        const std::optional<QString> problem = writeScene(scene, own->path);
+        if (stop.stop_requested()) { // forgotten meanwhile
+            QFile::remove(own->path);
+        }
+        return problem;
+    };
+    m_writing.start(
+        write, [](const auto &) {}, [](const QString &) {});
 }
 
 void Recovery::forget()
 {
     m_soon.stop();
-    if (const std::optional<Kept> own = std::exchange(m_own, std::nullopt)) {
+    m_writing.drop();
+    if (const auto own = std::exchange(m_own, nullptr)) {
         QFile::remove(own->path);
     }
 }
@@ -209,7 +222,7 @@ void Recovery::restore()
         forget();
         const auto offer = std::ranges::find(m_offers, path, [](const Offer &o) { return o.kept.path; });
         if (offer != m_offers.end()) { // else it was discarded while the reference was read
-            m_own = std::move(offer->kept);
+            m_own = std::make_shared<const Kept>(std::move(offer->kept));
             m_offers.erase(offer);
         }
         keep();

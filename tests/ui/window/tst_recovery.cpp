@@ -15,11 +15,14 @@
 #include <QDir>
 #include <QMessageBox>
 #include <QProcess>
+#include <QScopeGuard>
+#include <QSemaphore>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 
 #ifdef Q_OS_UNIX
 #include <csignal>
@@ -87,7 +90,7 @@ private slots:
         QVERIFY(files().isEmpty());
         m_window->session().setParameter(Parameter::B, 70.0);
         m_window->session().setParameter(Parameter::C, 4.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 1);
         const Scene scene = std::get<Scene>(readScene(kept().first()));
         QCOMPARE(scene.parameters, m_window->session().parameters());
@@ -96,9 +99,38 @@ private slots:
         QVERIFY(m_window->scene().saveTo(m_settings->filePath(QStringLiteral("rig.json"))));
         QVERIFY(files().isEmpty());
         m_window->session().setParameter(Parameter::B, 71.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 1);
         m_window->session().undoStack().undo();
+        QVERIFY(files().isEmpty());
+    }
+
+    void aSlowDiskKeepsNobodyWaiting()
+    {
+        QThreadPool *pool = QThreadPool::globalInstance();
+        pool->setMaxThreadCount(1);
+        const auto disk = std::make_shared<QSemaphore>();
+        pool->start([disk] { disk->acquire(); });
+        const auto end = qScopeGuard([pool, disk] {
+            disk->release();
+            pool->setMaxThreadCount(QThread::idealThreadCount());
+        });
+        openWindow();
+        m_window->session().setParameter(Parameter::B, 70.0);
+        letTimePass(recovery());
+        QVERIFY(kept().isEmpty());
+        m_window->session().setParameter(Parameter::B, 71.0);
+        letTimePass(recovery()); // one at a time
+        disk->release();
+        finishAside();
+        QCOMPARE(std::get<Scene>(readScene(kept().value(0))).parameters.b, 70.0);
+        keep();
+        QCOMPARE(std::get<Scene>(readScene(kept().value(0))).parameters.b, 71.0);
+
+        m_window->session().setParameter(Parameter::B, 72.0);
+        letTimePass(recovery());
+        m_window->session().undoStack().setIndex(0); // while it is written
+        finishAside();
         QVERIFY(files().isEmpty());
     }
 
@@ -106,7 +138,7 @@ private slots:
     {
         openWindow();
         m_window->session().setParameter(Parameter::B, 70.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 1);
         m_window->close();
         m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))->button(QMessageBox::Discard)->click();
@@ -219,7 +251,7 @@ private slots:
         crash();
         openWindow();
         m_window->session().setParameter(Parameter::A, 11.0);
-        letTimePass(recovery());
+        keep();
         press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
         QCOMPARE(m_window->session().parameters().a, 11.0);
         const auto answer = [this](QMessageBox::StandardButton button) {
@@ -325,7 +357,7 @@ private slots:
         openWindow();
         QVERIFY(!offer());
         m_window->session().setParameter(Parameter::B, 80.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 2);
         m_window.reset();
         QCOMPARE(kept().size(), 1);
@@ -362,6 +394,13 @@ private:
         m_window = std::make_unique<MainWindow>();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+
+    /// What would be kept in a moment.
+    void keep()
+    {
+        letTimePass(recovery());
+        finishAside();
     }
 
     Recovery &recovery()

@@ -171,6 +171,17 @@ private slots:
         QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("motion.csv")));
     }
 
+    void aSecondAnimationIsRefusedInWords()
+    {
+        Animation animation = m_window->exports().animationOnShow();
+        animation.size = {QSize(100, 100), 1.0};
+        m_window->exports().writeAnimation(m_folder.filePath(QStringLiteral("first.png")), animation);
+        m_window->exports().writeAnimation(m_folder.filePath(QStringLiteral("second.png")), animation);
+        const auto *bar = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("still being written")));
+        QVERIFY(m_window->exports().cancel());
+    }
+
     void bothAreAskedAbout()
     {
         startWriting();
