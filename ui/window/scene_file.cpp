@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/scene_file.h"
 
+#include "ui/controls/number_box.h"
 #include "ui/controls/save_dialog.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
@@ -56,6 +57,13 @@ bool SceneFile::isModified() const
     return !m_session->undoStack().isClean();
 }
 
+void SceneFile::takeWhatIsTyped()
+{
+    if (auto *box = qobject_cast<NumberBox *>(m_window->focusWidget())) {
+        box->commit();
+    }
+}
+
 Scene SceneFile::scene() const
 {
     return {.parameters = m_session->parameters(),
@@ -73,6 +81,7 @@ Scene SceneFile::scene() const
 
 void SceneFile::askThen(const std::function<void()> &goOn)
 {
+    takeWhatIsTyped();
     if (!isModified()) {
         goOn();
         return;
@@ -177,6 +186,7 @@ void SceneFile::chooseAndOpen()
 
 void SceneFile::save(const std::function<void()> &goOn)
 {
+    takeWhatIsTyped();
     if (m_path.isEmpty()) {
         saveAs(goOn);
     } else if (QFileInfo::exists(m_path) && stateOf(m_path) != m_state) {

@@ -30,6 +30,9 @@ public:
     const FileState &state() const { return m_state; } ///< of the file there, as it was opened or saved last
     bool isModified() const;
 
+    /// Before saving and asking: a number that is typed and not entered yet belongs to what is on show.
+    void takeWhatIsTyped();
+
     /// What is on show, as it would be saved now.
     Scene scene() const;
 
