@@ -40,6 +40,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <stop_token>
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -172,6 +173,7 @@ private slots:
     void theWindowHasLittleRoom_data() { nameSaves(); }
     void theWindowHasLittleRoom();
     void theDiskLosesWhatItTook();
+    void isNotReplacedWhenStopped();
     void theSettingsHaveNoRoom();
     void isKilledAtAnyInstant();
 
@@ -471,6 +473,24 @@ void TstFaults::theDiskLosesWhatItTook()
     failCall("", 0);
     QCOMPARE(reason, qt_error_string(EIO));
     QCOMPARE(namesIn(folder.path()), QStringList());
+}
+
+void TstFaults::isNotReplacedWhenStopped()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("x.csv"));
+    QVERIFY(!writeWhole(path, "older"));
+    {
+        WholeFile file(path);
+        QVERIFY(file.open() && file.write("newer"));
+        std::stop_source stop;
+        stop.request_stop(); // while the disk takes its time
+        QVERIFY(!file.commit(stop.get_token()));
+    }
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("older"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
 void TstFaults::theSettingsHaveNoRoom()

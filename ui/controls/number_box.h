@@ -58,6 +58,9 @@ public:
     /// The text is somebody's, and another one than the box would show.
     bool isTyping() const;
 
+    /// Takes what was typed, as Enter does.
+    void commit();
+
     /// Shown behind the number, with the space that belongs there: " mm", "°".
     void setSuffix(const QString &suffix);
 
@@ -92,7 +95,6 @@ private:
     QString textFor(double value) const;
     void showValue();
     void selectFromItsEnd();
-    void commit();
     void take(double value);
     QString refusalOf(double value) const; ///< empty: it is taken
     void refuse(const QString &sentence);

@@ -69,9 +69,9 @@ bool WholeFile::synchronize()
     return true;
 }
 
-bool WholeFile::commit()
+bool WholeFile::commit(const std::stop_token &stop)
 {
-    return !m_failed && synchronize() && (m_file.commit() || fail(m_file.errorString()));
+    return !m_failed && synchronize() && !stop.stop_requested() && (m_file.commit() || fail(m_file.errorString()));
 }
 
 QString withoutFullStop(QString reason)

@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <optional>
+#include <stop_token>
 
 namespace slidercrank
 {
@@ -21,7 +22,7 @@ public:
     /// These are false when it cannot be; then nothing more is written, and reason() says why.
     bool open();
     bool write(const QByteArray &bytes);
-    bool commit(); ///< without, all was for nothing
+    bool commit(const std::stop_token &stop = {}); ///< without, all was for nothing; so it is when stopped by then
 
     /// Part of a sentence, without its full stop.
     QString reason() const { return m_reason; }

@@ -139,10 +139,8 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
     } else {
         sampleInPieces(result.mechanism, result.sampling, channels, result.solver, take, stop);
     }
-    if (stop.stop_requested()) {
-        return std::nullopt; // what was there is still there
-    }
-    return file.commit() ? std::nullopt : std::optional(failure());
+    const bool isWritten = !stop.stop_requested() && file.commit(stop); // which may take long as well
+    return isWritten || stop.stop_requested() ? std::nullopt : std::optional(failure());
 }
 
 } // namespace slidercrank

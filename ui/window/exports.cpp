@@ -191,6 +191,7 @@ void Exports::chooseAnimationFile(const Animation &animation)
 void Exports::writeAnimation(const QString &path, const Animation &animation)
 {
     if (m_animation) {
+        refuseAnother();
         return;
     }
     const QStringList older = AnimationExport::olderFrames(path, animation.frameCount());
@@ -244,13 +245,18 @@ void Exports::film(const QString &path, const Animation &animation)
 void Exports::writeAside(const QString &path, const Work &work, const Finish &finish)
 {
     if (m_aside->isRunning()) {
-        emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
+        refuseAnother();
         return;
     }
     const auto done = [this, path, finish](const std::optional<QString> &problem) {
         tellWritten(path, problem || !finish ? problem : finish());
     };
     m_aside->start(work, done, [this](const QString &problem) { emit problemFound(problem); });
+}
+
+void Exports::refuseAnother()
+{
+    emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
 }
 
 bool Exports::isWriting() const

@@ -87,6 +87,7 @@ private:
     using Work = std::function<std::optional<QString>(const std::stop_token &, const WorkAside::Progress &)>;
     using Finish = std::function<std::optional<QString>()>;
     void writeAside(const QString &path, const Work &work, const Finish &finish = {});
+    void refuseAnother();
     void tellWritten(const QString &path, const std::optional<QString> &problem);
 
     Session *m_session;

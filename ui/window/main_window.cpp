@@ -454,6 +454,7 @@ void MainWindow::setTheme(Theme theme)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    m_scene->takeWhatIsTyped();
     if (!m_isLeaving && (m_scene->isModified() || m_exports->isWriting())) {
         event->ignore();
         m_scene->askThen([this] {

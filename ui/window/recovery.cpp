@@ -21,6 +21,12 @@
 #include <utility>
 #include <variant>
 
+#ifdef Q_OS_UNIX
+#include <cerrno>
+
+#include <signal.h>
+#endif
+
 namespace slidercrank
 {
 
@@ -29,8 +35,10 @@ namespace
 
 constexpr std::chrono::seconds kMostLost{2};
 
-const QString kPrefix = QStringLiteral("recovery_"); // of the files' names
-const QString kFile = QStringLiteral("recoveryOf");  // key of the file that the scene was of
+const QString kPrefix = QStringLiteral("recovery_");          // of the files' names
+const QString kFile = QStringLiteral("recoveryOf");           // key of the file that the scene was of
+const QString kSize = QStringLiteral("recoveryOfSize");       // of that file, bytes
+const QString kChanged = QStringLiteral("recoveryOfChanged"); // when that file was, ms
 
 /// Beside the settings, which on Windows are in no file.
 QDir folder()
@@ -49,6 +57,20 @@ QJsonObject contentOf(Scene scene)
     QJsonObject content = QJsonDocument::fromJson(jsonOf(scene, folder().filePath(kFile))).object();
     content.remove(QStringLiteral("view"));
     return content;
+}
+
+/// By a window that is open. Where no lock can be made, as on a full disk, also the one that a crash left stays.
+bool isHeld(const QLockFile &lock)
+{
+#ifdef Q_OS_UNIX
+    qint64 process = 0;
+    QString machine;
+    QString program;
+    if (lock.getLockInfo(&process, &machine, &program) && machine == QSysInfo::machineHostName()) {
+        return ::kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
+    }
+#endif
+    return lock.error() == QLockFile::LockFailedError;
 }
 
 } // namespace
@@ -76,7 +98,7 @@ Recovery::Kept Recovery::claim(const QString &path)
 {
     Kept kept{path, std::make_unique<QLockFile>(path + QStringLiteral(".lock"))};
     kept.lock->setStaleLockTime(0); // only with its process
-    if (!kept.lock->tryLock()) {
+    if (!kept.lock->tryLock() && isHeld(*kept.lock)) {
         kept.lock = nullptr;
     }
     return kept;
@@ -94,20 +116,35 @@ void Recovery::follow()
 /// In silence where it cannot be: saving says why.
 void Recovery::keep()
 {
+    if (m_writing.isRunning()) {
+        m_soon.start(kMostLost);
+        return;
+    }
     if (!m_own) {
         const QString name = QUuid::createUuid().toString(QUuid::Id128);
         QDir().mkpath(folder().path());
-        m_own = claim(folder().filePath(kPrefix + name + QStringLiteral(".json")));
+        m_own = std::make_shared<const Kept>(claim(folder().filePath(kPrefix + name + QStringLiteral(".json"))));
     }
     Scene scene = m_scene->scene();
     scene.asRead.insert(kFile, m_scene->path());
-    writeScene(scene, m_own->path);
+    scene.asRead.insert(kSize, m_scene->state().size);
+    scene.asRead.insert(kChanged, m_scene->state().changed.toMSecsSinceEpoch());
+    const auto write = [scene, own = m_own](const std::stop_token &stop, const auto &) {
+        const std::optional<QString> problem = writeScene(scene, own->path);
+        if (stop.stop_requested()) { // forgotten meanwhile
+            QFile::remove(own->path);
+        }
+        return problem;
+    };
+    m_writing.start(
+        write, [](const auto &) {}, [](const QString &) {});
 }
 
 void Recovery::forget()
 {
     m_soon.stop();
-    if (const std::optional<Kept> own = std::exchange(m_own, std::nullopt)) {
+    m_writing.drop();
+    if (const auto own = std::exchange(m_own, nullptr)) {
         QFile::remove(own->path);
     }
 }
@@ -127,20 +164,21 @@ void Recovery::findOffers()
         std::variant<Scene, QString> outcome = readScene(kept.path);
         if (Scene *scene = std::get_if<Scene>(&outcome)) {
             const QString of = scene->asRead.take(kFile).toString();
-            m_offers.push_back({std::move(kept), std::move(*scene), of});
+            const qint64 size = scene->asRead.take(kSize).toInteger();
+            const QDateTime changed = QDateTime::fromMSecsSinceEpoch(scene->asRead.take(kChanged).toInteger());
+            m_offers.push_back({std::move(kept), std::move(*scene), of, {size, changed}});
         }
     }
 }
 
 void Recovery::dropWhatIsOnShow()
 {
-    if (m_offers.empty()) {
-        return;
+    if (!m_offers.empty()) {
+        const QJsonObject shown = contentOf(m_scene->scene());
+        std::erase_if(m_offers, [&shown](const Offer &offer) {
+            return contentOf(offer.scene) == shown && QFile::remove(offer.kept.path);
+        });
     }
-    const QJsonObject shown = contentOf(m_scene->scene());
-    std::erase_if(m_offers, [&shown](const Offer &offer) {
-        return contentOf(offer.scene) == shown && QFile::remove(offer.kept.path);
-    });
     showOffer();
 }
 
@@ -176,17 +214,21 @@ void Recovery::sayAgain()
     }
 }
 
-/// The file is kept on for what is on show then.
+/// The file is kept on for what is on show then. Until then it is offered: the person may think better of it.
 void Recovery::restore()
 {
-    const QString path = m_offers.front().kept.path;
-    m_scene->restore(m_offers.front().scene, m_offers.front().file, [this, path] {
-        const auto offer = std::ranges::find(m_offers, path, [](const Offer &o) { return o.kept.path; });
+    const Offer &chosen = m_offers.front();
+    const auto take = [this, path = chosen.kept.path] {
         forget();
-        m_own = std::move(offer->kept);
-        m_offers.erase(offer);
+        const auto offer = std::ranges::find(m_offers, path, [](const Offer &o) { return o.kept.path; });
+        if (offer != m_offers.end()) { // else it was discarded while the reference was read
+            m_own = std::make_shared<const Kept>(std::move(offer->kept));
+            m_offers.erase(offer);
+        }
         keep();
-    });
+    };
+    m_scene->restore(chosen.scene, chosen.file, chosen.state, take);
+    showOffer();
 }
 
 void Recovery::discard()

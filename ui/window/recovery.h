@@ -6,6 +6,7 @@
 // lock goes with the process that keeps it, so that two windows take nothing from each other.
 
 #include "ui/document/scene.h"
+#include "ui/document/work_aside.h"
 
 #include <QLockFile>
 #include <QObject>
@@ -13,7 +14,6 @@
 #include <QTimer>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 class QVBoxLayout;
@@ -46,7 +46,8 @@ private:
     struct Offer {
         Kept kept;
         Scene scene;
-        QString file; ///< that the scene was of; empty: of none
+        QString file;    ///< that the scene was of; empty: of none
+        FileState state; ///< of that file then
     };
     static Kept claim(const QString &path);
 
@@ -63,8 +64,9 @@ private:
     QVBoxLayout *m_column;
     MessageBar *m_bar = nullptr; ///< once there was something to offer
     QTimer m_soon{this};
-    std::optional<Kept> m_own;
-    std::vector<Offer> m_offers; ///< the one on show first
+    WorkAside m_writing;               ///< a disk may be slow
+    std::shared_ptr<const Kept> m_own; ///< null: there is nothing to keep
+    std::vector<Offer> m_offers;       ///< the one on show first
 };
 
 } // namespace slidercrank

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/scene_file.h"
 
+#include "ui/controls/number_box.h"
 #include "ui/controls/save_dialog.h"
 #include "ui/document/byte_stream.h"
 #include "ui/mechanism/mechanism_view.h"
@@ -57,6 +58,13 @@ bool SceneFile::isModified() const
     return !m_session->undoStack().isClean();
 }
 
+void SceneFile::takeWhatIsTyped()
+{
+    if (auto *box = qobject_cast<NumberBox *>(m_window->focusWidget())) {
+        box->commit();
+    }
+}
+
 Scene SceneFile::scene() const
 {
     return {.parameters = m_session->parameters(),
@@ -74,6 +82,7 @@ Scene SceneFile::scene() const
 
 void SceneFile::askThen(const std::function<void()> &goOn)
 {
+    takeWhatIsTyped();
     if (!isModified()) {
         goOn();
         return;
@@ -122,9 +131,10 @@ void SceneFile::open(const QString &path, const QStringList &reference)
     });
 }
 
-void SceneFile::restore(const Scene &scene, const QString &path, const std::function<void()> &goOn)
+void SceneFile::restore(const Scene &scene, const QString &path, const FileState &state,
+                        const std::function<void()> &goOn)
 {
-    askThen([this, opening = Opening{path, stateOf(path), scene, goOn}] { show(opening, opening.scene.reference); });
+    askThen([this, opening = Opening{path, state, scene, goOn}] { show(opening, opening.scene.reference); });
 }
 
 void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource> &reference)
@@ -177,6 +187,7 @@ void SceneFile::chooseAndOpen()
 
 void SceneFile::save(const std::function<void()> &goOn)
 {
+    takeWhatIsTyped();
     if (m_path.isEmpty()) {
         saveAs(goOn);
     } else if (QFileInfo::exists(m_path) && stateOf(m_path) != m_state) {

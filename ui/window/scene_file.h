@@ -26,8 +26,12 @@ public:
     /// `window`: whose session and rooms these are, and in front of which is asked.
     SceneFile(Session *session, const Rooms &rooms, QWidget *window);
 
-    const QString &path() const { return m_path; } ///< empty: never saved
+    const QString &path() const { return m_path; }     ///< empty: never saved
+    const FileState &state() const { return m_state; } ///< of the file there, as it was opened or saved last
     bool isModified() const;
+
+    /// Before saving and asking: a number that is typed and not entered yet belongs to what is on show.
+    void takeWhatIsTyped();
 
     /// What is on show, as it would be saved now.
     Scene scene() const;
@@ -35,9 +39,9 @@ public:
     /// Goes on at once where nothing would be lost; otherwise asks first, and goes on unless the person cancels.
     void askThen(const std::function<void()> &goOn);
 
-    /// Puts on show, unsaved, what was left of the file at `path`; empty: of none. Asks about unsaved changes first,
-    /// then goes on once it is there.
-    void restore(const Scene &scene, const QString &path, const std::function<void()> &goOn);
+    /// Puts on show, unsaved, what was left of the file at `path`, which was in that state; empty: of none. Asks about
+    /// unsaved changes first, then goes on once it is there.
+    void restore(const Scene &scene, const QString &path, const FileState &state, const std::function<void()> &goOn);
 
 public slots:
     /// Asks about unsaved changes first. With a reference, that instead of the scene's own.
@@ -73,7 +77,7 @@ private:
     const Rooms &m_rooms;
     QWidget *m_window;
     QString m_path;
-    FileState m_state;                        ///< of the file there, as it was opened or saved last
+    FileState m_state;
     QJsonObject m_asRead;                     ///< of the file at m_path
     std::optional<ReferenceSource> m_missing; ///< of the scene, which is open without it: saved again all the same
     std::optional<Opening> m_opening;         ///< while its reference is read

@@ -15,11 +15,20 @@
 #include <QDir>
 #include <QMessageBox>
 #include <QProcess>
+#include <QScopeGuard>
+#include <QSemaphore>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
+
+#ifdef Q_OS_UNIX
+#include <csignal>
+
+#include <sys/resource.h>
+#endif
 
 using namespace slidercrank;
 
@@ -46,7 +55,9 @@ int editAndWait(const QString &settings, const QString &scene)
     if (!scene.isEmpty()) {
         QSignalSpy opened(&window.session(), &Session::opened);
         window.scene().open(scene);
-        opened.wait(kPatience);
+        if (opened.empty()) {
+            opened.wait(kPatience);
+        }
     }
     window.session().setParameter(Parameter::B, 70.0);
     letTimePass(*window.findChild<Recovery *>());
@@ -79,7 +90,7 @@ private slots:
         QVERIFY(files().isEmpty());
         m_window->session().setParameter(Parameter::B, 70.0);
         m_window->session().setParameter(Parameter::C, 4.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 1);
         const Scene scene = std::get<Scene>(readScene(kept().first()));
         QCOMPARE(scene.parameters, m_window->session().parameters());
@@ -88,9 +99,38 @@ private slots:
         QVERIFY(m_window->scene().saveTo(m_settings->filePath(QStringLiteral("rig.json"))));
         QVERIFY(files().isEmpty());
         m_window->session().setParameter(Parameter::B, 71.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 1);
         m_window->session().undoStack().undo();
+        QVERIFY(files().isEmpty());
+    }
+
+    void aSlowDiskKeepsNobodyWaiting()
+    {
+        QThreadPool *pool = QThreadPool::globalInstance();
+        pool->setMaxThreadCount(1);
+        const auto disk = std::make_shared<QSemaphore>();
+        pool->start([disk] { disk->acquire(); });
+        const auto end = qScopeGuard([pool, disk] {
+            disk->release();
+            pool->setMaxThreadCount(QThread::idealThreadCount());
+        });
+        openWindow();
+        m_window->session().setParameter(Parameter::B, 70.0);
+        letTimePass(recovery());
+        QVERIFY(kept().isEmpty());
+        m_window->session().setParameter(Parameter::B, 71.0);
+        letTimePass(recovery()); // one at a time
+        disk->release();
+        finishAside();
+        QCOMPARE(std::get<Scene>(readScene(kept().value(0))).parameters.b, 70.0);
+        keep();
+        QCOMPARE(std::get<Scene>(readScene(kept().value(0))).parameters.b, 71.0);
+
+        m_window->session().setParameter(Parameter::B, 72.0);
+        letTimePass(recovery());
+        m_window->session().undoStack().setIndex(0); // while it is written
+        finishAside();
         QVERIFY(files().isEmpty());
     }
 
@@ -98,7 +138,7 @@ private slots:
     {
         openWindow();
         m_window->session().setParameter(Parameter::B, 70.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 1);
         m_window->close();
         m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))->button(QMessageBox::Discard)->click();
@@ -211,13 +251,87 @@ private slots:
         crash();
         openWindow();
         m_window->session().setParameter(Parameter::A, 11.0);
-        letTimePass(recovery());
+        keep();
         press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
         QCOMPARE(m_window->session().parameters().a, 11.0);
-        m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))->button(QMessageBox::Discard)->click();
+        const auto answer = [this](QMessageBox::StandardButton button) {
+            m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))->button(button)->click();
+            settle();
+        };
+        answer(QMessageBox::Cancel);
+        QCOMPARE(m_window->session().parameters().a, 11.0);
+        QVERIFY(offer()->isVisible()); // as before
+        press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
+        answer(QMessageBox::Discard);
         QCOMPARE(m_window->session().parameters().a, Parameters().a);
         QCOMPARE(m_window->session().parameters().b, 70.0);
+        QVERIFY(!offer()->isVisible());
         QCOMPARE(kept().size(), 1);
+    }
+
+    void isOfferedWhileItsReferenceIsRead()
+    {
+        const QString rig = m_settings->filePath(QStringLiteral("rig.json"));
+        Scene scene;
+        scene.reference = ReferenceSource{{kSample}, {}, {}};
+        QCOMPARE(writeScene(scene, rig), std::nullopt);
+        editElsewhere(rig);
+        crash();
+        openWindow();
+        press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
+        m_window->session().cancel();
+        finishAside();
+        QVERIFY(!m_window->session().reference());
+        press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
+        press(QStringLiteral("messageDismiss"), QStringLiteral("Discard"));
+        AWAIT(m_window->session().reference()); // it is there all the same, and kept
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY(!offer()->isVisible());
+        QCOMPARE(kept().size(), 1);
+    }
+
+    void whatWasChangedElsewhereSinceIsAskedAbout()
+    {
+        const QString rig = m_settings->filePath(QStringLiteral("rig.json"));
+        QCOMPARE(writeScene(Scene(), rig), std::nullopt);
+        editElsewhere(rig);
+        crash();
+        Scene other;
+        other.parameters.b = 81.25;
+        QCOMPARE(writeScene(other, rig), std::nullopt);
+        openWindow();
+        press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
+        m_window->scene().save();
+        auto *asked = m_window->findChild<QMessageBox *>(QStringLiteral("changedQuestion"));
+        QVERIFY(asked && asked->isVisible());
+        QCOMPARE(std::get<Scene>(readScene(rig)).parameters.b, 81.25);
+    }
+
+    void isOfferedWhereThereIsNoRoom()
+    {
+#ifdef Q_OS_UNIX
+        const auto openWithoutRoom = [this] {
+            m_window.reset();
+            std::signal(SIGXFSZ, SIG_IGN);
+            rlimit before{};
+            getrlimit(RLIMIT_FSIZE, &before);
+            const rlimit none{0, before.rlim_max};
+            setrlimit(RLIMIT_FSIZE, &none);
+            openWindow();
+            setrlimit(RLIMIT_FSIZE, &before);
+        };
+        editElsewhere();
+        openWithoutRoom();
+        QVERIFY(!offer()); // it is another window's
+        crash();
+        openWithoutRoom();
+        QVERIFY(offer() && offer()->isVisible());
+        press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+#else
+        QSKIP("a small disk is made by what only Unix has");
+#endif
     }
 
     void offersNothingThatIsOnShowAnyway()
@@ -243,7 +357,7 @@ private slots:
         openWindow();
         QVERIFY(!offer());
         m_window->session().setParameter(Parameter::B, 80.0);
-        letTimePass(recovery());
+        keep();
         QCOMPARE(kept().size(), 2);
         m_window.reset();
         QCOMPARE(kept().size(), 1);
@@ -282,9 +396,22 @@ private:
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     }
 
-    Recovery &recovery() { return *m_window->findChild<Recovery *>(); }
+    /// What would be kept in a moment.
+    void keep()
+    {
+        letTimePass(recovery());
+        finishAside();
+    }
 
-    const MessageBar *offer() { return m_window->findChild<MessageBar *>(QStringLiteral("recoveryBar")); }
+    Recovery &recovery()
+    {
+        return *m_window->findChild<Recovery *>();
+    }
+
+    const MessageBar *offer()
+    {
+        return m_window->findChild<MessageBar *>(QStringLiteral("recoveryBar"));
+    }
 
     void press(const QString &name, const QString &text)
     {
@@ -302,7 +429,10 @@ private:
         }
         return paths;
     }
-    QStringList kept() const { return files(QStringLiteral("recovery_*.json")); }
+    QStringList kept() const
+    {
+        return files(QStringLiteral("recovery_*.json"));
+    }
 
     /// Of a scene's file.
     static QStringList jsonKeys()

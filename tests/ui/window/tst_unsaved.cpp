@@ -3,6 +3,7 @@
 // What would be lost is asked about first: edits made while a scene is on its way, and files still being written.
 
 #include "ui/controls/message_bar.h"
+#include "ui/controls/number_box.h"
 #include "ui/export/animation_export.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
@@ -124,6 +125,28 @@ private slots:
         QVERIFY(!m_window->isWindowModified());
     }
 
+    void whatIsTypedAndNotEnteredCounts()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("typed.json"));
+        QVERIFY(m_window->scene().saveTo(path));
+        const auto type = [this](const QString &text) {
+            auto *box = m_window->findChild<NumberBox *>(QStringLiteral("box_b"));
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, text);
+        };
+        type(QStringLiteral("70"));
+        QVERIFY(!m_window->isWindowModified());
+        m_window->scene().save();
+        QCOMPARE(std::get<Scene>(readScene(path)).parameters.b, 70.0);
+        type(QStringLiteral("71"));
+        m_window->close();
+        QVERIFY(m_window->isVisible() && question("unsavedQuestion"));
+        question("unsavedQuestion")->button(QMessageBox::Save)->click();
+        QVERIFY(!m_window->isVisible());
+        QCOMPARE(std::get<Scene>(readScene(path)).parameters.b, 71.0);
+    }
+
     void aCloseWaitsForTheFileThatIsBeingWritten()
     {
         const QString path = startWriting();
@@ -169,6 +192,17 @@ private slots:
         settle();
         QVERIFY(m_window->isVisible() && !question("writingQuestion"));
         QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("motion.csv")));
+    }
+
+    void aSecondAnimationIsRefusedInWords()
+    {
+        Animation animation = m_window->exports().animationOnShow();
+        animation.size = {QSize(100, 100), 1.0};
+        m_window->exports().writeAnimation(m_folder.filePath(QStringLiteral("first.png")), animation);
+        m_window->exports().writeAnimation(m_folder.filePath(QStringLiteral("second.png")), animation);
+        const auto *bar = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
+        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("still being written")));
+        QVERIFY(m_window->exports().cancel());
     }
 
     void bothAreAskedAbout()
