@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What Qt hands from one thread to another, it guards where the thread sanitizer does not look: Qt's libraries are not
-// compiled with it. Here are the ways that the program uses, told to it. Linked to the tests that it watches only:
-// these stand in front of Qt's functions of the same names.
+// compiled with it. Here are the ways that the program uses, told to it. Linked to what it watches only: these stand in
+// front of Qt's functions of the same names.
 
 #include <QMetaObject>
 #include <QRunnable>
@@ -11,7 +11,9 @@
 #include <sanitizer/tsan_interface.h>
 
 #include <dlfcn.h>
+#include <sched.h>
 
+#include <cstdarg>
 #include <functional>
 #include <utility>
 
@@ -75,6 +77,21 @@ private:
 extern "C" const char *__tsan_default_options()
 {
     return "die_after_fork=0";
+}
+
+/// QProcess lets its child work in the parent's memory until it is another program, and the sanitizer takes the parent
+/// to be that child from then on: so a memory of its own.
+extern "C" int clone(int (*function)(void *), void *stack, int flags, void *argument, ...) noexcept
+{
+    using Clone = int (*)(int (*)(void *), void *, int, void *, ...);
+    static const auto real = reinterpret_cast<Clone>(dlsym(RTLD_NEXT, "clone"));
+    std::va_list more;
+    va_start(more, argument);
+    auto *const parentsName = va_arg(more, void *);
+    auto *const threadsOwn = va_arg(more, void *);
+    auto *const childsName = va_arg(more, void *);
+    va_end(more);
+    return real(function, stack, flags & ~(CLONE_VM | CLONE_VFORK), argument, parentsName, threadsOwn, childsName);
 }
 
 void QThreadPool::start(std::function<void()> work, int priority)
