@@ -190,7 +190,7 @@ void Exports::chooseAnimationFile(const Animation &animation)
 
 void Exports::writeAnimation(const QString &path, const Animation &animation)
 {
-    if (m_animation) {
+    if (refusesAnother()) {
         return;
     }
     const QStringList older = AnimationExport::olderFrames(path, animation.frameCount());
@@ -243,8 +243,7 @@ void Exports::film(const QString &path, const Animation &animation)
 
 void Exports::writeAside(const QString &path, const Work &work, const Finish &finish)
 {
-    if (m_aside->isRunning()) {
-        emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
+    if (refusesAnother()) {
         return;
     }
     const auto done = [this, path, finish](const std::optional<QString> &problem) {
@@ -256,6 +255,14 @@ void Exports::writeAside(const QString &path, const Work &work, const Finish &fi
 bool Exports::isWriting() const
 {
     return m_animation || m_aside->isRunning();
+}
+
+bool Exports::refusesAnother()
+{
+    if (isWriting()) {
+        emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
+    }
+    return isWriting();
 }
 
 void Exports::finishThen(const std::function<void()> &goOn)

@@ -81,6 +81,7 @@ signals:
 private:
     void chooseAnimationFile(const Animation &animation);
     void film(const QString &path, const Animation &animation);
+    bool refusesAnother(); ///< and says so: one file, or all of an animation, at a time
 
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
     /// sentence where nothing was written.
