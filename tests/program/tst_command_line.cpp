@@ -2498,7 +2498,6 @@ void TestCommandLine::leavesNothingBehindWhenInterrupted()
     QSKIP("Windows has no signal by which one program asks another to end.");
 #endif
     QFETCH(const QString, name);
-    QFETCH(const int, signal);
     if (!name.endsWith(QLatin1String("png")) && QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
         QSKIP("There is no ffmpeg here to make a video.");
     }
@@ -2509,6 +2508,7 @@ void TestCommandLine::leavesNothingBehindWhenInterrupted()
                   {"render", "--what", "frames", "--duration", "1000", "--output", folder.filePath(name)});
     AWAIT(!QDir(folder.path()).isEmpty()); // it is at work
 #ifdef Q_OS_UNIX
+    QFETCH(const int, signal);
     QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
 #endif
     QVERIFY(process.waitForFinished(slidercrank::kPatience));

@@ -363,11 +363,28 @@ private slots:
         QVERIFY(cancel->isVisible());
         m_window->exports().writeData(m_folder->filePath(QStringLiteral("other.csv")), plottedChannels());
         QVERIFY2(m_said->text().contains(QStringLiteral("still being written")), qPrintable(m_said->text()));
+        m_said->showMessage(MessageBar::Kind::Hint, {});
+        writeFrames();
+        QVERIFY2(m_said->text().contains(QStringLiteral("still being written")), qPrintable(m_said->text()));
         QTest::mouseClick(cancel, Qt::LeftButton);
         AWAIT(!cancel->isVisible());
         QVERIFY2(m_said->text().contains(QStringLiteral("nothing was written")), qPrintable(m_said->text()));
         QCOMPARE(contentOf(path), QByteArray("older"));
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList(QStringLiteral("long.csv")));
+    }
+
+    void nothingElseIsWrittenWhileThereAreFrames()
+    {
+        writeFrames();
+        for (const bool isAside : {true, false}) {
+            m_said->showMessage(MessageBar::Kind::Hint, {});
+            isAside ? m_window->exports().writeData(m_folder->filePath(QStringLiteral("x.csv")), plottedChannels())
+                    : writeFrames();
+            QVERIFY2(m_said->text().contains(QStringLiteral("still being written")), qPrintable(m_said->text()));
+        }
+        QVERIFY(m_window->exports().cancel());
+        settle();
+        QVERIFY(QDir(m_folder->path()).isEmpty());
     }
 
     void anotherLanguageMeanwhileDoesNoHarm()
@@ -529,8 +546,7 @@ private slots:
         Sampling sampling;
         sampling.duration = 0.1;
         m_window->session().setSampling(sampling);
-        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")),
-                                           m_window->exports().animationOnShow());
+        writeFrames();
         AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "frames", "--duration", "0.1", "--size", "400x300", "--output",
@@ -631,6 +647,12 @@ private slots:
     }
 
 private:
+    void writeFrames()
+    {
+        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")),
+                                           m_window->exports().animationOnShow());
+    }
+
     QTemporaryDir m_settings;
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<MainWindow> m_window;

@@ -190,8 +190,7 @@ void Exports::chooseAnimationFile(const Animation &animation)
 
 void Exports::writeAnimation(const QString &path, const Animation &animation)
 {
-    if (m_animation) {
-        refuseAnother();
+    if (refusesAnother()) {
         return;
     }
     const QStringList older = AnimationExport::olderFrames(path, animation.frameCount());
@@ -244,8 +243,7 @@ void Exports::film(const QString &path, const Animation &animation)
 
 void Exports::writeAside(const QString &path, const Work &work, const Finish &finish)
 {
-    if (m_aside->isRunning()) {
-        refuseAnother();
+    if (refusesAnother()) {
         return;
     }
     const auto done = [this, path, finish](const std::optional<QString> &problem) {
@@ -254,14 +252,17 @@ void Exports::writeAside(const QString &path, const Work &work, const Finish &fi
     m_aside->start(work, done, [this](const QString &problem) { emit problemFound(problem); });
 }
 
-void Exports::refuseAnother()
-{
-    emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
-}
-
 bool Exports::isWriting() const
 {
     return m_animation || m_aside->isRunning();
+}
+
+bool Exports::refusesAnother()
+{
+    if (isWriting()) {
+        emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
+    }
+    return isWriting();
 }
 
 void Exports::finishThen(const std::function<void()> &goOn)

@@ -81,13 +81,13 @@ signals:
 private:
     void chooseAnimationFile(const Animation &animation);
     void film(const QString &path, const Animation &animation);
+    bool refusesAnother(); ///< and says so: one file, or all of an animation, at a time
 
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
     /// sentence where nothing was written.
     using Work = std::function<std::optional<QString>(const std::stop_token &, const WorkAside::Progress &)>;
     using Finish = std::function<std::optional<QString>()>;
     void writeAside(const QString &path, const Work &work, const Finish &finish = {});
-    void refuseAnother();
     void tellWritten(const QString &path, const std::optional<QString> &problem);
 
     Session *m_session;
