@@ -245,6 +245,25 @@ private slots:
         QVERIFY(m_timeline->isPlaying());
     }
 
+    void aRefusalCoversNoBoxThatHasTheFocus()
+    {
+        typeInto(QStringLiteral("box_a"), QStringLiteral("20/3"));
+        press(Qt::Key_Return);
+        const auto *refusal = child<QLabel>(QStringLiteral("refusalLabel"));
+        QVERIFY(refusal->isVisible());
+        auto *below = child<QAbstractSpinBox>(QStringLiteral("box_b"));
+        QVERIFY(refusal->geometry().intersects(below->geometry()));
+        below->setFocus();
+        QVERIFY(!refusal->isVisible());
+        child<QWidget>(QStringLiteral("box_c"))->setFocus();
+        QVERIFY(refusal->isVisible());
+        QCOMPARE(child<QAbstractSpinBox>(QStringLiteral("box_a"))->text(), QStringLiteral("20/3"));
+        child<QWidget>(QStringLiteral("box_a"))->setFocus();
+        press(Qt::Key_Escape);
+        child<QWidget>(QStringLiteral("box_c"))->setFocus();
+        QVERIFY(!refusal->isVisible());
+    }
+
     void spaceBelongsToAnOpenList()
     {
         auto *list = child<QComboBox>(QStringLiteral("branchBox"));
