@@ -585,6 +585,18 @@ private slots:
         QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
     }
 
+    void copiesWhatIsMarkedInASentence()
+    {
+        auto *sentence = child<QLabel>(QStringLiteral("messageText"));
+        QTest::mouseDClick(sentence, Qt::LeftButton, Qt::NoModifier, QPoint(10, sentence->height() / 2));
+        QVERIFY(sentence->hasSelectedText());
+        press(Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), sentence->selectedText());
+        sentence->setSelection(0, 0);
+        press(Qt::Key_C, Qt::ControlModifier); // nothing is marked
+        QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
+    }
+
     void aClickOnTheCurrentTabHidesNothing()
     {
         auto *tabs = m_window->findChild<FoldingTabs *>();
