@@ -6,6 +6,7 @@
 #include "ui/words/written_number.h"
 
 #include <QAccessible>
+#include <QApplication>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLabel>
@@ -347,7 +348,7 @@ QString NumberBox::refusalOf(double value) const
     return value > m_range.largest ? tr("This must be at most %1.").arg(withUnit(m_range.largest)) : QString();
 }
 
-/// Under the box, or above it where there is no room, over its neighbours: nothing moves.
+/// Under the box, or above it where there is no room, over its neighbours, but a box that has the focus: nothing moves.
 void NumberBox::refuse(const QString &sentence)
 {
     QWidget *around = parentWidget() ? parentWidget() : this;
@@ -361,6 +362,11 @@ void NumberBox::refuse(const QString &sentence)
         m_refusal->setAutoFillBackground(true);
         m_refusal->setBackgroundRole(QPalette::ToolTipBase);
         m_refusal->setForegroundRole(QPalette::ToolTipText);
+        connect(qApp, &QApplication::focusChanged, m_refusal, [label = m_refusal.data()](QWidget *, QWidget *now) {
+            const bool covers = qobject_cast<NumberBox *>(now) && now->parentWidget() == label->parentWidget() &&
+                                now->geometry().intersects(label->geometry());
+            label->setVisible(!label->text().isEmpty() && !covers); // one sees what one types
+        });
     }
     m_refusal->setText(sentence);
     constexpr int kAir = 12; // px: margin, frame, and what rounding takes
@@ -383,7 +389,8 @@ void NumberBox::refuse(const QString &sentence)
 
 void NumberBox::takeBackRefusal()
 {
-    if (m_refusal && !m_refusal->isHidden()) {
+    if (m_refusal && !m_refusal->text().isEmpty()) {
+        m_refusal->clear();
         m_refusal->hide();
         setAccessibleDescription({});
     }

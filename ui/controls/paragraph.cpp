@@ -38,7 +38,7 @@ Paragraph *plainText(const QString &text)
 {
     auto *paragraph = new Paragraph(text);
     paragraph->setTextFormat(Qt::PlainText);
-    paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard); // and copied by key
     return paragraph;
 }
 

@@ -103,7 +103,7 @@ SolverForm::SolverForm(QWidget *parent)
     outcome->addRow(tr("Largest residual ‖C‖"), m_residual);
     outcome->addRow(tr("Instants"), m_instants);
     for (QLabel *label : {m_iterationsDone, m_residual, m_instants, m_explanation}) {
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         label->setWordWrap(true);
     }
     m_residual->setToolTip(

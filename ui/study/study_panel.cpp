@@ -243,7 +243,7 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_export->setMenu(menu);
 
     m_summary = named("studySummary", new QLabel);
-    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_answer = named("studyAnswer", plainText());
 

@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
 
@@ -37,6 +38,13 @@ bool moves(const QWidget &widget, int key)
     }
     return qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget) ||
            (isArrow ? widget.inherits("QTabBar") || widget.inherits("QMenuBar") : widget.inherits("QComboBox"));
+}
+
+/// What is marked in a sentence.
+bool copies(const QWidget &widget, const QKeyEvent &key)
+{
+    const auto *sentence = qobject_cast<const QLabel *>(&widget);
+    return sentence && sentence->hasSelectedText() && key.matches(QKeySequence::Copy);
 }
 
 /// Enter on a button, or on a list that is closed.
@@ -106,7 +114,7 @@ bool KeyOwner::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::ShortcutOverride: {
         const auto *key = static_cast<QKeyEvent *>(event);
-        if (moves(*widget, key->key())) {
+        if (moves(*widget, key->key()) || copies(*widget, *key)) {
             event->accept();
             return true;
         }

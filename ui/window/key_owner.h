@@ -3,7 +3,8 @@
 
 // Who gets a key that several could use, and the wheel. Space plays and pauses wherever the focus is, but where it is
 // part of what somebody types, ticks a box or chooses from an open list; buttons are pressed with Enter. Arrows, Home
-// and End belong to the control that has a use for them. The wheel turns only what has the focus: elsewhere it scrolls.
+// and End belong to the control that has a use for them, and the key that copies to a text that is marked. The wheel
+// turns only what has the focus: elsewhere it scrolls.
 
 #include <QObject>
 

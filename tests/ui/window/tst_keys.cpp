@@ -245,6 +245,25 @@ private slots:
         QVERIFY(m_timeline->isPlaying());
     }
 
+    void aRefusalCoversNoBoxThatHasTheFocus()
+    {
+        typeInto(QStringLiteral("box_a"), QStringLiteral("20/3"));
+        press(Qt::Key_Return);
+        const auto *refusal = child<QLabel>(QStringLiteral("refusalLabel"));
+        QVERIFY(refusal->isVisible());
+        auto *below = child<QAbstractSpinBox>(QStringLiteral("box_b"));
+        QVERIFY(refusal->geometry().intersects(below->geometry()));
+        below->setFocus();
+        QVERIFY(!refusal->isVisible());
+        child<QWidget>(QStringLiteral("box_c"))->setFocus();
+        QVERIFY(refusal->isVisible());
+        QCOMPARE(child<QAbstractSpinBox>(QStringLiteral("box_a"))->text(), QStringLiteral("20/3"));
+        child<QWidget>(QStringLiteral("box_a"))->setFocus();
+        press(Qt::Key_Escape);
+        child<QWidget>(QStringLiteral("box_c"))->setFocus();
+        QVERIFY(!refusal->isVisible());
+    }
+
     void spaceBelongsToAnOpenList()
     {
         auto *list = child<QComboBox>(QStringLiteral("branchBox"));
@@ -563,6 +582,18 @@ private slots:
 
         child<QWidget>(QStringLiteral("mechanismView"))->setFocus(); // anywhere else the figure
         press(Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
+    }
+
+    void copiesWhatIsMarkedInASentence()
+    {
+        auto *sentence = child<QLabel>(QStringLiteral("messageText"));
+        QTest::mouseDClick(sentence, Qt::LeftButton, Qt::NoModifier, QPoint(10, sentence->height() / 2));
+        QVERIFY(sentence->hasSelectedText());
+        press(Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), sentence->selectedText());
+        sentence->setSelection(0, 0);
+        press(Qt::Key_C, Qt::ControlModifier); // nothing is marked
         QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
     }
 
