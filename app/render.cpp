@@ -13,6 +13,7 @@
 
 #include <QEventLoop>
 #include <QPalette>
+#include <QThreadPool>
 #include <QTimer>
 
 #include <atomic>
@@ -113,6 +114,7 @@ std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawi
         loop.exec();
     }
     film.reset(); // cancels what is not done
+    QThreadPool::globalInstance()->waitForDone();
     for (const int signal : {SIGINT, SIGTERM}) {
         std::signal(signal, SIG_DFL);
     }
