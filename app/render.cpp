@@ -13,6 +13,7 @@
 
 #include <QEventLoop>
 #include <QPalette>
+#include <QThreadPool>
 #include <QTimer>
 
 #include <atomic>
@@ -127,6 +128,7 @@ std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawi
         loop.exec();
     }
     film.reset(); // cancels what is not done
+    QThreadPool::globalInstance()->waitForDone();
     handleEndings(SIG_DFL);
     if (const int signal = interruption; signal != 0) {
         std::raise(signal); // so that who started the program sees how it ended

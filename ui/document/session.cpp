@@ -450,7 +450,7 @@ void Session::readAsPrinted()
     }
 }
 
-void Session::cancel()
+bool Session::cancel()
 {
     m_computation.drop();
     m_reading.drop();
@@ -463,7 +463,9 @@ void Session::cancel()
     } else { // they came with a scene, and no edit is to turn it into the one before
         edit(soonShown(m_choices), [] { return tr("showing the scene in less"); });
         emit problemFound(tr("Cancelled: what the scene asks for takes longer, and is left out. Undo computes it."));
+        return false;
     }
+    return true;
 }
 
 } // namespace slidercrank

@@ -103,8 +103,8 @@ public slots:
     void endDrag() { m_edits.endDrag(); }
 
     /// Stops what is computed or read aside. What is on show stays, and edits that have not come to be shown are taken
-    /// back.
-    void cancel();
+    /// back. False where it does not, because a scene asks for more: then problemFound says so.
+    bool cancel();
 
 signals:
     void parametersChanged(const slidercrank::Parameters &parameters); ///< the return edge, to the panels

@@ -168,7 +168,7 @@ void AnimationExport::start(const QString &path)
         end(tr("More than %1 frames: choose a shorter run or fewer frames a second.").arg(Animation::kMostFrames));
         return;
     }
-    m_folder = std::make_unique<QTemporaryDir>(QFileInfo(path).absoluteDir().filePath(QStringLiteral("frames-XXXXXX")));
+    m_folder = std::make_shared<QTemporaryDir>(QFileInfo(path).absoluteDir().filePath(QStringLiteral("frames-XXXXXX")));
     if (!m_folder->isValid()) {
         end(notWritten(path, m_folder->errorString()));
         return;
@@ -228,10 +228,32 @@ void AnimationExport::drawNext()
         QBuffer bytes;
         image.save(&bytes, "BMP");
         m_film->write(bytes.data());
-    } else if (const auto reason = writeWhole(m_folder->filePath(frameName(m_path, m_frame, count)), pngOf(image))) {
-        end(notWritten(m_path, *reason));
-        return;
+        goOn();
+    } else {
+        writeAside(image);
     }
+}
+
+void AnimationExport::writeAside(const QImage &image)
+{
+    const QString path = m_folder->filePath(frameName(m_path, m_frame, m_animation.frameCount()));
+    const auto write = [folder = m_folder, path, image](const std::stop_token &, const auto &) mutable {
+        const auto held = std::move(folder); // until it is written, and no longer
+        return writeWhole(path, pngOf(image));
+    };
+    const auto done = [this](const std::optional<QString> &reason) {
+        if (reason) {
+            end(notWritten(m_path, *reason));
+        } else {
+            goOn();
+        }
+    };
+    m_writing.start(write, done, [this](const QString &problem) { end(problem); });
+}
+
+void AnimationExport::goOn()
+{
+    const int count = m_animation.frameCount();
     ++m_frame;
     emit progressed(m_frame, count);
     if (m_frame < count) {

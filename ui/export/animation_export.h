@@ -4,6 +4,7 @@
 // The motion to numbered PNG frames, or to a video by ffmpeg where it is installed. One frame is drawn in each pass of
 // the event loop, so that nothing waits for it; everything is written or nothing.
 
+#include "ui/document/work_aside.h"
 #include "ui/export/figure_export.h"
 
 #include <QObject>
@@ -43,7 +44,7 @@ class AnimationExport : public QObject
 
 public:
     AnimationExport(const Animation &animation, const FrameDrawing &draw, QObject *parent = nullptr);
-    ~AnimationExport() override; ///< cancels it: nothing is left behind
+    ~AnimationExport() override; ///< cancels it: nothing is left behind once the frame under way is written
 
     /// What a file's name may end in: "png", and where ffmpeg is found "mp4", "webm", "gif".
     static QStringList suffixes();
@@ -66,6 +67,8 @@ signals:
 
 private:
     void drawNext();
+    void writeAside(const QImage &image); ///< a disk may be slow
+    void goOn();                          ///< after a frame
     QString putInPlace();
     QString filmPath() const; ///< until it is complete
     void startFilming();
@@ -76,7 +79,8 @@ private:
     Animation m_animation;
     FrameDrawing m_draw;
     QString m_path;
-    std::unique_ptr<QTemporaryDir> m_folder; ///< beside the path, until everything is there
+    std::shared_ptr<QTemporaryDir> m_folder; ///< beside the path, until everything is there
+    WorkAside m_writing;
     QProcess *m_film = nullptr;
     int m_frame = 0;
     bool m_running = false;

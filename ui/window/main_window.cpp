@@ -158,9 +158,12 @@ void MainWindow::connectDocument()
     connect(m_exports, &Exports::busyChanged, m_status, &StatusBar::setBusy);
     connect(m_exports, &Exports::progressed, m_status, &StatusBar::setProgress);
     connect(m_status, &StatusBar::cancelled, this, [this] {
-        m_session->cancel();
-        m_messages->tell(m_exports->cancel() ? tr("Cancelled: nothing was written.")
-                                             : tr("Cancelled: what is on show is from before."));
+        const bool isFromBefore = m_session->cancel();
+        if (m_exports->cancel()) {
+            m_messages->tell(tr("Cancelled: nothing was written."));
+        } else if (isFromBefore) {
+            m_messages->tellForNow(tr("Cancelled: what is on show is from before."));
+        }
     });
 
     if (auto *application = qobject_cast<Application *>(qApp)) { // in most tests it is another

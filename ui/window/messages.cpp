@@ -82,6 +82,12 @@ void Messages::tell(const QString &sentence)
     m_bar->showMessage(MessageBar::Kind::Hint, sentence);
 }
 
+void Messages::tellForNow(const QString &sentence)
+{
+    m_forNow = sentence;
+    tell(sentence);
+}
+
 void Messages::tellRowsCopied(int count)
 {
     tell(count == 1 ? tr("The row is in the clipboard, as CSV with its headings.")
@@ -96,7 +102,7 @@ void Messages::tellProblem(const QString &sentence)
 /// Of what the mechanism cannot be, until it is something else.
 void Messages::tellRefusal(const QString &sentence)
 {
-    m_refusal = sentence;
+    m_forNow = sentence;
     tellProblem(sentence);
 }
 
@@ -160,7 +166,7 @@ void Messages::announceDiagnosis()
 
 void Messages::followResult()
 {
-    if (m_bar->text() == m_refusal) {
+    if (m_bar->text() == m_forNow) {
         m_bar->hide();
     }
     tellDifferenceAnew();

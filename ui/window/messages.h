@@ -33,6 +33,7 @@ public:
 
 public slots:
     void tell(const QString &sentence);
+    void tellForNow(const QString &sentence); ///< until something else is on show
     void tellProblem(const QString &sentence);
     void tellRowsCopied(int count);
     void remedy(const slidercrank::Finding &finding);
@@ -58,7 +59,7 @@ private:
     MessageBar *m_bar;
     QString m_greeting;                       ///< as it was said; empty: it was not
     QString m_difference;                     ///< likewise, of the file
-    QString m_refusal;                        ///< likewise, of an edit
+    QString m_forNow;                         ///< likewise, of what is on show
     std::shared_ptr<const Reference> m_runOf; ///< the file whose run the session's became; null: it is another
     Sampling m_run;                           ///< that
     bool m_announcesDiagnosis = false;        ///< the next one is the first of a newly loaded file

@@ -9,10 +9,12 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QJsonDocument>
 #include <QLocale>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QStyleHints>
 #include <QUuid>
 #include <QVBoxLayout>
 
@@ -235,7 +237,8 @@ void Recovery::discard()
 {
     QFile::remove(m_offers.front().kept.path);
     m_offers.erase(m_offers.begin());
-    showOffer();
+    // Not under a double click, which would discard the next one unread.
+    QTimer::singleShot(QGuiApplication::styleHints()->mouseDoubleClickInterval(), this, &Recovery::showOffer);
 }
 
 } // namespace slidercrank

@@ -9,10 +9,12 @@
 #include <QPainter>
 #include <QProcess>
 #include <QScopeGuard>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 
 #include <memory>
 
@@ -74,6 +76,7 @@ private slots:
     void leavesAFolderWhereItIs();
     void leavesNothingBehindWhenCancelled_data();
     void leavesNothingBehindWhenCancelled();
+    void aSlowDiskKeepsNobodyWaiting();
     void saysWhyItCannotWrite_data();
     void saysWhyItCannotWrite();
     void filmsWithFfmpeg();
@@ -217,9 +220,31 @@ void TstAnimationExport::leavesNothingBehindWhenCancelled()
     }
     QVERIFY(!QDir(folder.path()).isEmpty());
     animation.reset();
+    finishAside(); // nothing more comes
     QVERIFY(QDir(folder.path()).isEmpty());
-    settle(); // nothing more comes
     QCOMPARE(finished.count(), 0);
+}
+
+void TstAnimationExport::aSlowDiskKeepsNobodyWaiting()
+{
+    QThreadPool *pool = QThreadPool::globalInstance();
+    pool->setMaxThreadCount(1);
+    const auto disk = std::make_shared<QSemaphore>();
+    pool->start([disk] { disk->acquire(); });
+    const auto end = qScopeGuard([pool, disk] {
+        disk->release();
+        pool->setMaxThreadCount(QThread::idealThreadCount());
+    });
+    const QTemporaryDir folder;
+    auto animation = std::make_unique<AnimationExport>(shortAnimation(), drawGrey);
+    QSignalSpy progressed(animation.get(), &AnimationExport::progressed);
+    animation->start(folder.filePath(QStringLiteral("motion.png")));
+    settle();
+    QCOMPARE(progressed.count(), 0);
+    animation.reset();
+    disk->release();
+    finishAside();
+    QVERIFY(QDir(folder.path()).isEmpty());
 }
 
 void TstAnimationExport::saysWhyItCannotWrite_data()

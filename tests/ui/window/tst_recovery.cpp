@@ -218,6 +218,24 @@ private slots:
         QVERIFY(!offer());
     }
 
+    void aDoubleClickDiscardsNoneUnread()
+    {
+        editElsewhere();
+        crash();
+        QVERIFY(QFile::copy(kept().first(), m_settings->filePath(QStringLiteral("slidercrank/recovery_x.json"))));
+        openWindow();
+        QCOMPARE(kept().size(), 2);
+        const auto *discard = offer()->findChild<QAbstractButton *>(QStringLiteral("messageDismiss"));
+        const QPoint there = discard->mapTo(m_window.get(), discard->rect().center());
+        for (int i = 0; i < 2; ++i) { // whatever is there by then
+            QTest::mouseClick(m_window->windowHandle(), Qt::LeftButton, {}, there);
+        }
+        QCOMPARE(kept().size(), 1);
+        AWAIT(offer()->isVisible());
+        press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
+        QCOMPARE(m_window->session().parameters().b, 70.0);
+    }
+
     void anOfferThatIsNotAnsweredStays()
     {
         editElsewhere();

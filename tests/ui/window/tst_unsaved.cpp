@@ -8,6 +8,7 @@
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
+#include "ui/window/status_bar.h"
 
 #include "tests/support/waiting.h"
 
@@ -123,6 +124,28 @@ private slots:
         }
         QCOMPARE(savedA(), 15.0);
         QVERIFY(!m_window->isWindowModified());
+    }
+
+    void aCancelSaysWhatIsOnShowAsLongAsItIs()
+    {
+        const auto *bar = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
+        const auto cancel = [this] { emit m_window->findChild<StatusBar *>()->cancelled(); };
+        Scene scene;
+        scene.sampling.steps = 1'000'000; // takes seconds
+        const QString path = m_folder.filePath(QStringLiteral("long.json"));
+        QCOMPARE(writeScene(scene, path), std::nullopt);
+        m_window->scene().open(path);
+        cancel();
+        QVERIFY2(bar->isVisible() && bar->text().contains(QLatin1String("Undo computes it")), qPrintable(bar->text()));
+        m_window->session().setParameter(Parameter::A, 21.0);
+        QVERIFY(!bar->isVisible());
+        m_window->session().setSolver(scene.solver);
+        m_window->session().setSampling(scene.sampling);
+        cancel();
+        QVERIFY2(bar->isVisible() && bar->text().contains(QLatin1String("from before")), qPrintable(bar->text()));
+        m_window->session().setParameter(Parameter::A, 22.0);
+        QVERIFY(!bar->isVisible());
+        m_window->session().undoStack().setClean();
     }
 
     void whatIsTypedAndNotEnteredCounts()
