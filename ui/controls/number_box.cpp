@@ -300,8 +300,12 @@ void NumberBox::showValue()
 {
     const QString text = textFor(m_value) + m_suffix;
     if (text != lineEdit()->text()) {
+        const bool isChosen = lineEdit()->hasSelectedText() && lineEdit()->selectedText() == lineEdit()->text();
         lineEdit()->setText(text);
         lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
+        if (isChosen) {
+            selectFromItsEnd(); // it runs: what is typed still takes its place
+        }
     }
     m_typed = false;
     takeBackRefusal();

@@ -518,6 +518,7 @@ private slots:
         box->setFocus();
         AWAIT(box->hasFocus());
         box->selectAll();
+        bench.session.setTime(0.6);
         QTest::keyClicks(box, "0.5");
         bench.session.setTime(0.7);
         QTest::keyClick(box, Qt::Key_Return);
