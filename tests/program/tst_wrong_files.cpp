@@ -140,6 +140,19 @@ private slots:
         QCOMPARE(outcome.status, 3);
     }
 
+    void refusesMoreFilesThanCouldBeComparedInPairs()
+    {
+        QStringList arguments{QStringLiteral("compare"), QStringLiteral("--join")};
+        for (int i = 0; i < 50'000; ++i) {
+            arguments += QStringLiteral("/%1.csv").arg(i);
+        }
+        QProcess process;
+        process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+        const Outcome outcome = outcomeOf(process);
+        QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("/0.csv cannot be opened"), outcome.err.constData());
+        QCOMPARE(outcome.status, 3);
+    }
+
     /// A window waits for nobody.
     void aPipeIsNoScene()
     {

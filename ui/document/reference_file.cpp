@@ -21,6 +21,7 @@
 #include <list>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace slidercrank
@@ -142,12 +143,11 @@ FileLayout layoutIn(const std::variant<ReferenceData, ReadError> &outcome)
 /// One that is named more than once, whatever the way there.
 std::optional<QString> namedTwice(const QStringList &paths)
 {
-    for (auto path = paths.begin(); path != paths.end(); ++path) {
-        const bool again = std::any_of(paths.begin(), path, [&path](const QString &before) {
-            return QFileInfo::exists(before) && QFileInfo(before) == QFileInfo(*path);
-        });
-        if (again) {
-            return *path;
+    std::set<QString> before;
+    for (const QString &path : paths) {
+        const QString file = QFileInfo(path).canonicalFilePath(); // empty where there is none
+        if (!file.isEmpty() && !before.insert(file).second) {
+            return path;
         }
     }
     return std::nullopt;
