@@ -15,6 +15,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStyleHints>
+#include <QTemporaryFile>
 #include <QUuid>
 #include <QVBoxLayout>
 
@@ -61,18 +62,24 @@ QJsonObject contentOf(Scene scene)
     return content;
 }
 
-/// By a window that is open. Where no lock can be made, as on a full disk, also the one that a crash left stays.
+/// By a window that is open, or is just taking it. Where no file can be made, as on a full disk, neither can a lock,
+/// and the one that a crash left stays.
 bool isHeld(const QLockFile &lock)
 {
+    if (lock.error() != QLockFile::LockFailedError) {
+        return false;
+    }
 #ifdef Q_OS_UNIX
     qint64 process = 0;
     QString machine;
     QString program;
-    if (lock.getLockInfo(&process, &machine, &program) && machine == QSysInfo::machineHostName()) {
-        return ::kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
-    }
+    const bool isLeft = lock.getLockInfo(&process, &machine, &program) && machine == QSysInfo::machineHostName() &&
+                        ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+    QTemporaryFile trial(lock.fileName());
+    return !isLeft || (trial.open() && trial.write("1") == 1 && trial.flush());
+#else
+    return true;
 #endif
-    return lock.error() == QLockFile::LockFailedError;
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
+#include <QLockFile>
 #include <QMessageBox>
 #include <QProcess>
 #include <QScopeGuard>
@@ -178,6 +179,7 @@ private slots:
         QVERIFY(m_window->isWindowModified());
         QVERIFY(!offer()->isVisible());
         QCOMPARE(m_window->scene().path(), rig);
+        finishAside();
         QCOMPARE(kept().size(), 1); // it is still not saved
 
         m_window->scene().save();
@@ -303,6 +305,7 @@ private slots:
         press(QStringLiteral("messageRemedy"), QStringLiteral("Restore"));
         press(QStringLiteral("messageDismiss"), QStringLiteral("Discard"));
         AWAIT(m_window->session().reference()); // it is there all the same, and kept
+        finishAside();
         QCOMPARE(m_window->session().parameters().b, 70.0);
         QVERIFY(m_window->isWindowModified());
         QVERIFY(!offer()->isVisible());
@@ -324,6 +327,19 @@ private slots:
         auto *asked = m_window->findChild<QMessageBox *>(QStringLiteral("changedQuestion"));
         QVERIFY(asked && asked->isVisible());
         QCOMPARE(std::get<Scene>(readScene(rig)).parameters.b, 81.25);
+    }
+
+    void isOfferedOnceWhereTwoStartAtOnce()
+    {
+        editElsewhere();
+        crash();
+        QLockFile other(kept().first() + QStringLiteral(".lock.rmlock")); // as one who is just taking what a crash left
+        QVERIFY(other.tryLock());
+        openWindow();
+        QVERIFY(!offer());
+        other.unlock();
+        openWindow();
+        QVERIFY(offer());
     }
 
     void isOfferedWhereThereIsNoRoom()
