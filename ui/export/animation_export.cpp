@@ -275,6 +275,7 @@ QString AnimationExport::putInPlace()
     for (const QString &name : olderFrames(m_path, m_animation.frameCount())) {
         moves.push_back({target.filePath(name), source.filePath(QStringLiteral("older_") + name)});
     }
+    const std::size_t older = moves.size();
     for (const QString &name : source.entryList(QDir::Files, QDir::Name)) {
         moves.push_back({source.filePath(name), target.filePath(name)});
     }
@@ -286,10 +287,10 @@ QString AnimationExport::putInPlace()
         const auto fails = [](const Move &before) { return !made({before.to, before.from}).isEmpty(); };
         const bool isUndone = std::count_if(std::make_reverse_iterator(move), moves.rend(), fails) == 0;
         m_folder->setAutoRemove(isUndone);
-        return isUndone
-                   ? notWritten(m_path, reason)
-                   : tr("%1 cannot be written: %2. The older frames are in %3.")
-                         .arg(QDir::toNativeSeparators(m_path), reason, QDir::toNativeSeparators(m_folder->path()));
+        const QString &frame = static_cast<std::size_t>(move - moves.begin()) < older ? move->from : move->to;
+        return isUndone ? notWritten(frame, reason)
+                        : tr("%1 cannot be written: %2. The older frames are in %3.")
+                              .arg(QDir::toNativeSeparators(frame), reason, QDir::toNativeSeparators(m_folder->path()));
     }
     return {};
 }
