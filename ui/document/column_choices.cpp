@@ -54,7 +54,8 @@ QString roleName(const ColumnChoice &choice)
 std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStringList &paths)
 {
     std::vector<ColumnChoice> choices;
-    for (const QString &line : QSettings().value(keyOf(layout, paths)).toStringList()) {
+    const QStringList lines = QSettings().value(keyOf(layout, paths)).toStringList();
+    for (const QString &line : lines) {
         const QStringList parts = line.split(QLatin1Char(kSeparator));
         ColumnChoice choice;
         choice.column = parts.value(0).toULongLong();
