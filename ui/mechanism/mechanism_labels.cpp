@@ -225,7 +225,8 @@ LabelRoom labelRoomOf(const MechanismCanvas &on, const MechanismDrawing &drawing
 {
     LabelRoom room(on.size);
     constexpr double kCornerWidth = 240.0; // of a line there, about
-    for (int line = 0; line < cornerLineCount(on, drawing); ++line) {
+    const int cornerLines = cornerLineCount(on, drawing);
+    for (int line = 0; line < cornerLines; ++line) {
         room.keepOff(cornerLine(on, line, kCornerWidth));
     }
     const QPointF pivot = on.toPixels({0.0, 0.0});
