@@ -6,12 +6,12 @@
 #include "app/json_text.h"
 #include "app/output.h"
 #include "app/shortfall.h"
-#include "core/diagnosis/diagnosis.h"
+#include "core/identification/diagnosis.h"
 #include "ui/document/reference_file.h"
-#include "ui/words/column_text.h"
-#include "ui/words/diagnosis_text.h"
-#include "ui/words/finding_text.h"
-#include "ui/words/read_fault_text.h"
+#include "ui/text/column_text.h"
+#include "ui/text/diagnosis_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/read_fault_text.h"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 #include "app/command_line.h"
 #include "app/json_text.h"
 #include "ui/document/reference_file.h"
-#include "ui/words/column_text.h"
-#include "ui/words/finding_text.h"
-#include "ui/words/read_fault_text.h"
+#include "ui/text/column_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/read_fault_text.h"
 
 #include <QStringList>
 

@@ -2,9 +2,9 @@
 #include "app/diagnosis_json.h"
 
 #include "app/json_text.h"
-#include "ui/words/column_text.h"
-#include "ui/words/convention_text.h"
-#include "ui/words/finding_text.h"
+#include "ui/text/column_text.h"
+#include "ui/text/convention_text.h"
+#include "ui/text/finding_text.h"
 
 #include <optional>
 

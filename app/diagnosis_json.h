@@ -3,7 +3,7 @@
 
 // What was read and what was found out about a file as JSON: what `compare` and `identify` share.
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/identification/diagnosis.h"
 
 #include <QByteArray>
 

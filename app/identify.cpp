@@ -5,12 +5,12 @@
 #include "app/diagnosis_json.h"
 #include "app/json_text.h"
 #include "app/output.h"
-#include "core/diagnosis/diagnosis.h"
-#include "core/reading/crank_angles.h"
+#include "core/identification/diagnosis.h"
+#include "core/import/crank_angles.h"
 #include "ui/document/reference_file.h"
-#include "ui/words/convention_text.h"
-#include "ui/words/diagnosis_text.h"
-#include "ui/words/finding_text.h"
+#include "ui/text/convention_text.h"
+#include "ui/text/diagnosis_text.h"
+#include "ui/text/finding_text.h"
 
 #include <QLocale>
 

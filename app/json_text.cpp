@@ -2,7 +2,7 @@
 #include "app/json_text.h"
 
 #include "ui/export/motion_csv.h"
-#include "ui/words/language.h"
+#include "ui/text/language.h"
 
 #include <QLocale>
 

@@ -5,9 +5,9 @@
 #include "app/output.h"
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
-#include "core/run/crank_instant.h"
-#include "ui/words/finding_text.h"
-#include "ui/words/motion_facts.h"
+#include "core/sampling/crank_instant.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/motion_facts.h"
 
 #include <algorithm>
 #include <cmath>

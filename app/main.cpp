@@ -9,7 +9,7 @@
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
-#include "ui/words/language.h"
+#include "ui/text/language.h"
 
 #include <QApplication>
 #include <QCoreApplication>

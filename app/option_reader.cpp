@@ -2,8 +2,8 @@
 #include "app/option_reader.h"
 
 #include "core/mechanism/mechanism.h"
-#include "core/reading/quantity.h"
-#include "ui/words/quantity_text.h"
+#include "core/import/quantity.h"
+#include "ui/text/quantity_text.h"
 
 #include <algorithm>
 #include <charconv>

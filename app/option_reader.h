@@ -4,7 +4,7 @@
 // The values of options, each checked as it is taken, and what is said of a word that nobody knows.
 
 #include "app/command_line.h"
-#include "core/reading/unit_text.h"
+#include "core/import/unit_text.h"
 #include "ui/document/scene.h"
 
 #include <QCommandLineParser>

@@ -4,14 +4,14 @@
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/window_system.h"
-#include "core/reading/heading.h"
-#include "core/reading/quantity.h"
-#include "core/run/crank_instant.h"
+#include "core/import/heading.h"
+#include "core/import/quantity.h"
+#include "core/sampling/crank_instant.h"
 #include "core/study/study.h"
 #include "ui/document/byte_stream.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
-#include "ui/words/finding_text.h"
+#include "ui/text/finding_text.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -6,13 +6,13 @@
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 #include "core/study/cases.h"
 #include "ui/document/reference_file.h"
 #include "ui/export/motion_csv.h"
 #include "ui/mechanism/mechanism_drawing.h"
 #include "ui/plots/plot_figure.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QSize>
 #include <QString>

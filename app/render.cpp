@@ -9,7 +9,7 @@
 #include "ui/export/report_pages.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QEventLoop>
 #include <QPalette>

@@ -3,8 +3,8 @@
 
 #include "app/output.h"
 #include "core/study/study.h"
-#include "ui/words/finding_text.h"
-#include "ui/words/study_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/study_text.h"
 
 #include <QStringList>
 

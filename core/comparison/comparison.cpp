@@ -2,7 +2,7 @@
 #include "core/comparison/comparison.h"
 
 #include "core/mechanism/in_parallel.h"
-#include "core/reading/clock.h"
+#include "core/import/clock.h"
 
 #include <algorithm>
 #include <cassert>

@@ -17,8 +17,8 @@
 // must be small beside the motion, too.
 
 #include "core/mechanism/channel.h"
-#include "core/reading/reference_data.h"
-#include "core/run/trajectory.h"
+#include "core/import/reference_data.h"
+#include "core/sampling/trajectory.h"
 
 #include <limits>
 #include <optional>

@@ -7,7 +7,7 @@
 // not there, comes from a mechanism, best the one identified from the same data.
 
 #include "core/mechanism/mechanism.h"
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 
 namespace slidercrank
 {

@@ -11,7 +11,7 @@
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 
 #include <array>
 #include <cstddef>

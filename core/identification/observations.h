@@ -5,8 +5,8 @@
 // is known of each value's error before any mechanism is fitted.
 
 #include "core/identification/sensitivity.h"
-#include "core/reading/clock.h"
-#include "core/reading/reference_data.h"
+#include "core/import/clock.h"
+#include "core/import/reference_data.h"
 
 #include <cstddef>
 #include <span>

@@ -5,7 +5,7 @@
 // changed in one program and not in the other.
 
 #include "core/mechanism/mechanism.h"
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 
 #include <stop_token>
 #include <vector>

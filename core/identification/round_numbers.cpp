@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/round_numbers.h"
 
-#include "core/reading/crank_angles.h"
+#include "core/import/crank_angles.h"
 
 #include <algorithm>
 #include <array>

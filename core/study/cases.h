@@ -7,7 +7,7 @@
 // Lengths in mm, angles in rad, time in s.
 
 #include "core/mechanism/mechanism.h"
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 
 #include <span>
 #include <string>

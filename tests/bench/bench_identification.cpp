@@ -3,7 +3,7 @@
 // What it costs to find the mechanism that made 201 rows, the parameter that explains a difference, and how a file is
 // to be read. The start is Table 1 of the report, which the data are far from.
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/identification/diagnosis.h"
 #include "core/identification/identification.h"
 #include "core/identification/parameter_change.h"
 #include "tests/support/printed_motion.h"

@@ -8,7 +8,7 @@
 #include "core/closed_form/state_at.h"
 #include "core/limits/extremes.h"
 #include "core/newton/newton.h"
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 #include "core/study/cases.h"
 
 #include <benchmark/benchmark.h>

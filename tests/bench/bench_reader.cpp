@@ -3,8 +3,8 @@
 // The reader against the least that any reader of the same bytes does: a loop of std::from_chars over their numbers,
 // one thread, nothing kept but a sum. A million rows of 7 columns in the form of the author's file, 74 MB.
 
-#include "core/reading/reference_data.h"
-#include "core/run/trajectory.h"
+#include "core/import/reference_data.h"
+#include "core/sampling/trajectory.h"
 
 #include <benchmark/benchmark.h>
 

@@ -4,9 +4,9 @@
 // with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display; with SLIDERCRANK_BENCH_SIZE=1920x1080
 // and QT_SCALE_FACTOR=2 as on a large one.
 
-#include "ui/limits/limits_panel.h"
+#include "ui/panels/limits_panel.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/parameters/timeline.h"
+#include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/window/main_window.h"
 

@@ -2,7 +2,7 @@
 
 // Any bytes into the reader, in pieces of any size: they read as in one piece.
 
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 #include "tests/fuzz/promise.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // Any bytes into the reader, as libFuzzer finds them: it must come back, within the bytes it was given, with data or a
 // reason that hold together, whatever a person then chooses of the columns.
 
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 #include "tests/fuzz/promise.h"
 
 #include <algorithm>

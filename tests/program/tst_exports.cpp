@@ -6,16 +6,16 @@
 #include "tests/support/printed_picture.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/study/study_panel.h"
+#include "ui/panels/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
-#include "ui/words/language.h"
-#include "ui/words/theme.h"
+#include "ui/text/language.h"
+#include "ui/text/theme.h"
 
 #include <QAbstractButton>
 #include <QApplication>

@@ -9,16 +9,16 @@
 #include "tests/support/place_of_a_save.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/document/scene.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/animation_export.h"
-#include "ui/study/study_panel.h"
+#include "ui/panels/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
-#include "ui/words/language.h"
+#include "ui/text/language.h"
 
 #include <QAbstractButton>
 #include <QApplication>

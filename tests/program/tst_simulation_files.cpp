@@ -2,7 +2,7 @@
 
 // Files as the field's programs write them: each is read for what it is, or refused with what to do.
 
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 #include "tests/support/simulation_files.h"
 #include "ui/document/reference_file.h"
 

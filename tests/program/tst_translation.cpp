@@ -3,15 +3,15 @@
 // English and Spanish: the translation is complete, the window speaks one language, switching loses nothing.
 
 #include "core/study/cases.h"
-#include "ui/controls/folding_tabs.h"
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/parameters/timeline.h"
+#include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/study/study_panel.h"
+#include "ui/panels/study_panel.h"
 #include "ui/window/main_window.h"
-#include "ui/words/language.h"
-#include "ui/words/study_text.h"
+#include "ui/text/language.h"
+#include "ui/text/study_text.h"
 
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/file_variants.h"
 
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 
 #include <array>
 #include <cstdio>

@@ -4,7 +4,7 @@
 // Files as programs and people write them, all of one motion (Table 1 with b = 60, 101 instants of one turn, six
 // significant digits), and files that no reader should take. What tests, and the corpus of the fuzz targets, share.
 
-#include "core/reading/read_fault.h"
+#include "core/import/read_fault.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 // printf. It shares nothing with the core that it is to judge.
 
 #include "core/mechanism/mechanism.h"
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 
 #include <array>
 #include <cmath>

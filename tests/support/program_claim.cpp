@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program_claim.h"
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/identification/diagnosis.h"
 
 #include <string_view>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/column_choices.h"
 
-#include "ui/words/remember.h"
+#include "ui/text/remember.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>

@@ -4,7 +4,7 @@
 // What a person once said of the columns of a file, kept in the settings for every file with the same headings; where a
 // file has no headings, for that file alone. Of files that are joined, for files of the same names and headings.
 
-#include "core/reading/file_layout.h"
+#include "core/import/file_layout.h"
 
 #include <QString>
 #include <QStringList>

@@ -4,7 +4,7 @@
 // Undo and redo: one command for every edit, which knows all that was chosen before it and after it.
 
 #include "core/mechanism/mechanism.h"
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 #include "ui/document/reference_file.h"
 
 #include <QString>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/reference_file.h"
 
-#include "core/reading/crank_angles.h"
-#include "core/reading/joined_files.h"
+#include "core/import/crank_angles.h"
+#include "core/import/joined_files.h"
 #include "ui/document/byte_stream.h"
 #include "ui/document/whole_file.h"
-#include "ui/words/column_text.h"
-#include "ui/words/finding_text.h"
-#include "ui/words/read_fault_text.h"
+#include "ui/text/column_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/read_fault_text.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>

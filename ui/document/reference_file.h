@@ -4,8 +4,8 @@
 // A reference file on disk, or several that are joined: opened under their Unicode names, read by the core, and their
 // failure put into one sentence.
 
-#include "core/diagnosis/convention.h"
-#include "core/reading/reference_data.h"
+#include "core/identification/convention.h"
+#include "core/import/reference_data.h"
 
 #include <QByteArray>
 #include <QByteArrayList>

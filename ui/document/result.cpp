@@ -2,7 +2,7 @@
 #include "ui/document/result.h"
 
 #include "core/closed_form/closed_form.h"
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 
 #include <QElapsedTimer>
 

@@ -5,9 +5,9 @@
 
 #include "core/comparison/comparison.h"
 #include "core/comparison/motion_difference.h"
-#include "core/diagnosis/diagnosis.h"
+#include "core/identification/diagnosis.h"
 #include "core/limits/mobility.h"
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 #include "ui/document/reference_file.h"
 
 #include <memory>

@@ -26,7 +26,7 @@
 // are kept, and written back.
 
 #include "core/mechanism/mechanism.h"
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/view_settings.h"
 

@@ -4,7 +4,7 @@
 // Values out of a scene's file, each checked. The first fault is kept, as a sentence that says where it is; after it
 // the values mean nothing.
 
-#include "ui/words/interval.h"
+#include "ui/text/interval.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

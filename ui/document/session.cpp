@@ -3,7 +3,7 @@
 
 #include "ui/document/column_choices.h"
 #include "ui/document/with.h"
-#include "ui/words/finding_text.h"
+#include "ui/text/finding_text.h"
 
 #include <QLocale>
 

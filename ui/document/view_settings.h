@@ -4,7 +4,7 @@
 // What a person chose to see of the plots and of the drawing: it is saved with a scene.
 
 #include "core/mechanism/channel.h"
-#include "ui/words/interval.h"
+#include "ui/text/interval.h"
 
 #include <QString>
 

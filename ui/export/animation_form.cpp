@@ -2,9 +2,9 @@
 #include "ui/export/animation_form.h"
 
 #include "core/mechanism/turn.h"
-#include "ui/controls/named.h"
-#include "ui/controls/number_box.h"
-#include "ui/words/written_number.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/number_box.h"
+#include "ui/text/written_number.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -4,7 +4,7 @@
 // A motion as a table of text: a line of names, then a row an instant with the time (s) and the channels asked for. The
 // one form that `slidercrank solve` and the window write and that both read again as a reference, to the last bit.
 
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 #include "ui/document/result.h"
 
 #include <QByteArray>

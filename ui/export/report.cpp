@@ -2,13 +2,13 @@
 #include "ui/export/report.h"
 #include "ui/document/byte_stream.h"
 
-#include "ui/words/axis_scale.h"
-#include "ui/words/column_text.h"
-#include "ui/words/diagnosis_text.h"
-#include "ui/words/finding_text.h"
-#include "ui/words/motion_facts.h"
-#include "ui/words/read_fault_text.h"
-#include "ui/words/written_number.h"
+#include "ui/text/axis_scale.h"
+#include "ui/text/column_text.h"
+#include "ui/text/diagnosis_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/read_fault_text.h"
+#include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 #include <QDir>

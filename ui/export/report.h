@@ -5,7 +5,7 @@
 // figure, the method; and from what it was made: date, program, file, checksum, guessed columns. Blocks of text and
 // tables in their order, and places for the two drawings; ui/report_pages puts them on pages.
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/identification/diagnosis.h"
 #include "ui/document/result.h"
 
 #include <QByteArrayList>

@@ -2,7 +2,7 @@
 #include "ui/export/report_pages.h"
 
 #include "ui/document/whole_file.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QBuffer>
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_arrows.h"
 
-#include "ui/words/written_number.h"
+#include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -5,7 +5,7 @@
 // follows the conventions of mechanism textbooks: a hatched line is ground, a circle is a revolute joint.
 
 #include "ui/mechanism/mechanism_frame.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QFont>
 

@@ -2,7 +2,7 @@
 #include "ui/mechanism/mechanism_frame.h"
 
 #include "core/comparison/reference_pose.h"
-#include "ui/words/written_number.h"
+#include "ui/text/written_number.h"
 
 #include <QPolygonF>
 

@@ -9,7 +9,7 @@
 // top().
 
 #include "core/limits/mobility.h"
-#include "core/reading/reference_data.h"
+#include "core/import/reference_data.h"
 
 #include <QPointF>
 #include <QRectF>

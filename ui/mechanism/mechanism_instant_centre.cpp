@@ -3,7 +3,7 @@
 
 #include "core/limits/instant_centre.h"
 #include "ui/mechanism/mechanism_scenery.h"
-#include "ui/words/axis_scale.h"
+#include "ui/text/axis_scale.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -2,7 +2,7 @@
 #include "ui/mechanism/mechanism_scenery.h"
 
 #include "ui/mechanism/mechanism_labels.h"
-#include "ui/words/written_number.h"
+#include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_view.h"
 
-#include "core/run/crank_instant.h"
+#include "core/sampling/crank_instant.h"
 #include "ui/document/with.h"
 #include "ui/mechanism/drawn_part.h"
 #include "ui/mechanism/mechanism_linkage.h"
 #include "ui/mechanism/mechanism_note.h"
 #include "ui/mechanism/mechanism_scenery.h"
 #include "ui/mechanism/mechanism_words.h"
-#include "ui/words/written_number.h"
+#include "ui/text/written_number.h"
 
 #include <QAction>
 #include <QApplication>

@@ -3,8 +3,8 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
-#include "ui/words/motion_facts.h"
-#include "ui/words/written_number.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 #include <QLocale>

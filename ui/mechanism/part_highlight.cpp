@@ -2,7 +2,7 @@
 #include "ui/mechanism/part_highlight.h"
 
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QEvent>
 #include <QPainter>

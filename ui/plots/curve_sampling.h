@@ -5,7 +5,7 @@
 // smallest and the largest value, in the order in which they occur), gaps kept, cut off at the axes. Units are those of
 // the caller. A value that is not finite is a gap, written as kNoValue.
 
-#include "ui/words/interval.h"
+#include "ui/text/interval.h"
 
 #include <cstddef>
 #include <limits>

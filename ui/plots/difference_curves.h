@@ -7,7 +7,7 @@
 #include "core/closed_form/batch.h"
 #include "core/mechanism/channel.h"
 #include "ui/plots/curve_sampling.h"
-#include "ui/words/interval.h"
+#include "ui/text/interval.h"
 
 #include <array>
 #include <vector>

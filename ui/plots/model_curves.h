@@ -5,7 +5,7 @@
 // the run's steps are; by Newton-Raphson the samples that it found, and nothing between them. Values are in the unit of
 // the author's files; NaN: does not exist.
 
-#include "core/run/trajectory.h"
+#include "core/sampling/trajectory.h"
 #include "ui/plots/curve_sampling.h"
 #include "ui/plots/motion_curves.h"
 

@@ -8,7 +8,7 @@
 #include "core/closed_form/batch.h"
 #include "core/limits/course.h"
 #include "ui/plots/curve_sampling.h"
-#include "ui/words/interval.h"
+#include "ui/text/interval.h"
 
 #include <array>
 #include <optional>

@@ -5,7 +5,7 @@
 // lines and lettering look.
 
 #include "ui/plots/plot_figure.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QFont>
 #include <QMargins>

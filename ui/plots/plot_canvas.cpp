@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_canvas.h"
 
-#include "ui/words/axis_scale.h"
+#include "ui/text/axis_scale.h"
 
 #include <QFontMetricsF>
 

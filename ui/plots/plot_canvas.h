@@ -5,7 +5,7 @@
 
 #include "ui/plots/plot_arrangement.h"
 #include "ui/plots/plot_figure.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <qcustomplot.h>
 

@@ -2,8 +2,8 @@
 #include "ui/plots/plot_figure.h"
 
 #include "ui/document/with.h"
-#include "ui/words/finding_text.h"
-#include "ui/words/motion_facts.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/motion_facts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "ui/plots/curve_sampling.h"
 #include "ui/plots/difference_curves.h"
 #include "ui/plots/model_curves.h"
-#include "ui/words/axis_scale.h"
+#include "ui/text/axis_scale.h"
 
 #include <QCoreApplication>
 #include <QLocale>

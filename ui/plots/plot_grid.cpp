@@ -4,8 +4,8 @@
 #include "ui/plots/figure_painting.h"
 #include "ui/plots/plot_canvas.h"
 #include "ui/plots/reading_place.h"
-#include "ui/words/axis_scale.h"
-#include "ui/words/theme.h"
+#include "ui/text/axis_scale.h"
+#include "ui/text/theme.h"
 
 #include <QAction>
 #include <QApplication>

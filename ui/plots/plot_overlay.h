@@ -5,7 +5,7 @@
 // the frame that a drag draws, the mark of the keyboard's focus. The plot beneath is not replotted for it.
 
 #include "ui/plots/plot_figure.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QFont>
 #include <QWidget>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_readings.h"
 
-#include "ui/words/finding_text.h"
-#include "ui/words/written_number.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/written_number.h"
 
 #include <QFontMetrics>
 

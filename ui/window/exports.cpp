@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/exports.h"
 
-#include "ui/controls/save_dialog.h"
+#include "ui/widgets/save_dialog.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/animation_form.h"
 #include "ui/export/motion_csv.h"
 #include "ui/export/report_pages.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/parameters/timeline.h"
+#include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/window/ghost.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QDir>
 #include <QFileInfo>

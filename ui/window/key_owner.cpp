@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/key_owner.h"
 
-#include "ui/controls/number_box.h"
-#include "ui/parameters/run_form.h"
+#include "ui/widgets/number_box.h"
+#include "ui/panels/run_form.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -5,7 +5,7 @@
 
 #include "ui/document/session.h"
 #include "ui/window/rooms.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QMainWindow>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/menus.h"
 
-#include "ui/controls/folding_tabs.h"
+#include "ui/widgets/folding_tabs.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/parameters/timeline.h"
+#include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
@@ -12,7 +12,7 @@
 #include "ui/window/presentation.h"
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
-#include "ui/words/language.h"
+#include "ui/text/language.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

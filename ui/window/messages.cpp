@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/messages.h"
 
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/document/session.h"
 #include "ui/window/scene_file.h"
-#include "ui/words/remember.h"
-#include "ui/words/written_number.h"
+#include "ui/text/remember.h"
+#include "ui/text/written_number.h"
 
 #include <QDir>
 #include <QSettings>

@@ -5,7 +5,7 @@
 // the first time ever what there is to do.
 
 #include "ui/document/result.h"
-#include "ui/reference/findings.h"
+#include "ui/panels/findings.h"
 
 #include <QObject>
 #include <QString>

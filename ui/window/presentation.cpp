@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/presentation.h"
 
-#include "ui/controls/folding_tabs.h"
+#include "ui/widgets/folding_tabs.h"
 #include "ui/document/with.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/parameters/parameter_panel.h"
+#include "ui/panels/parameter_panel.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/window/rooms.h"
 

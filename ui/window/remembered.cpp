@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/remembered.h"
 
-#include "ui/controls/folding_tabs.h"
+#include "ui/widgets/folding_tabs.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/parameters/timeline.h"
-#include "ui/words/remember.h"
+#include "ui/panels/timeline.h"
+#include "ui/text/remember.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

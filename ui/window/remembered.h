@@ -6,7 +6,7 @@
 // what else is chosen in its controls.
 
 #include "ui/document/view_settings.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QByteArray>
 #include <QHash>

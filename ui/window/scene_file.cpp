@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/scene_file.h"
 
-#include "ui/controls/number_box.h"
-#include "ui/controls/save_dialog.h"
+#include "ui/widgets/number_box.h"
+#include "ui/widgets/save_dialog.h"
 #include "ui/document/byte_stream.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"

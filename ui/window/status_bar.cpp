@@ -2,9 +2,9 @@
 #include "ui/window/status_bar.h"
 
 #include "ui/document/result.h"
-#include "ui/words/axis_scale.h"
-#include "ui/words/motion_facts.h"
-#include "ui/words/written_number.h"
+#include "ui/text/axis_scale.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/written_number.h"
 
 #include <QLocale>
 #include <QProgressBar>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/round_numbers.h"
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/identification/diagnosis.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
 

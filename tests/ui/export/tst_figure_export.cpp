@@ -2,7 +2,7 @@
 #include "ui/document/session.h"
 #include "ui/export/figure_export.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include "tests/support/waiting.h"
 

@@ -4,7 +4,7 @@
 #include "ui/document/session.h"
 #include "ui/mechanism/mechanism_labels.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QFontMetricsF>
 #include <QImage>

@@ -5,7 +5,7 @@
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
 #include "ui/plots/plot_arrangement.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include <QApplication>
 #include <QImage>

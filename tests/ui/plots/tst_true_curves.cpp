@@ -4,7 +4,7 @@
 #include "tests/support/waiting.h"
 #include "ui/document/result.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/words/theme.h"
+#include "ui/text/theme.h"
 
 #include "core/closed_form/closed_form.h"
 #include "core/limits/extremes.h"

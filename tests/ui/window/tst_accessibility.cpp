@@ -2,8 +2,8 @@
 
 // The window for those who cannot see it, or have no mouse: what a screen reader is told, where the Tab key leads.
 
-#include "ui/controls/folding_tabs.h"
-#include "ui/controls/number_slider.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/window/main_window.h"
 #include "ui/window/presentation.h"
 

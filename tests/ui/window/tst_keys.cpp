@@ -2,9 +2,9 @@
 
 // Keys and wheel as a person uses them: pressed on the window, wherever the focus is.
 
-#include "ui/controls/folding_tabs.h"
-#include "ui/controls/message_bar.h"
-#include "ui/parameters/timeline.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/panels/timeline.h"
 #include "ui/window/main_window.h"
 
 #include "tests/support/waiting.h"

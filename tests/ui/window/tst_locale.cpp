@@ -3,12 +3,12 @@
 // Numbers on screen as the user writes them, here with a decimal comma; numbers in files with a point, always.
 
 #include "core/mechanism/channel.h"
-#include "ui/parameters/timeline.h"
+#include "ui/panels/timeline.h"
 #include "ui/plots/plot_overlay.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
-#include "ui/words/written_number.h"
+#include "ui/text/written_number.h"
 
 #include "tests/support/waiting.h"
 

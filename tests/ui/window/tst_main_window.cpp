@@ -2,14 +2,14 @@
 
 // The window as its user has it: hands on the controls, eyes on what is painted.
 
-#include "ui/controls/folding_tabs.h"
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/newton/newton_panel.h"
-#include "ui/parameters/timeline.h"
+#include "ui/panels/newton_panel.h"
+#include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/study/study_panel.h"
+#include "ui/panels/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/help_page.h"
 #include "ui/window/main_window.h"

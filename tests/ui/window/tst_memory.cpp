@@ -2,7 +2,7 @@
 
 // What there is no memory for in the window's own thread ends with a sentence, and not with the program.
 
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/document/session.h"
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"

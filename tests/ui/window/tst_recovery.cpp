@@ -2,11 +2,11 @@
 
 // What a crash leaves: windows in other processes are killed, and the next one is asked what it offers.
 
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recovery.h"
 #include "ui/window/scene_file.h"
-#include "ui/words/language.h"
+#include "ui/text/language.h"
 
 #include "tests/support/waiting.h"
 

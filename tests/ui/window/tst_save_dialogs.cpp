@@ -2,10 +2,10 @@
 
 // The names of the files that are written, as a person types them into the dialogs.
 
-#include "ui/controls/number_box.h"
-#include "ui/controls/save_dialog.h"
+#include "ui/widgets/number_box.h"
+#include "ui/widgets/save_dialog.h"
 #include "ui/export/animation_form.h"
-#include "ui/study/study_panel.h"
+#include "ui/panels/study_panel.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"

@@ -2,11 +2,11 @@
 
 // On a screen of 800×600, with a title bar: nothing is out of reach, though it need not be beautiful.
 
-#include "ui/controls/folding_tabs.h"
-#include "ui/controls/message_bar.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/document/scene.h"
 #include "ui/window/main_window.h"
-#include "ui/words/language.h"
+#include "ui/text/language.h"
 
 #include "tests/support/waiting.h"
 

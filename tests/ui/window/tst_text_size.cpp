@@ -3,7 +3,7 @@
 // With the system's texts larger, and in the longer of the two languages, nothing is cut off.
 
 #include "ui/window/main_window.h"
-#include "ui/words/language.h"
+#include "ui/text/language.h"
 
 #include "tests/support/waiting.h"
 

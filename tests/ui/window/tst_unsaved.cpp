@@ -2,8 +2,8 @@
 
 // What would be lost is asked about first: edits made while a scene is on its way, and files still being written.
 
-#include "ui/controls/message_bar.h"
-#include "ui/controls/number_box.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/number_box.h"
 #include "ui/export/animation_export.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/convention.h"
+
+#include "core/identification/explanation.h"
+#include "core/identification/unit_and_sense.h"
+#include "core/import/crank_angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Kind = Convention::Kind;
+
+void multiply(ReferenceSeries &series, double factor)
+{
+    for (double &value : series.values) {
+        value *= factor;
+    }
+    series.rounding.unitFactor *= std::abs(factor);
+}
+
+/// A column that is to be shifted keeps its decimals, but not its significant digits.
+void keepDecimals(ReferenceSeries &series)
+{
+    series.rounding = series.rounding.withDecimalsAt(rangeOf(series.values).size());
+}
+
+void shift(ReferenceSeries &series, double amount)
+{
+    keepDecimals(series);
+    for (double &value : series.values) {
+        value += amount;
+    }
+}
+
+/// A column of one axis becomes that of the other, an angle one from the other.
+void turn(ReferenceSeries &series)
+{
+    constexpr double kQuarterTurn = 90.0;
+    if (isAngle(series.channel.coordinate)) {
+        shift(series, -kQuarterTurn);
+    } else if (series.channel.coordinate == R4x) {
+        series.channel.coordinate = R4y;
+        multiply(series, -1.0);
+    } else {
+        series.channel.coordinate = R4x;
+    }
+}
+
+/// What a file counts by is θ2, too: the instants follow.
+void applyToAngles(const Convention &convention, ReferenceData &data)
+{
+    CrankAngles &crank = *data.crank;
+    for (double &angle : crank.degrees) {
+        angle = convention.kind == Kind::ZeroPoint ? angle + convention.amount : angle * convention.amount;
+    }
+    if (convention.kind == Kind::ZeroPoint) {
+        crank.rounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
+    } else {
+        crank.rounding.unitFactor *= std::abs(convention.amount);
+    }
+    Parameters drive;
+    drive.omega2 = crank.omega2;
+    drive.theta20 = crank.theta20;
+    if (std::optional<ReferenceData> timed = timedBy(Mechanism(drive), data)) {
+        data = *std::move(timed);
+    }
+}
+
+} // namespace
+
+std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
+{
+    constexpr double kStands = 1e-3; // of what moves: rounding, or an axis that is not quite upright
+    Convention axis{Convention::Kind::Axis, {}, 1.0};
+    bool movesAlongY = false;
+    for (const ReferenceSeries &series : data.series) {
+        if (withAngles && isAngle(series.channel.coordinate) && series.channel.order == Order::Position) {
+            axis.channels.push_back(series.channel);
+        }
+        if (series.channel.coordinate != R4x && series.channel.coordinate != R4y) {
+            continue;
+        }
+        movesAlongY = true;
+        axis.channels.push_back(series.channel);
+        const ReferenceSeries *const other =
+            data.find({series.channel.coordinate == R4x ? R4y : R4x, series.channel.order});
+        const double width = rangeOf(series.values).width();
+        const double otherWidth = other ? rangeOf(other->values).width() : 0.0;
+        const bool isUpright = series.channel.coordinate == R4y ? width > 0.0 && otherWidth <= kStands * width
+                                                                : width <= kStands * otherWidth;
+        if (!isUpright) {
+            return std::nullopt;
+        }
+    }
+    return movesAlongY ? std::optional(std::move(axis)) : std::nullopt;
+}
+
+ReferenceData applied(const Convention &convention, ReferenceData data)
+{
+    if (data.crank && concerns(convention, {Theta2, Order::Position})) {
+        applyToAngles(convention, data);
+        return data;
+    }
+    for (ReferenceSeries &series : data.series) {
+        if (!concerns(convention, series.channel)) {
+            continue;
+        }
+        switch (convention.kind) {
+        case Kind::AngleUnit:
+        case Kind::LengthUnit:
+        case Kind::Sign: multiply(series, convention.amount); break;
+        case Kind::TimeUnit: multiply(series, powerOf(1.0 / convention.amount, series.channel)); break;
+        case Kind::HalfTurn:
+        case Kind::WholeTurns:
+            keepDecimals(series);
+            makeContinuous(series.values);
+            shift(series, convention.amount);
+            break;
+        case Kind::ZeroPoint: shift(series, convention.amount); break;
+        case Kind::SwappedColumns:
+            series.channel = convention.channels[series.channel == convention.channels[0] ? 1 : 0];
+            break;
+        case Kind::Axis: turn(series); break;
+        case Kind::Branch:
+        case Kind::TimeShift:
+        case Kind::NotDerivative: break;
+        }
+    }
+    switch (convention.kind) {
+    case Kind::TimeUnit:
+        if (data.crank) {
+            break; // its instants are of the model, not of the file
+        }
+        for (double &instant : data.time) {
+            instant *= convention.amount;
+        }
+        data.timeRounding.unitFactor *= std::abs(convention.amount);
+        break;
+    case Kind::TimeShift:
+        for (double &instant : data.time) {
+            instant += convention.amount;
+        }
+        break;
+    case Kind::NotDerivative:
+        std::erase_if(data.series, [&](const ReferenceSeries &series) { return concerns(convention, series.channel); });
+        break;
+    case Kind::AngleUnit:
+    case Kind::LengthUnit:
+    case Kind::Sign:
+    case Kind::HalfTurn:
+    case Kind::WholeTurns:
+    case Kind::ZeroPoint:
+    case Kind::SwappedColumns:
+    case Kind::Axis:
+    case Kind::Branch: break;
+    }
+    return data;
+}
+
+} // namespace slidercrank

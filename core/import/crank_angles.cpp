@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/crank_angles.h"
+
+#include "core/import/clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::string_view kShortNames = "ca cad degca cadeg kw kurbelwinkel";
+
+/// The letters from A to Z, small.
+std::string lettersOf(std::string_view text)
+{
+    std::string letters;
+    for (const char c : text) {
+        const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (small >= 'a' && small <= 'z') {
+            letters += small;
+        }
+    }
+    return letters;
+}
+
+/// What is shifted keeps its decimals, but not its significant digits.
+Rounding roundingOfInstants(const CrankAngles &crank, double degreesPerSecond)
+{
+    Rounding rounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
+    rounding.unitFactor /= std::abs(degreesPerSecond);
+    return rounding;
+}
+
+} // namespace
+
+bool isCrankAngle(const Heading &heading)
+{
+    const NameMeaning meaning = meaningOf(heading);
+    const bool isNamed =
+        meaning.kind == NameMeaning::Kind::Channel && meaning.channel == Channel{Theta2, Order::Position};
+    const std::string letters = lettersOf(heading.name);
+    return isNamed || (!letters.empty() && isAmong(letters, kShortNames));
+}
+
+std::optional<double> unitsPerDegree(const std::string &unit)
+{
+    const std::string letters = lettersOf(unit);
+    if (unit.empty() || (!letters.empty() && isAmong(letters, kShortNames))) {
+        return 1.0;
+    }
+    const std::optional<Unit> known = unitOf(unit);
+    return known && known->dimension == Dimension::Angle && known->order == 0 ? std::optional(1.0 / known->factor)
+                                                                              : std::nullopt;
+}
+
+std::vector<double> goingOn(std::vector<double> degrees)
+{
+    if (!turnsBackAt(degrees)) {
+        return degrees;
+    }
+    constexpr double kTurn = 360.0;
+    double turns = 0.0;
+    for (std::size_t i = 1; i < degrees.size(); ++i) {
+        const double step = degrees[i] + turns - degrees[i - 1];
+        turns -= std::abs(step) > 0.5 * kTurn ? kTurn * std::round(step / kTurn) : 0.0;
+        degrees[i] += turns;
+    }
+    return degrees;
+}
+
+std::optional<std::size_t> turnsBackAt(std::span<const double> degrees)
+{
+    const bool rises = degrees.size() > 1 && degrees[1] > degrees[0];
+    for (std::size_t i = 1; i < degrees.size(); ++i) {
+        if (!(rises ? degrees[i] > degrees[i - 1] : degrees[i] < degrees[i - 1])) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData data)
+{
+    if (!data.crank) {
+        return data;
+    }
+    CrankAngles &crank = *data.crank;
+    const double start = mechanism.theta20() * kDegreesPerRadian;
+    const double speed = mechanism.omega2() * kDegreesPerRadian;
+    const bool rises = crank.degrees.back() >= crank.degrees.front();
+    if (rises != (speed > 0.0)) {
+        std::ranges::reverse(crank.degrees);
+        for (ReferenceSeries &series : data.series) {
+            std::ranges::reverse(series.values);
+        }
+    }
+    crank.omega2 = mechanism.omega2();
+    crank.theta20 = mechanism.theta20();
+    data.time.resize(crank.degrees.size());
+    std::ranges::transform(crank.degrees, data.time.begin(), [&](double angle) { return (angle - start) / speed; });
+    data.timeRounding = roundingOfInstants(crank, speed);
+    if (clockOf(data).even) {
+        data.timeRounding = Rounding(); // angles that lie evenly were chosen, not measured
+    }
+    const bool areInstants = std::isfinite(data.time.front()) && std::isfinite(data.time.back()) &&
+                             std::ranges::adjacent_find(data.time, std::greater_equal<>()) == data.time.end();
+    return areInstants ? std::optional(std::move(data)) : std::nullopt;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/difference.h"
+
+#include "core/import/reference_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace slidercrank
+{
+
+std::optional<Difference> differenceIn(const ReferenceData &data, Channel channel)
+{
+    constexpr std::size_t kLookedAt = 512;
+    constexpr std::size_t kFewest = 12;
+    constexpr double kEvenly = 1e-2;   // of a step
+    constexpr double kMoreAlike = 4.0; // than anything else
+    constexpr double kOfItself = 1e-6; // what computing leaves
+    const ReferenceSeries *const rate = data.find(channel);
+    const std::size_t rows = std::min(data.time.size(), kLookedAt);
+    if (channel.order == Order::Position || !rate || rows < kFewest || data.crank) { // by angle there are no instants
+        return std::nullopt;
+    }
+    const ReferenceSeries *const base =
+        data.find({channel.coordinate, channel.order == Order::Velocity ? Order::Position : Order::Velocity});
+    if (!base) {
+        return std::nullopt;
+    }
+    const double step = (data.time[rows - 1] - data.time[0]) / static_cast<double>(rows - 1);
+    const std::vector<double> &x = base->values;
+    // Forward, backward, central, and a derivative: differences of the fourth order are as near to one as none of
+    // these.
+    std::array<double, 4> squares{};
+    std::size_t count = 0;
+    for (std::size_t i = 2; i + 2 < rows; ++i) {
+        if (std::abs(data.time[i + 1] - data.time[i] - step) > kEvenly * step) {
+            return std::nullopt;
+        }
+        const std::array<double, 4> differences{(x[i + 1] - x[i]) / step, (x[i] - x[i - 1]) / step,
+                                                (x[i + 1] - x[i - 1]) / (2.0 * step),
+                                                (8.0 * (x[i + 1] - x[i - 1]) - (x[i + 2] - x[i - 2])) / (12.0 * step)};
+        const double far = x[i + 2] + x[i - 2] + rate->values[i];
+        if (!std::isfinite(far) || !std::isfinite(differences[0] + differences[1])) {
+            continue;
+        }
+        for (std::size_t k = 0; k < squares.size(); ++k) {
+            squares[k] += (rate->values[i] - differences[k]) * (rate->values[i] - differences[k]);
+        }
+        ++count;
+    }
+    if (count < kFewest / 2) {
+        return std::nullopt;
+    }
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin());
+    const double peak = rangeOf(rate->values).size();
+    const double allowed =
+        base->rounding.stepAt(rangeOf(x).size()) / step + rate->rounding.stepAt(peak) + kOfItself * peak;
+    const bool isMet = squares[best] <= allowed * allowed * static_cast<double>(count);
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+        if (!isMet || (k != best && !(squares[k] > kMoreAlike * kMoreAlike * squares[best]))) {
+            return std::nullopt;
+        }
+    }
+    constexpr std::array<Difference, 3> kKinds{Difference::Forward, Difference::Backward, Difference::Central};
+    return best < kKinds.size() ? std::optional(kKinds[best]) : std::nullopt;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A simulation's exported motion: a file's bytes → named series in the author's units (mm, °, s), with what each column
+// was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
+//
+// A table by the crank's angle instead of the time is read as the motion of a crank that turns once a second, until
+// somebody says otherwise.
+//
+// Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
+// (nameOf(), or words), in any order and case, each with its unit or none for the author's; perhaps a line of units.
+// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us,
+// min. Cells are separated by commas, semicolons, tabs, or, where none of these does it, by runs of spaces; they may be
+// quoted; a cell never spans lines. The names may stand behind a comment's mark (#, %, //), a unit in every cell of a
+// column. Numbers hold a decimal point or a decimal comma, the same throughout a file; separators of thousands are not
+// read. An empty cell or "nan" is a gap.
+//
+// In a file of two columns, a plot, the heading beside the instants may say nothing ("Value", "y"): then the name of
+// the file may ("slider_velocity.csv").
+//
+// A name that leaves open which channel it is, is guessed at only where unit and values bear that out, and the guess is
+// marked in the layout; otherwise the column is left out.
+
+#include "core/mechanism/channel.h"
+#include "core/import/byte_source.h"
+#include "core/import/read_fault.h"
+#include "core/import/rounding.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// One column: values at ReferenceData::time, in the author's unit of its channel; NaN where the cell was empty.
+struct ReferenceSeries {
+    Channel channel;
+    std::vector<double> values;
+    Rounding rounding; ///< how the file rounded this column, already in the author's unit
+};
+
+/// A row that could not be read and was left out. Lines and columns count from 1, columns in cells.
+struct SkippedRow {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string text; ///< the offending cell, shortened
+    RowFault fault = RowFault::NotANumber;
+    std::size_t rows = 1; ///< that it stands for, itself among them
+    std::size_t file = 0; ///< of FileLayout::files
+};
+
+/// What a file counts by that has no time.
+struct CrankAngles {
+    std::vector<double> degrees; ///< θ2, one a row, rising or falling throughout
+    Rounding rounding;           ///< how the file rounded them
+
+    // Of the crank that ReferenceData::time was made for: see crank_angles.h. As read, one that turns once a second.
+    double omega2 = 2.0 * std::numbers::pi;
+    double theta20 = 0.0;
+};
+
+struct ReferenceData {
+    std::vector<double> time; ///< s, strictly increasing
+    Rounding timeRounding;    ///< how the file rounded the instants, already in seconds
+    std::vector<ReferenceSeries> series;
+    std::vector<SkippedRow> skipped;    ///< at most 1000, and then one more that counts the others
+    FileLayout layout;                  ///< how the file is written, and what each column became and why
+    std::optional<CrankAngles> crank{}; ///< where the file counts by them: the instants follow
+
+    const ReferenceSeries *find(Channel channel) const;
+
+    std::size_t skippedRowCount() const; ///< listed and not
+};
+
+/// Of its series.
+ChannelSet channelsOf(const ReferenceData &data);
+
+/// Why nothing sensible could be read, and where. line 0: the file as a whole.
+struct ReadError {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string text{};
+    ReadFault fault{};
+    FileLayout layout{}; ///< what was found; with columns, a person's choice of them may still help
+
+    // Of several files that are to be joined.
+    std::optional<std::size_t> file{};      ///< where it is; none: in all of them, or there is one
+    std::optional<std::size_t> otherFile{}; ///< that ReadFault::heading is the name of
+};
+
+/// What the finite ones among some values span.
+struct ValueRange {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    std::size_t count = 0;
+
+    double width() const { return high - low; }
+    double size() const { return std::max({0.0, -low, high}); } ///< the largest magnitude
+};
+
+ValueRange rangeOf(std::span<const double> values);
+
+struct ReadOptions {
+    std::vector<ColumnChoice> columns; ///< the columns not named here are what they were without
+
+    /// Called from the reading thread now and then, with the bytes done of all. May be empty.
+    std::function<void(std::size_t done, std::size_t all)> progress;
+
+    std::vector<NamedChoice> named{}; ///< as `columns`, and over those
+};
+
+/// Reads any bytes, in pieces: a large file is never in memory. What it is, its beginning tells; where that is no table
+/// nothing else is read. A channel or time that stands there twice under its own name, an unknown unit of either and a
+/// time that does not increase are refused rather than guessed at; a row that cannot be read is left out and reported.
+/// Watches `stop`.
+std::variant<ReferenceData, ReadError> readReferenceData(const ByteSource &source, std::stop_token stop = {},
+                                                         const ReadOptions &options = {});
+
+/// The same of bytes in memory.
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
+                                                         const ReadOptions &options = {});
+
+} // namespace slidercrank

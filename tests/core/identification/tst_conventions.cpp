@@ -1,0 +1,1068 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/diagnosis.h"
+
+#include "core/comparison/comparison.h"
+
+#include "tests/support/long_tests.h"
+#include "tests/support/printed_motion.h"
+#include "tests/support/random_mechanisms.h"
+
+#include <QFile>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace slidercrank;
+using Kind = Convention::Kind;
+
+namespace
+{
+
+std::atomic<std::size_t> largestAllocation = 0; // bytes, since it was set to 0; QtTest's watchdog allocates as well
+
+void count(std::size_t size)
+{
+    if (size > largestAllocation) {
+        largestAllocation = size;
+    }
+}
+
+} // namespace
+
+void *operator new(std::size_t size)
+{
+    count(size);
+    if (void *memory = std::malloc(std::max<std::size_t>(size, 1))) {
+        return memory;
+    }
+    throw std::bad_alloc();
+}
+
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+    count(size);
+    return std::malloc(std::max<std::size_t>(size, 1));
+}
+
+// Not inlined, lest g++ 14 take new and free for a mistaken pair.
+[[gnu::noinline]] void operator delete(void *memory) noexcept
+{
+    std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+
+namespace
+{
+
+std::vector<ConventionFinding> findConventions(const ReferenceData &data, const Mechanism &mechanism,
+                                               std::stop_token stop = {})
+{
+    return diagnose(data, mechanism, std::move(stop)).conventions;
+}
+
+constexpr double kPi = std::numbers::pi;
+
+/// How many of the random files are tried. The sanitizers, thirty times slower, look at memory and not at numbers: a
+/// few are enough for them.
+int filesOf(int all)
+{
+    const int some = (all + 9) / 10;
+#ifdef __SANITIZE_ADDRESS__
+    return runs((all + 49) / 50, some);
+#else
+    return runs(some, all);
+#endif
+}
+
+constexpr Channel kTheta{Theta3, Order::Position};
+constexpr Channel kThetaDot{Theta3, Order::Velocity};
+constexpr Channel kThetaDDot{Theta3, Order::Acceleration};
+constexpr Channel kX{R4x, Order::Position};
+constexpr Channel kXDot{R4x, Order::Velocity};
+constexpr Channel kXDDot{R4x, Order::Acceleration};
+const std::vector<Channel> kAngles{kTheta, kThetaDot, kThetaDDot};
+const std::vector<Channel> kLengths{kX, kXDot, kXDDot};
+
+/// A file before it is written: a column of the time and one of each channel.
+struct Table {
+    std::vector<double> time;
+    std::vector<std::pair<Channel, std::vector<double>>> columns;
+
+    std::vector<double> &operator[](Channel channel)
+    {
+        return std::find_if(columns.begin(), columns.end(), [&](const auto &one) { return one.first == channel; })
+            ->second;
+    }
+
+    void keepOnly(const std::vector<Channel> &channels)
+    {
+        std::erase_if(columns, [&](const auto &one) {
+            return std::find(channels.begin(), channels.end(), one.first) == channels.end();
+        });
+    }
+};
+
+/// The textbook's motion (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15, with θ³ = θ_3 - 180°), in mm and °.
+void appendMotion(Table &table, const Parameters &p, double t)
+{
+    const double theta2 = p.omega2 * t + p.theta20;
+    const double steepness = std::asin((p.c - p.a * std::sin(theta2)) / p.b);
+    const double theta3 = p.branch == Branch::Open ? steepness : kPi - steepness;
+    const double omega3 = -p.a * p.omega2 * std::cos(theta2) / (p.b * std::cos(theta3));
+    const double alpha3 = (p.a * p.omega2 * p.omega2 * std::sin(theta2) + p.b * omega3 * omega3 * std::sin(theta3)) /
+                          (p.b * std::cos(theta3));
+    table[kX].push_back(p.a * std::cos(theta2) + p.b * std::cos(theta3));
+    table[kXDot].push_back(-p.a * p.omega2 * std::sin(theta2) - p.b * omega3 * std::sin(theta3));
+    table[kXDDot].push_back(-p.a * p.omega2 * p.omega2 * std::cos(theta2) - p.b * alpha3 * std::sin(theta3) -
+                            p.b * omega3 * omega3 * std::cos(theta3));
+    table[kTheta].push_back(180.0 / kPi * theta3);
+    table[kThetaDot].push_back(180.0 / kPi * omega3);
+    table[kThetaDDot].push_back(180.0 / kPi * alpha3);
+}
+
+Table motionAt(const Parameters &parameters, const std::vector<double> &instants)
+{
+    Table table;
+    table.time = instants;
+    for (const Channel channel : {kX, kXDot, kXDDot, kTheta, kThetaDot, kThetaDDot}) {
+        table.columns.push_back({channel, {}});
+    }
+    for (const double t : instants) {
+        appendMotion(table, parameters, t);
+    }
+    return table;
+}
+
+void append(std::string &text, double value, int digits)
+{
+    std::array<char, 40> buffer;
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+    text.append(buffer.data(), end.ptr);
+}
+
+/// The file as it is read back from six significant digits.
+ReferenceData writtenAndRead(const Table &table)
+{
+    std::string csv = "time";
+    for (const auto &[channel, values] : table.columns) {
+        csv += ',';
+        csv += nameOf(channel);
+    }
+    csv += '\n';
+    for (std::size_t i = 0; i < table.time.size(); ++i) {
+        append(csv, table.time[i], 17);
+        for (const auto &[channel, values] : table.columns) {
+            csv += ',';
+            append(csv, values[i], 6);
+        }
+        csv += '\n';
+    }
+    const auto outcome = readReferenceData(csv);
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? *data : ReferenceData();
+}
+
+/// Mechanisms whose crank turns round, and their instants.
+class RandomFiles
+{
+public:
+    explicit RandomFiles(std::uint64_t seed)
+        : m_random(seed)
+    {
+    }
+
+    double uniform(double from, double to) { return m_random.uniform(from, to); }
+
+    Parameters mechanism()
+    {
+        Parameters p;
+        p.a = uniform(5.0, 80.0);
+        p.c = p.a * uniform(-1.5, 1.5);
+        p.b = (p.a + std::abs(p.c)) * uniform(1.05, 3.0);
+        p.omega2 = uniform(0.5, 20.0) * (uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
+        p.theta20 = uniform(-kPi, kPi);
+        p.branch = m_count++ % 2 == 0 ? Branch::Open : Branch::Crossed;
+        return p;
+    }
+
+    /// 80 to 500 instants over 0.6 to 3 turns.
+    std::vector<double> instants(const Parameters &p)
+    {
+        const int rows = static_cast<int>(uniform(80.0, 500.0));
+        const double duration = uniform(0.6, 3.0) * 2.0 * kPi / std::abs(p.omega2);
+        std::vector<double> time;
+        for (int i = 0; i < rows; ++i) {
+            time.push_back(duration * i / (rows - 1));
+        }
+        return time;
+    }
+
+private:
+    RandomMechanisms m_random;
+    int m_count = 0;
+};
+
+void multiply(Table &table, const std::vector<Channel> &channels, double factor)
+{
+    for (const Channel channel : channels) {
+        for (double &value : table[channel]) {
+            value *= factor;
+        }
+    }
+}
+
+/// What is done to a file, and what is to be found. `parameters` are those that the file is then compared with.
+struct Fault {
+    const char *name;
+    std::function<std::vector<Convention>(Table &, Parameters &, RandomFiles &)> inject;
+};
+
+const std::vector<Fault> &faults()
+{
+    static const std::vector<Fault> all{
+        {"angles in radians",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, kAngles, kPi / 180.0);
+             return std::vector<Convention>{{Kind::AngleUnit, kAngles, 180.0 / kPi}};
+         }},
+        {"only the angle in radians",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kTheta}, kPi / 180.0);
+             return std::vector<Convention>{{Kind::AngleUnit, {kTheta}, 180.0 / kPi}};
+         }},
+        {"the angle's derivatives in radians",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kThetaDot, kThetaDDot}, kPi / 180.0);
+             return std::vector<Convention>{{Kind::AngleUnit, {kThetaDot, kThetaDDot}, 180.0 / kPi}};
+         }},
+        {"degrees under a heading of radians",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, kAngles, 180.0 / kPi);
+             return std::vector<Convention>{{Kind::AngleUnit, kAngles, kPi / 180.0}};
+         }},
+        {"velocity in m/s",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kXDot}, 1e-3);
+             return std::vector<Convention>{{Kind::LengthUnit, {kXDot}, 1e3}};
+         }},
+        {"position in cm",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kX}, 0.1);
+             return std::vector<Convention>{{Kind::LengthUnit, {kX}, 10.0}};
+         }},
+        {"acceleration in in/s²",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kXDDot}, 1.0 / 25.4);
+             return std::vector<Convention>{{Kind::LengthUnit, {kXDDot}, 25.4}};
+         }},
+        {"instants in ms",
+         [](Table &table, Parameters &, RandomFiles &) {
+             for (double &t : table.time) {
+                 t *= 1e3;
+             }
+             return std::vector<Convention>{{Kind::TimeUnit, {}, 1e-3}};
+         }},
+        {"instants in s under a heading of ms",
+         [](Table &table, Parameters &, RandomFiles &) {
+             for (double &t : table.time) {
+                 t *= 1e-3;
+             }
+             return std::vector<Convention>{{Kind::TimeUnit, {}, 1e3}};
+         }},
+        {"velocity with the other sign",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kXDot}, -1.0);
+             return std::vector<Convention>{{Kind::Sign, {kXDot}, -1.0}};
+         }},
+        {"angular acceleration with the other sign",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kThetaDDot}, -1.0);
+             return std::vector<Convention>{{Kind::Sign, {kThetaDDot}, -1.0}};
+         }},
+        {"the textbook's θ_3",
+         [](Table &table, Parameters &, RandomFiles &) {
+             for (double &value : table[kTheta]) {
+                 value += 180.0;
+             }
+             return std::vector<Convention>{{Kind::HalfTurn, {kTheta}, -180.0}};
+         }},
+        {"a whole turn less",
+         [](Table &table, Parameters &, RandomFiles &) {
+             for (double &value : table[kTheta]) {
+                 value -= 360.0;
+             }
+             return std::vector<Convention>{{Kind::WholeTurns, {kTheta}, 360.0}};
+         }},
+        {"position and acceleration swapped",
+         [](Table &table, Parameters &, RandomFiles &) {
+             std::swap(table[kX], table[kXDDot]);
+             return std::vector<Convention>{{Kind::SwappedColumns, {kX, kXDDot}, 1.0}};
+         }},
+        {"velocity and acceleration swapped",
+         [](Table &table, Parameters &, RandomFiles &) {
+             std::swap(table[kXDot], table[kXDDot]);
+             return std::vector<Convention>{{Kind::SwappedColumns, {kXDot, kXDDot}, 1.0}};
+         }},
+        {"angle and position swapped",
+         [](Table &table, Parameters &, RandomFiles &) {
+             std::swap(table[kTheta], table[kX]);
+             return std::vector<Convention>{{Kind::SwappedColumns, {kTheta, kX}, 1.0}};
+         }},
+        {"the two velocities swapped",
+         [](Table &table, Parameters &, RandomFiles &) {
+             std::swap(table[kThetaDot], table[kXDot]);
+             return std::vector<Convention>{{Kind::SwappedColumns, {kThetaDot, kXDot}, 1.0}};
+         }},
+        {"an acceleration delayed by some rows",
+         [](Table &table, Parameters &, RandomFiles &) {
+             std::vector<double> &values = table[kXDDot];
+             std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 20),
+                         values.end());
+             return std::vector<Convention>{{Kind::NotDerivative, {kXDDot}, 1.0}};
+         }},
+        {"an angular velocity that is another gear's",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, {kThetaDot}, 1.7);
+             return std::vector<Convention>{{Kind::NotDerivative, {kThetaDot}, 1.0}};
+         }},
+        {"a velocity of noise",
+         [](Table &table, Parameters &, RandomFiles &random) {
+             for (double &value : table[kXDot]) {
+                 value *= random.uniform(-1.0, 1.0);
+             }
+             return std::vector<Convention>{{Kind::NotDerivative, {kXDot}, 1.0}};
+         }},
+    };
+    return all;
+}
+
+/// Faults that another mechanism explains as well.
+const std::vector<Fault> &faultsOfTheWhole()
+{
+    static const std::vector<Fault> all{
+        {"all lengths in metres",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, kLengths, 1e-3);
+             return std::vector<Convention>{{Kind::LengthUnit, kLengths, 1e3}};
+         }},
+        {"all lengths in inches",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, kLengths, 1.0 / 25.4);
+             return std::vector<Convention>{{Kind::LengthUnit, kLengths, 25.4}};
+         }},
+        {"everything per millisecond",
+         [](Table &table, Parameters &, RandomFiles &) {
+             for (double &t : table.time) {
+                 t *= 1e3;
+             }
+             multiply(table, {kXDot, kThetaDot}, 1e-3);
+             multiply(table, {kXDDot, kThetaDDot}, 1e-6);
+             return std::vector<Convention>{{Kind::TimeUnit, {kXDot, kXDDot, kThetaDot, kThetaDDot}, 1e-3}};
+         }},
+        {"the other sense of rotation",
+         [](Table &table, Parameters &, RandomFiles &) {
+             multiply(table, kAngles, -1.0);
+             return std::vector<Convention>{{Kind::Sign, kAngles, -1.0}};
+         }},
+        {"the other assembly",
+         [](Table &, Parameters &p, RandomFiles &) {
+             p.branch = otherThan(p.branch);
+             return std::vector<Convention>{{Kind::Branch, {}, 1.0}};
+         }},
+        {"a late start",
+         [](Table &table, Parameters &p, RandomFiles &random) {
+             const double late = random.uniform(0.02, 0.45) * 2.0 * kPi / std::abs(p.omega2);
+             for (double &t : table.time) {
+                 t += late;
+             }
+             return std::vector<Convention>{{Kind::TimeShift, {}, -late}};
+         }},
+    };
+    return all;
+}
+
+const Fault kAxisReversed{"the x axis reversed", [](Table &table, Parameters &, RandomFiles &) {
+                              multiply(table, kLengths, -1.0);
+                              return std::vector<Convention>{{Kind::Sign, kLengths, -1.0}};
+                          }};
+
+Fault faultNamed(const std::string &name)
+{
+    for (const auto &list : {faults(), faultsOfTheWhole()}) {
+        for (const Fault &fault : list) {
+            if (fault.name == name) {
+                return fault;
+            }
+        }
+    }
+    return {};
+}
+
+const char *nameOfKind(Kind kind)
+{
+    switch (kind) {
+    case Kind::AngleUnit: return "angle unit";
+    case Kind::LengthUnit: return "length unit";
+    case Kind::TimeUnit: return "time unit";
+    case Kind::Sign: return "sign";
+    case Kind::HalfTurn: return "half turn";
+    case Kind::WholeTurns: return "whole turns";
+    case Kind::ZeroPoint: return "zero point";
+    case Kind::SwappedColumns: return "swapped";
+    case Kind::Branch: return "branch";
+    case Kind::TimeShift: return "time shift";
+    case Kind::NotDerivative: return "not a derivative";
+    case Kind::Axis: return "axis";
+    }
+    return "";
+}
+
+std::string inWords(const std::vector<ConventionFinding> &findings)
+{
+    std::string words;
+    for (const ConventionFinding &finding : findings) {
+        words += nameOfKind(finding.convention.kind);
+        for (const Channel channel : finding.convention.channels) {
+            words += ' ';
+            words += nameOf(channel);
+        }
+        words += " by " + std::to_string(finding.convention.amount);
+        words += ": " + std::to_string(finding.before) + " % to " + std::to_string(finding.after) + " %; ";
+    }
+    return words.empty() ? "nothing" : words;
+}
+
+bool isSame(const Convention &found, const Convention &expected)
+{
+    const auto sorted = [](std::vector<Channel> channels) {
+        std::sort(channels.begin(), channels.end(), [](Channel x, Channel y) { return indexOf(x) < indexOf(y); });
+        return channels;
+    };
+    const double slack = expected.kind == Kind::TimeShift ? 1e-4 : 1e-9;
+    return found.kind == expected.kind && sorted(found.channels) == sorted(expected.channels) &&
+           std::abs(found.amount - expected.amount) <= slack * std::abs(expected.amount);
+}
+
+/// Whether just these were found, in any order, each of which matters and leaves next to nothing.
+bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<Convention> &expected)
+{
+    const auto isFound = [&](const Convention &one) {
+        return std::any_of(findings.begin(), findings.end(),
+                           [&](const ConventionFinding &finding) { return isSame(finding.convention, one); });
+    };
+    const auto helps = [](const ConventionFinding &finding) { return finding.before > 1.0 && finding.after < 0.1; };
+    return findings.size() == expected.size() && std::all_of(expected.begin(), expected.end(), isFound) &&
+           std::all_of(findings.begin(), findings.end(), helps);
+}
+
+ReferenceData authorsFile()
+{
+    QFile file(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv"));
+    const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    const auto outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? *data : ReferenceData();
+}
+
+} // namespace
+
+class TestConventions : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void findsAFaultAgainstTheMechanismAtHand_data()
+    {
+        QTest::addColumn<Fault>("fault");
+        for (const auto &list : {faults(), faultsOfTheWhole(), {kAxisReversed}}) {
+            for (const Fault &fault : list) {
+                QTest::newRow(fault.name) << fault;
+            }
+        }
+    }
+
+    void findsAFaultAgainstTheMechanismAtHand()
+    {
+        QFETCH(const Fault, fault);
+        RandomFiles files(1);
+        for (int i = 0; i < filesOf(50); ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            const std::vector<Convention> expected = fault.inject(table, p, files);
+            const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism(p));
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void findsAFaultWhateverTheMechanism_data()
+    {
+        QTest::addColumn<Fault>("fault");
+        for (const Fault &fault : faults()) {
+            QTest::newRow(fault.name) << fault;
+        }
+    }
+
+    void findsAFaultWhateverTheMechanism()
+    {
+        QFETCH(const Fault, fault);
+        RandomFiles files(1);
+        for (int i = 0; i < filesOf(20); ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            const std::vector<Convention> expected = fault.inject(table, p, files);
+            const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism());
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void findsTwoFaultsInOneFile_data()
+    {
+        QTest::addColumn<Fault>("first");
+        QTest::addColumn<Fault>("second");
+        QTest::addColumn<bool>("atHand");
+        const auto add = [](const char *first, const char *second, bool atHand) {
+            const std::string name = std::string(first) + ", " + second + (atHand ? ", mechanism at hand" : "");
+            QTest::newRow(name.c_str()) << faultNamed(first) << faultNamed(second) << atHand;
+        };
+        for (const bool atHand : {true, false}) {
+            add("angles in radians", "velocity in m/s", atHand);
+            add("angles in radians", "the textbook's θ_3", atHand);
+            add("angles in radians", "velocity and acceleration swapped", atHand);
+            add("instants in ms", "angles in radians", atHand);
+            add("instants in ms", "angle and position swapped", atHand);
+            add("position in cm", "the textbook's θ_3", atHand);
+            add("velocity with the other sign", "the angle's derivatives in radians", atHand);
+            add("velocity with the other sign", "a whole turn less", atHand);
+            add("a velocity of noise", "angles in radians", atHand);
+            add("an acceleration delayed by some rows", "the textbook's θ_3", atHand);
+        }
+        add("all lengths in metres", "angles in radians", true);
+        add("all lengths in inches", "a late start", true);
+        add("the other assembly", "a late start", true);
+        add("a late start", "the textbook's θ_3", true);
+        add("a late start", "the other sense of rotation", true);
+        add("a late start", "velocity and acceleration swapped", true);
+    }
+
+    void findsTwoFaultsInOneFile()
+    {
+        QFETCH(const Fault, first);
+        QFETCH(const Fault, second);
+        QFETCH(const bool, atHand);
+        RandomFiles files(3);
+        for (int i = 0; i < filesOf(10); ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            std::vector<Convention> expected = second.inject(table, p, files);
+            for (const Convention &one : first.inject(table, p, files)) {
+                expected.push_back(one);
+            }
+            const std::vector<ConventionFinding> found =
+                findConventions(writtenAndRead(table), atHand ? Mechanism(p) : Mechanism());
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void makesTheFileAgreeWhenAllIsApplied_data() { findsAFaultAgainstTheMechanismAtHand_data(); }
+
+    void makesTheFileAgreeWhenAllIsApplied()
+    {
+        QFETCH(const Fault, fault);
+        RandomFiles files(4);
+        for (int i = 0; i < filesOf(10); ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            fault.inject(table, p, files);
+            ReferenceData data = writtenAndRead(table);
+            for (const ConventionFinding &finding : findConventions(data, Mechanism(p))) {
+                data = applied(finding.convention, data);
+                if (finding.convention.kind == Kind::Branch) {
+                    p.branch = otherThan(p.branch);
+                }
+            }
+            QVERIFY(data.series.size() >= 5);
+            SolverSettings settings;
+            settings.method = Method::ClosedForm;
+            const Mechanism mechanism(p);
+            const Trajectory model = sample(mechanism, data.time, plottedChannels(), settings);
+            for (const ChannelComparison &column : compare(mechanism, model, data)) {
+                QVERIFY2(column.percentOfPeak.value() < 0.02, nameOf(column.channel).data());
+            }
+        }
+    }
+
+    void findsNothingInCleanFiles()
+    {
+        RandomFiles files(2);
+        for (int i = 0; i < filesOf(200); ++i) {
+            const Parameters p = files.mechanism();
+            const ReferenceData data = writtenAndRead(motionAt(p, files.instants(p)));
+            for (const Parameters &compared : {p, files.mechanism(), Parameters()}) {
+                const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
+                QVERIFY2(found.empty(), (std::to_string(i) + ": " + inWords(found)).c_str());
+            }
+        }
+    }
+
+    void findsNothingInTheCranksAngleWhereverTheTurnBegins()
+    {
+        for (const double theta20 : {0.0, 0.5, 1.5, 3.0, -0.5, -3.0}) {
+            for (const int rows : {100, 101}) {
+                Parameters p;
+                p.theta20 = theta20;
+                QByteArray text = "time,theta2,R4_x,R4_x_diff,R4_x_diff2\n";
+                for (int i = 0; i < rows; ++i) {
+                    const double t = 0.01 * i;
+                    const PrintedRow row = textbookMotion(p, static_cast<long double>(t));
+                    text += QByteArray::number(t) + ',' +
+                            QByteArray::number((theta20 + p.omega2 * t) * kDegreesPerRadian, 'g', 8);
+                    for (const std::size_t value : {1U, 3U, 5U}) { // x and its derivatives
+                        text += ',' + QByteArray::number(static_cast<double>(row[value]), 'g', 8);
+                    }
+                    text += '\n';
+                }
+                Parameters other = p;
+                other.b = 60.0;
+                const auto outcome = readReferenceData(text.toStdString());
+                QVERIFY(std::holds_alternative<ReferenceData>(outcome));
+                for (const Parameters &compared : {p, other}) {
+                    const std::vector<ConventionFinding> found =
+                        findConventions(std::get<ReferenceData>(outcome), Mechanism(compared));
+                    QVERIFY2(found.empty(), inWords(found).c_str());
+                }
+            }
+        }
+    }
+
+    void findsNothingInCleanFilesOfFewColumns_data()
+    {
+        QTest::addColumn<std::vector<Channel>>("channels");
+        QTest::newRow("angle") << std::vector{kTheta};
+        QTest::newRow("position") << std::vector{kX};
+        QTest::newRow("angle and position") << std::vector{kTheta, kX};
+        QTest::newRow("angle and its derivatives") << kAngles;
+        QTest::newRow("position and its derivatives") << kLengths;
+        QTest::newRow("velocities") << std::vector{kThetaDot, kXDot};
+    }
+
+    void findsNothingInCleanFilesOfFewColumns()
+    {
+        QFETCH(const std::vector<Channel>, channels);
+        RandomFiles files(5);
+        for (int i = 0; i < filesOf(40); ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            table.keepOnly(channels);
+            const ReferenceData data = writtenAndRead(table);
+            for (const Parameters &compared : {p, files.mechanism(), Parameters()}) {
+                const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
+                QVERIFY2(found.empty(), (std::to_string(i) + ": " + inWords(found)).c_str());
+            }
+        }
+    }
+
+    void findsAFaultInFewColumns_data()
+    {
+        QTest::addColumn<std::vector<Channel>>("channels");
+        QTest::addColumn<Fault>("fault");
+        QTest::addColumn<bool>("atHand");
+        for (const bool atHand : {true, false}) {
+            const char *where = atHand ? ", mechanism at hand" : "";
+            const auto add = [&](const char *columns, const std::vector<Channel> &channels, const char *fault) {
+                const std::string name = std::string(columns) + ": " + fault + where;
+                QTest::newRow(name.c_str()) << channels << faultNamed(fault) << atHand;
+            };
+            add("positions only", {kTheta, kX}, "only the angle in radians");
+            add("positions only", {kTheta, kX}, "the textbook's θ_3");
+            add("positions only", {kTheta, kX}, "a whole turn less");
+            add("positions only", {kTheta, kX}, "angle and position swapped");
+            add("angles only", kAngles, "angles in radians");
+            add("angles only", kAngles, "instants in ms");
+            add("angles only", kAngles, "angular acceleration with the other sign");
+            add("lengths only", kLengths, "instants in ms");
+            add("lengths only", kLengths, "velocity in m/s");
+            add("lengths only", kLengths, "velocity with the other sign");
+            add("lengths only", kLengths, "position and acceleration swapped");
+            add("lengths only", kLengths, "an acceleration delayed by some rows");
+        }
+    }
+
+    void findsAFaultInFewColumns()
+    {
+        QFETCH(const std::vector<Channel>, channels);
+        QFETCH(const Fault, fault);
+        QFETCH(const bool, atHand);
+        RandomFiles files(6);
+        for (int i = 0; i < filesOf(10); ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            const std::vector<Convention> expected = fault.inject(table, p, files);
+            table.keepOnly(channels);
+            const std::vector<ConventionFinding> found =
+                findConventions(writtenAndRead(table), atHand ? Mechanism(p) : Mechanism());
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void staysSilentWhereAnotherMechanismExplainsAsMuch_data()
+    {
+        QTest::addColumn<Fault>("fault");
+        for (const Fault &fault : faultsOfTheWhole()) {
+            QTest::newRow(fault.name) << fault;
+        }
+    }
+
+    void staysSilentWhereAnotherMechanismExplainsAsMuch()
+    {
+        QFETCH(const Fault, fault);
+        RandomFiles files(7);
+        for (int i = 0; i < filesOf(50); ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            fault.inject(table, p, files);
+            // Negated, the angles of a crossed mechanism are a whole turn away from those of its mirror image.
+            const std::vector<double> &angles = table[kTheta];
+            const bool turned = std::all_of(angles.begin(), angles.end(), [](double angle) { return angle < -90.0; });
+            const std::vector<Convention> expected =
+                turned ? std::vector<Convention>{{Kind::WholeTurns, {kTheta}, 360.0}} : std::vector<Convention>();
+            const std::vector<ConventionFinding> found =
+                findConventions(writtenAndRead(table), Mechanism(files.mechanism()));
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void tellsAReversedAxisFromAHalfTurnByASimilarMechanism()
+    {
+        RandomFiles files(8);
+        for (int i = 0; i < filesOf(20); ++i) {
+            Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            const std::vector<Convention> expected = kAxisReversed.inject(table, p, files);
+            const ReferenceData data = writtenAndRead(table);
+            Parameters similar = p;
+            similar.b *= 1.02;
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(similar));
+            QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+
+            Parameters reversed = p; // what the file looks like when θ3 is taken half a turn on
+            reversed.omega2 *= 0.7;
+            const std::vector<ConventionFinding> otherwise = findConventions(data, Mechanism(reversed));
+            QVERIFY2(areFound(otherwise, {{Kind::HalfTurn, {kTheta}, p.branch == Branch::Open ? 180.0 : -180.0}}),
+                     (std::to_string(i) + ": " + inWords(otherwise)).c_str());
+        }
+    }
+
+    void takesAnglesThatJumpTogether()
+    {
+        RandomFiles files(9);
+        for (int i = 0; i < filesOf(50); ++i) {
+            Parameters p = files.mechanism();
+            p.branch = Branch::Crossed;
+            Table table = motionAt(p, files.instants(p));
+            for (double &angle : table[kTheta]) {
+                angle = angle > 180.0 ? angle - 360.0 : angle;
+            }
+            const bool jumps =
+                std::any_of(table[kTheta].begin(), table[kTheta].end(), [](double angle) { return angle < 0.0; });
+            const double turn = table[kTheta][0] < 0.0 ? 360.0 : 0.0;
+            const std::vector<Convention> expected =
+                jumps ? std::vector<Convention>{{Kind::WholeTurns, {kTheta}, turn}} : std::vector<Convention>();
+            const ReferenceData data = writtenAndRead(table);
+            for (const Mechanism &compared : {Mechanism(p), Mechanism()}) {
+                const std::vector<ConventionFinding> found = findConventions(data, compared);
+                QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
+            }
+        }
+    }
+
+    void findsNoConventionInTheAuthorsFileButAMistypedLength()
+    {
+        const ReferenceData data = authorsFile();
+        if (data.series.empty()) {
+            QSKIP("the author's InventorData.csv is not at hand");
+        }
+        for (const double b : {60.0, 65.0}) {
+            Parameters p;
+            p.b = b;
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(p));
+            QVERIFY2(found.empty(), inWords(found).c_str());
+        }
+        const std::vector<ConventionFinding> found =
+            findConventions(applied({Kind::HalfTurn, {kTheta}, 180.0}, data), Mechanism());
+        QVERIFY2(areFound(found, {{Kind::HalfTurn, {kTheta}, -180.0}}), inWords(found).c_str());
+    }
+
+    void findsAFaultInMeasuredData()
+    {
+        RandomFiles files(10);
+        for (int i = 0; i < filesOf(20); ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            for (auto &[channel, values] : table.columns) {
+                const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+                const double range = *highest - *lowest;
+                for (double &value : values) {
+                    value += range * files.uniform(-0.003, 0.003);
+                }
+            }
+            const std::vector<ConventionFinding> clean = findConventions(writtenAndRead(table), Mechanism());
+            QVERIFY2(clean.empty(), (std::to_string(i) + ": " + inWords(clean)).c_str());
+            multiply(table, kAngles, kPi / 180.0);
+            const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism());
+            QVERIFY2(found.size() == 1 && isSame(found[0].convention, {Kind::AngleUnit, kAngles, 180.0 / kPi}),
+                     (std::to_string(i) + ": " + inWords(found)).c_str());
+        }
+    }
+
+    void copesWithGapsAndOtherColumns()
+    {
+        RandomFiles files(11);
+        const Parameters p = files.mechanism();
+        Table table = motionAt(p, files.instants(p));
+        multiply(table, {kTheta}, kPi / 180.0);
+        ReferenceData data = writtenAndRead(table);
+        for (ReferenceSeries &series : data.series) {
+            for (std::size_t row = indexOf(series.channel) % 5; row < series.values.size(); row += 5) {
+                series.values[row] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+        // Columns that are none of the six, and no motion of this mechanism.
+        data.series.push_back({{R2x, Order::Position}, std::vector<double>(data.time.size(), 7.0), {}});
+        for (const Mechanism &compared : {Mechanism(p), Mechanism()}) {
+            const std::vector<ConventionFinding> found = findConventions(data, compared);
+            QVERIFY2(areFound(found, {{Kind::AngleUnit, {kTheta}, 180.0 / kPi}}), inWords(found).c_str());
+        }
+    }
+
+    void saysNothingOfWhatIsNoSliderCrank()
+    {
+        RandomFiles files(12);
+        const Parameters p = files.mechanism();
+        Table table = motionAt(p, files.instants(p));
+        for (auto &[channel, values] : table.columns) {
+            for (double &value : values) {
+                value = files.uniform(-100.0, 100.0);
+            }
+        }
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism(p)).empty());
+        QVERIFY(findConventions(ReferenceData(), Mechanism()).empty());
+        table.time.resize(3);
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism()).empty());
+    }
+
+    void findsThatTheSliderMovesAlongY_data()
+    {
+        QTest::addColumn<std::vector<Channel>>("kept"); // of the motion along x
+        QTest::addColumn<double>("angleAdded");         // to θ3
+        QTest::addColumn<bool>("hasX");
+        QTest::newRow("the position alone") << std::vector{kX} << 0.0 << false;
+        QTest::newRow("its derivatives, too") << kLengths << 0.0 << true;
+        QTest::newRow("an angle from the slider's axis") << std::vector{kX, kTheta, kThetaDot} << 0.0 << false;
+        QTest::newRow("an angle from the file's x") << std::vector{kX, kXDot, kTheta} << 90.0 << true;
+        QTest::newRow("an angle from elsewhere") << std::vector{kX, kTheta} << 40.0 << false;
+    }
+
+    void findsThatTheSliderMovesAlongY()
+    {
+        QFETCH(const std::vector<Channel>, kept);
+        QFETCH(const double, angleAdded);
+        QFETCH(const bool, hasX);
+        const bool isTurned = angleAdded == 90.0;
+        RandomFiles files(21);
+        for (int i = 0; i < filesOf(10); ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            table.keepOnly(kept);
+            std::vector<Convention> expected{{Kind::Axis, {}, 1.0}};
+            for (auto &[channel, values] : table.columns) {
+                if (channel.coordinate == R4x) {
+                    channel.coordinate = R4y;
+                    expected[0].channels.push_back(channel);
+                } else if (channel == kTheta && angleAdded != 0.0) {
+                    std::ranges::for_each(values, [&](double &value) { value += angleAdded; });
+                    if (isTurned) {
+                        expected[0].channels.push_back(kTheta); // the whole file is turned
+                    }
+                }
+            }
+            if (hasX) {
+                table.columns.push_back({kX, std::vector<double>(table.time.size(), -p.c)});
+                expected[0].channels.push_back(kX);
+            }
+            const ReferenceData data = writtenAndRead(table);
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(p));
+            QVERIFY2(!found.empty() && isSame(found[0].convention, expected[0]), inWords(found).c_str());
+            QVERIFY2(found[0].before > 1.0 && found[0].after < 0.1, inWords(found).c_str());
+            const bool hasZero = angleAdded != 0.0 && !isTurned;
+            QCOMPARE(found.size(), hasZero ? std::size_t{2} : std::size_t{1});
+            if (hasZero) {
+                QCOMPARE(found[1].convention.kind, Kind::ZeroPoint);
+                QVERIFY2(std::abs(found[1].convention.amount + angleAdded) < 1e-3, inWords(found).c_str());
+            }
+            // Read so, and compared with any other mechanism, the file is the same motion.
+            ReferenceData read = data;
+            for (const ConventionFinding &finding : found) {
+                read = applied(finding.convention, std::move(read));
+            }
+            const ExactComparison outcome = compareExactly(Mechanism(p), read);
+            for (const ChannelComparison &channel : outcome.channels) {
+                QVERIFY(channel.verdict != Verdict::Differs);
+            }
+            const std::vector<ConventionFinding> beside = findConventions(data, Mechanism());
+            QVERIFY2(!beside.empty() && isSame(beside[0].convention, expected[0]), inWords(beside).c_str());
+        }
+    }
+
+    void saysNothingOfAnAxisWhereXMoves()
+    {
+        RandomFiles files(22);
+        for (int i = 0; i < filesOf(10); ++i) {
+            const Parameters p = files.mechanism();
+            Table table = motionAt(p, files.instants(p));
+            // y stands, but for what a solver leaves; once without x.
+            std::vector<double> nearly(table.time.size());
+            std::ranges::generate(nearly, [&] { return p.c + files.uniform(-1e-9, 1e-9); });
+            if (i % 2 == 1) {
+                table.keepOnly(kAngles);
+            }
+            table.columns.push_back({{R4y, Order::Position}, nearly});
+            const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism(p));
+            QVERIFY2(found.empty(), inWords(found).c_str());
+        }
+        // What moves along y need not be a slider.
+        Table table = motionAt(Parameters(), files.instants(Parameters()));
+        table.keepOnly({kX});
+        table.columns[0].first.coordinate = R4y;
+        std::ranges::generate(table.columns[0].second, [&] { return files.uniform(-50.0, 50.0); });
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism()).empty());
+    }
+
+    void saysWhereLengthsMayBeMetres_data()
+    {
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<QByteArray>("heading");
+        QTest::addColumn<bool>("may");
+        QTest::newRow("metres, unsaid") << 1e-3 << QByteArray("R4_x") << true;
+        QTest::newRow("so small indeed") << 1e-3 << QByteArray("R4_x [mm]") << false;
+        QTest::newRow("metres") << 1e-3 << QByteArray("R4_x [m]") << false;
+        QTest::newRow("millimetres, unsaid") << 1.0 << QByteArray("R4_x") << false;
+    }
+
+    void saysWhereLengthsMayBeMetres()
+    {
+        QFETCH(const double, scale);
+        QFETCH(const QByteArray, heading);
+        QFETCH(const bool, may);
+        Parameters p;
+        p.a = 40.0;
+        p.b = 110.0;
+        RandomFiles files(23);
+        Table table = motionAt(p, files.instants(p));
+        QByteArray text = "time," + heading + '\n';
+        for (std::size_t i = 0; i < table.time.size(); ++i) {
+            text += QByteArray::number(table.time[i], 'g', 17) + ',' +
+                    QByteArray::number(scale * table[kX][i], 'g', 7) + '\n';
+        }
+        const auto outcome = readReferenceData({text.constData(), static_cast<std::size_t>(text.size())});
+        const Diagnosis diagnosis = diagnose(std::get<ReferenceData>(outcome), Mechanism());
+        QVERIFY(diagnosis.identification.stands());
+        QCOMPARE(diagnosis.mayBeInMetres, may);
+    }
+
+    void looksAtSomeRowsOfAMillionOnly_data()
+    {
+        QTest::addColumn<double>("turns");
+        QTest::newRow("one turn") << 1.0;
+        QTest::newRow("ten thousand turns") << 1e4;
+    }
+
+    void looksAtSomeRowsOfAMillionOnly()
+    {
+        QFETCH(const double, turns);
+        Parameters p;
+        std::vector<double> instants(1000000);
+        for (std::size_t i = 0; i < instants.size(); ++i) {
+            instants[i] = turns * static_cast<double>(i) * 1e-6;
+        }
+        Table table = motionAt(p, instants);
+        multiply(table, kAngles, kPi / 180.0);
+        ReferenceData data;
+        data.time = table.time;
+        for (const auto &[channel, values] : table.columns) {
+            data.series.push_back({channel, values, {Rounding::Rule::SignificantDigits, 17}});
+        }
+        for (const double b : {p.b, 60.0}) {
+            Parameters compared = p;
+            compared.b = b;
+            largestAllocation = 0;
+            const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
+            const std::size_t largest = largestAllocation;
+            QVERIFY2(areFound(found, {{Kind::AngleUnit, kAngles, 180.0 / kPi}}), inWords(found).c_str());
+            // Read otherwise, the file is copied once, column by column; nothing is larger than one.
+            QVERIFY2(largest <= sizeof(double) * instants.size(), std::to_string(largest).c_str());
+        }
+    }
+
+    void stopsWhenAsked()
+    {
+        RandomFiles files(13);
+        const Parameters p = files.mechanism();
+        Table table = motionAt(p, files.instants(p));
+        multiply(table, kAngles, kPi / 180.0);
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(findConventions(writtenAndRead(table), Mechanism(), stop.get_token()).empty());
+    }
+
+    void aClockStartedLateIsFoundToTheDigitsThatSomebodyChose()
+    {
+        ReferenceData data = printedData(Parameters());
+        for (double &t : data.time) {
+            t += 0.137;
+        }
+        const std::vector<ConventionFinding> findings = findConventions(data, Mechanism());
+        QCOMPARE(findings.size(), std::size_t(1));
+        QVERIFY(findings[0].convention == (Convention{Kind::TimeShift, {}, -0.137}));
+    }
+
+    void appliesAHalfTurnWithoutPromisingDigits()
+    {
+        // 204.624 has its last digit at 0.001, and so has the 24.624 that it is half a turn before.
+        ReferenceData data;
+        data.time = {0.0, 1.0, 2.0};
+        data.series.push_back({kTheta, {204.624, 190.5, 180.25}, {Rounding::Rule::SignificantDigits, 6}});
+        const ReferenceData turned = applied({Kind::HalfTurn, {kTheta}, -180.0}, data);
+        QVERIFY(std::abs(turned.series[0].values[2] - 0.25) < 1e-9);
+        for (const double value : {24.624, 0.25, 180.25}) {
+            QVERIFY(std::abs(turned.series[0].rounding.stepAt(value) - 1e-3) < 1e-12);
+        }
+    }
+
+    void appliesAUnitToTheRoundingToo()
+    {
+        ReferenceData data;
+        data.time = {0.0, 1.0};
+        data.series.push_back({kXDot, {1.25, -2.5}, {Rounding::Rule::Decimals, 2}});
+        const ReferenceData read = applied({Kind::LengthUnit, {kXDot}, 1e3}, data);
+        QCOMPARE(read.series[0].values[1], -2500.0);
+        QVERIFY(std::abs(read.series[0].rounding.stepAt(1.0) - 10.0) < 1e-9);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestConventions)
+#include "tst_conventions.moc"

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/language.h"
+
+#include "ui/text/remember.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QString>
+#include <QTranslator>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+const QString kKey = QStringLiteral("language");
+const QString kTranslator = QStringLiteral("translator"); // their name among the application's children
+
+QString codeOf(QLocale::Language language)
+{
+    return language == QLocale::Spanish ? QStringLiteral("es") : QStringLiteral("en");
+}
+
+QLocale::Language systemLanguage()
+{
+    for (const QString &name : QLocale::system().uiLanguages()) {
+        const QLocale::Language language = QLocale(name).language();
+        if (language == QLocale::English || language == QLocale::Spanish) {
+            return language;
+        }
+    }
+    return QLocale::English;
+}
+
+void install(const QString &file, const QString &folder)
+{
+    auto *translator = new QTranslator(QCoreApplication::instance());
+    translator->setObjectName(kTranslator);
+    if (!translator->load(file, folder) || !QCoreApplication::installTranslator(translator)) {
+        delete translator;
+    }
+}
+
+} // namespace
+
+void setLanguage(Language language)
+{
+    const QLocale::Language spoken = language == Language::System    ? systemLanguage()
+                                     : language == Language::Spanish ? QLocale::Spanish
+                                                                     : QLocale::English;
+    const bool asSystem = language == Language::System || QLocale::system().language() == spoken;
+    QLocale::setDefault(asSystem ? QLocale::system() : QLocale(spoken));
+
+    const QString code = codeOf(spoken);
+    qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator *>(kTranslator));
+    install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    install(QStringLiteral("slidercrank_") + code, QStringLiteral(":/translations"));
+}
+
+Language chosenLanguage()
+{
+    const QString code = QSettings().value(kKey).toString();
+    return code == codeOf(QLocale::Spanish)   ? Language::Spanish
+           : code == codeOf(QLocale::English) ? Language::English
+                                              : Language::System;
+}
+
+void rememberLanguage(Language language)
+{
+    const QString code = codeOf(language == Language::Spanish ? QLocale::Spanish : QLocale::English);
+    remember({{kKey, language == Language::System ? QVariant() : code}});
+}
+
+} // namespace slidercrank
