@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The QCustomPlot behind the figure and the charts. It is never shown as a widget: it lays itself out for a size in
+// pixels and draws to any painter, so that screen, image, SVG and PDF look alike.
+
+#include "ui/text/theme.h"
+
+#include <QFont>
+
+#include <qcustomplot.h>
+
+namespace slidercrank
+{
+
+/// Sizes are in pixels, not points, so that text has the right size on every device.
+struct PlotFonts {
+    explicit PlotFonts(const QFont &base);
+
+    QFont title;
+    QFont tick;
+    double lineFactor = 1.0; ///< large letters go with wider lines
+};
+
+class PlotDrawing : public QCustomPlot
+{
+public:
+    PlotDrawing();
+
+    /// Lays out all elements for that size; axis rectangles and their coordinates are valid afterwards.
+    void layOut(const QSize &size);
+
+    /// Draws everything into the pixmap, with cached labels. Its size must be that of the layout.
+    void drawInto(QPixmap &pixmap);
+
+    /// Draws everything, laid out for the area, with the background.
+    void paint(QPainter &painter, const QRect &area);
+
+    /// Colours and fonts of the axes, the grid and the legend.
+    void setStyle(const PlotFonts &fonts, const SeriesColours &colours);
+
+    QCPGraph *addCurve(QCPAxis *keyAxis = nullptr, QCPAxis *valueAxis = nullptr);
+};
+
+} // namespace slidercrank
