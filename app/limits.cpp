@@ -61,10 +61,10 @@ double degreesOf(double theta2)
 
 Limit limitOf(std::string_view name, const std::vector<Peak> &peaks, Channel channel)
 {
-    Limit limit{name, authorUnitOf(channel)};
+    Limit limit{name, fileUnit(channel)};
     const auto peak = std::ranges::find(peaks, channel, &Peak::channel);
     if (peak != peaks.end()) {
-        limit.value = inAuthorUnit(channel, peak->magnitude);
+        limit.value = toFileUnit(channel, peak->magnitude);
         const auto first =
             std::ranges::min_element(peak->places, {}, [](const PeakPlace &place) { return degreesOf(place.theta2); });
         limit.theta2 = first == peak->places.end() ? std::nullopt : std::optional(first->theta2);

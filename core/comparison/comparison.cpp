@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison/comparison.h"
 
-#include "core/mechanism/in_parallel.h"
 #include "core/import/clock.h"
+#include "core/mechanism/in_parallel.h"
 
 #include <algorithm>
 #include <cassert>
@@ -426,7 +426,7 @@ std::vector<ChannelComparison> compareSeries(const Mechanism &mechanism, const R
 ChannelSize sizeOf(const Mechanism &mechanism, Channel channel)
 {
     ChannelSize size;
-    size.natural = naturalScale(mechanism, channel);
+    size.natural = toFileUnit(channel, naturalSize(mechanism.parameters(), channel));
     const Coordinate coordinate = channel.coordinate;
     const bool ofTheGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
     const bool ofTheLine = coordinate == R4y || coordinate == Theta4;

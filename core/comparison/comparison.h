@@ -16,8 +16,8 @@
 // (0.0133 that was 0.013303), and it may still come close. Where a clock does not show that it was rounded, what τ adds
 // must be small beside the motion, too.
 
-#include "core/mechanism/channel.h"
 #include "core/import/reference_data.h"
+#include "core/mechanism/channel.h"
 #include "core/sampling/trajectory.h"
 
 #include <limits>
@@ -76,7 +76,7 @@ struct ChannelComparison {
 };
 
 /// A file may carry more digits than any double-precision computation can promise. No step is taken to be smaller than
-/// this part of the channel's size (the larger of its peak and its naturalScale()).
+/// this part of the channel's size (the larger of its peak and its naturalSize()).
 inline constexpr double kArithmeticStep = 1e-12;
 
 /// Nor than this part of its largest: a cell of -7.4e-15 beside others of a hundred is a zero, and its digits say
@@ -85,7 +85,7 @@ inline constexpr double kSmallestPartOfLargestStep = 0.01;
 
 /// What a channel's errors are held against, in the author's unit.
 struct ChannelSize {
-    double natural = 1.0; ///< naturalScale()
+    double natural = 1.0; ///< naturalSize()
 
     /// What counts as half the motion's range: for a channel that stands still, this; for the others the model's, at
     /// most `most`.

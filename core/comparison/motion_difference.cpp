@@ -2,7 +2,7 @@
 #include "core/comparison/motion_difference.h"
 
 #include "core/closed_form/batch.h"
-#include "core/limits/course.h"
+#include "core/limits/critical_points.h"
 #include "core/mechanism/turn.h"
 
 #include <boost/math/tools/minima.hpp>
@@ -62,11 +62,11 @@ std::vector<double> instantsOf(const Mechanism &one, const Mechanism &other, dou
 }
 
 /// When, from one instant to the other, the channel first is infinite.
-std::optional<double> unboundedAt(const Mechanism &mechanism, const Course &course, double from, double to)
+std::optional<double> unboundedAt(const Mechanism &mechanism, const CriticalPoints &course, double from, double to)
 {
     std::optional<double> first;
     const double omega2 = mechanism.omega2();
-    for (const CoursePoint &point : course) {
+    for (const CriticalPoint &point : course) {
         if (std::isfinite(point.value) || omega2 == 0.0) {
             continue;
         }
@@ -92,8 +92,8 @@ MotionDifference differenceOf(const Mechanism &one, const Mechanism &other, doub
     const std::vector<double> instants = instantsOf(one, other, from, to);
     const Columns ofOne = columnsOf(oneMotion, instants);
     const Columns ofOther = columnsOf(otherMotion, instants);
-    const auto oneCourses = coursesOf(one);
-    const auto otherCourses = coursesOf(other);
+    const auto oneCourses = findCriticalPoints(one);
+    const auto otherCourses = findCriticalPoints(other);
     MotionDifference difference;
     for (std::size_t channel = 0; channel < kCount; ++channel) {
         ChannelDifference &found = difference.channels[channel];

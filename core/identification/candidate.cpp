@@ -103,7 +103,7 @@ std::vector<Candidate> bestCandidates(const SearchRows &rows, const FileReading 
     std::vector<Ranked> ranked;
     const FitProblem fewest = problemOf(rows.fewest, reading);
     for (const Parameters &start : distinct(starts)) {
-        for (Parameters image : imagesOf(start)) {
+        for (Parameters image : mirrorImages(start)) {
             lengthenCoupler(few, image);
             const double misfit = misfitOf(fewest, image);
             if (std::isfinite(misfit)) {

@@ -35,7 +35,7 @@ bool isAnother(const Parameters &one, const std::array<double, kParameterCount> 
         const double error = errors[indexOf(parameter)];
         return std::max(1e-3 * size, std::isfinite(error) ? kFarStandardErrors * error : 0.0);
     };
-    return std::ranges::none_of(imagesOf(other), [&](const Parameters &image) {
+    return std::ranges::none_of(mirrorImages(other), [&](const Parameters &image) {
         return std::abs(one.a - image.a) <= room(Parameter::A, one.a) &&
                std::abs(one.b - image.b) <= room(Parameter::B, one.b) &&
                std::abs(one.c - image.c) <= room(Parameter::C, std::max(std::abs(one.c), one.a)) &&
@@ -63,7 +63,7 @@ struct Image {
 std::vector<Image> imagesLeft(const FitProblem &problem, const Candidate &candidate, const std::stop_token &stop)
 {
     constexpr FreeParameters kNoneFree{};
-    const std::array<Parameters, 8> images = imagesOf(candidate.fit.parameters);
+    const std::array<Parameters, 8> images = mirrorImages(candidate.fit.parameters);
     std::vector<Image> left;
     for (std::size_t i = 1; i < images.size(); ++i) {
         const Fit fitted = fit(problem, images[i], kNoneFree, 3, stop);

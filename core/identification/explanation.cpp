@@ -313,7 +313,7 @@ std::vector<ConventionFinding> findingsOf(const ReferenceData &data, const Expla
         Explanation others = explanation;
         others.conventions.erase(others.conventions.begin() + static_cast<std::ptrdiff_t>(i));
         if (convention.kind == Kind::Branch) {
-            others.parameters.branch = otherThan(others.parameters.branch);
+            others.parameters.branch = oppositeBranch(others.parameters.branch);
         }
         const bool ofAll = convention.kind == Kind::TimeUnit;
         const std::vector<Channel> concerned = ofAll ? std::vector<Channel>() : convention.channels;

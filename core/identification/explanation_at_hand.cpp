@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/explanation.h"
 
-#include "core/identification/unit_and_sense.h"
 #include "core/identification/round_numbers.h"
+#include "core/identification/unit_and_sense.h"
 
 #include <boost/math/tools/minima.hpp>
 
@@ -192,7 +192,7 @@ std::optional<Explanation> explainedAtHand(const ReferenceData &all, const Param
         return std::nullopt;
     }
     std::vector<Explanation> assumptions;
-    for (const Branch branch : {parameters.branch, otherThan(parameters.branch)}) {
+    for (const Branch branch : {parameters.branch, oppositeBranch(parameters.branch)}) {
         for (const double timeUnit : {1.0, kTimeUnits[0], kTimeUnits[1]}) {
             Explanation assumption{parameters, {}, timeUnit};
             if (branch != parameters.branch) {

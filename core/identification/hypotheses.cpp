@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/hypotheses.h"
 
-#include "core/identification/unit_and_sense.h"
 #include "core/identification/crank_speed.h"
 #include "core/identification/motion_start.h"
+#include "core/identification/unit_and_sense.h"
 
 #include <algorithm>
 #include <array>
@@ -296,7 +296,7 @@ std::vector<Hypothesis> hypothesesFrom(const Observations &few, std::span<const 
     const FitProblem problem = problemOf(few, asWritten(few));
     std::vector<Screened> screened;
     for (const Parameters &start : likeliest(few, starts)) {
-        for (Parameters image : imagesOf(start)) {
+        for (Parameters image : mirrorImages(start)) {
             if (stop.stop_requested()) {
                 return {};
             }

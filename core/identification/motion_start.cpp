@@ -302,7 +302,7 @@ bool isSameMechanism(const Parameters &x, const Parameters &y)
         std::abs(std::abs(x.omega2) - std::abs(y.omega2)) > kSame * std::abs(x.omega2)) {
         return false;
     }
-    for (const Parameters &image : imagesOf(y)) {
+    for (const Parameters &image : mirrorImages(y)) {
         constexpr double kSameAngle = 1e-2;
         if (std::abs(x.c - image.c) <= std::max(length, kSame * std::abs(x.c)) && x.omega2 * image.omega2 > 0.0 &&
             std::abs(std::remainder(x.theta20 - image.theta20, 2.0 * std::numbers::pi)) <= kSameAngle) {

@@ -14,8 +14,8 @@
 namespace slidercrank
 {
 
-/// Mechanisms worth trying, in FitUnits; none is wrong by more than one of imagesOf() where the data can be fitted at
-/// all. `speeds`: as of crank_speed.h. `size`: the crank's length where the data hold none.
+/// Mechanisms worth trying, in FitUnits; none is wrong by more than one of mirrorImages() where the data can be fitted
+/// at all. `speeds`: as of crank_speed.h. `size`: the crank's length where the data hold none.
 std::vector<Parameters> startsOf(const FitProblem &problem, const std::vector<double> &speeds, double size,
                                  const std::stop_token &stop);
 

@@ -69,8 +69,9 @@ bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span
     const std::vector<ChannelComparison> channels = compareExactly(rounded, timed ? *timed : data).channels;
     double growth = 0.0;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        const double before =
-            std::max(identified[i].rms.value_or(0.0), kArithmeticStep * naturalScale(rounded, channels[i].channel));
+        const double before = std::max(
+            identified[i].rms.value_or(0.0),
+            kArithmeticStep * toFileUnit(channels[i].channel, naturalSize(rounded.parameters(), channels[i].channel)));
         const double ratio = channels[i].rms.value_or(0.0) / before;
         growth += static_cast<double>(channels[i].count) * (ratio * ratio - 1.0);
         if (channels[i].verdict > identified[i].verdict) {
@@ -110,7 +111,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
         const double standardError = std::max(found.standardError[indexOf(parameter)], kArithmetic * scale);
         return standardError > 0.0 && std::isfinite(standardError) ? roundest(value, standardError, units) : value;
     };
-    const double size = reachOf(fitted);
+    const double size = characteristicLength(fitted);
     Parameters parameters = fitted;
     parameters.a = rounded(Parameter::A, fitted.a, size, kLengthUnits);
     parameters.b = rounded(Parameter::B, fitted.b, size, kLengthUnits);

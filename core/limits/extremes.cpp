@@ -2,7 +2,7 @@
 #include "core/limits/extremes.h"
 
 #include "core/closed_form/clearance.h"
-#include "core/limits/course.h"
+#include "core/limits/critical_points.h"
 #include "core/limits/mobility.h"
 #include "core/mechanism/turn.h"
 
@@ -21,7 +21,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array<Channel, 4> kRates{
     {{R4x, Order::Velocity}, {R4x, Order::Acceleration}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}}};
 
-const Course &courseOf(Channel channel, const std::array<Course, kPlottedChannels.size()> &courses)
+const CriticalPoints &courseOf(Channel channel, const std::array<CriticalPoints, kPlottedChannels.size()> &courses)
 {
     return courses[static_cast<std::size_t>(std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin())];
 }
@@ -85,7 +85,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
         std::vector<PeakPlace> ends;
         for (const CrankRange &range : limits.ranges) {
             ends.push_back({range.from, kInfinity});
-            ends.push_back({wrapped(range.to), kInfinity});
+            ends.push_back({wrapToPi(range.to), kInfinity});
         }
         std::ranges::sort(ends, {}, &PeakPlace::theta2);
         for (const Channel &channel : kRates) {
@@ -98,7 +98,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     const double below = -lengths.side() * kQuarterTurn;
     const bool togglesBelow = lengths.epsilon() == 0.0;
     const bool togglesAbove = lengths.beta() == 0.0;
-    const std::array<Course, kPlottedChannels.size()> courses = coursesOf(mechanism);
+    const std::array<CriticalPoints, kPlottedChannels.size()> courses = findCriticalPoints(mechanism);
 
     std::vector<PeakPlace> toggles;
     if (togglesBelow) {
@@ -115,7 +115,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
             peaks.push_back({channel, std::abs(mechanism.omega2()), {}}); // θ3 = ±θ2 or a right angle apart from it
         } else {
             Largest largest;
-            for (const CoursePoint &point : courseOf(channel, courses)) {
+            for (const CriticalPoint &point : courseOf(channel, courses)) {
                 largest.offer(point.theta2, point.value);
             }
             peaks.push_back(largest.peak(channel));

@@ -16,7 +16,7 @@ namespace
 bool contains(const CrankRange &range, double angle)
 {
     constexpr double kSlack = 1e-12; // rad: a dead centre at the very end of a range counts as within it
-    return intoFirstTurn(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
+    return wrapToTwoPi(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
 }
 
 /// The sums that decide everything, each rounded once (clearance.h), in units of the clearance's scale.
@@ -45,7 +45,7 @@ Mobility mobilityOf(const Sums &sums)
 
 CrankRange normalized(double from, double to)
 {
-    const double start = wrapped(from);
+    const double start = wrapToPi(from);
     return {start, start + (to - from)};
 }
 
@@ -81,7 +81,7 @@ DeadCentre outerDeadCentre(const Mechanism &mechanism, const Sums &sums, double 
 {
     const double distance = scale * std::sqrt(sums.reach * sums.gamma);
     const double R4x = mechanism.branch() == Branch::Open ? distance : -distance;
-    return {wrapped(std::atan2(mechanism.c(), R4x)), R4x};
+    return {wrapToPi(std::atan2(mechanism.c(), R4x)), R4x};
 }
 
 /// Crank folded over the coupler: B at |b - a| from O2. With b >= a the crank points away from B, otherwise towards it.
@@ -91,10 +91,10 @@ DeadCentre innerDeadCentre(const Mechanism &mechanism, const Sums &sums, double 
     const double distance = scale * std::sqrt(sums.epsilon * sums.beta);
     if (mechanism.b() >= mechanism.a()) {
         const double R4x = open ? distance : -distance;
-        return {wrapped(std::atan2(-mechanism.c(), -R4x)), R4x};
+        return {wrapToPi(std::atan2(-mechanism.c(), -R4x)), R4x};
     }
     const double R4x = open ? -distance : distance;
-    return {wrapped(std::atan2(mechanism.c(), R4x)), R4x};
+    return {wrapToPi(std::atan2(mechanism.c(), R4x)), R4x};
 }
 
 /// R4x is extreme at dead centres and, since the coupler is square there, at the ends of a rocker's arc: a cos θ2.
@@ -133,7 +133,7 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     }
     if (limits.mobility == Mobility::FullTurn) {
         limits.stroke = std::abs(limits.outer->R4x - limits.inner->R4x);
-        const double counterClockwise = intoFirstTurn(limits.outer->theta2 - limits.inner->theta2);
+        const double counterClockwise = wrapToTwoPi(limits.outer->theta2 - limits.inner->theta2);
         const double outwards = mechanism.omega2() < 0.0 ? kTurn - counterClockwise : counterClockwise;
         limits.angleOutwards = outwards;
         limits.angleInwards = kTurn - outwards;

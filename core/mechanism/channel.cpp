@@ -45,7 +45,7 @@ std::optional<Channel> channelNamed(std::string_view name)
     return index < kChannelCount ? std::optional(channelAt(index)) : std::nullopt;
 }
 
-std::string_view authorUnitOf(Channel channel)
+std::string_view fileUnit(Channel channel)
 {
     const bool angle = isAngle(channel.coordinate);
     switch (channel.order) {
@@ -56,10 +56,10 @@ std::string_view authorUnitOf(Channel channel)
     return {};
 }
 
-double naturalScale(const Mechanism &mechanism, Channel channel)
+double naturalSize(const Parameters &parameters, Channel channel)
 {
-    const double size = isAngle(channel.coordinate) ? kDegreesPerRadian : reachOf(mechanism.parameters());
-    return size * std::pow(std::abs(mechanism.omega2()), static_cast<int>(channel.order));
+    const double position = isAngle(channel.coordinate) ? 1.0 : characteristicLength(parameters);
+    return position * std::pow(std::abs(parameters.omega2), static_cast<int>(channel.order));
 }
 
 } // namespace slidercrank

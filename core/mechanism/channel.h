@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The 36 channels: each coordinate with its first and second time derivative, under the names of the author's files
+// The 36 channels: each coordinate with its first and second time derivative, under the names that they have in files
 // (R4_x, R4_x_diff, R4_x_diff2, theta3, …). Files use mm, degrees and seconds; the core uses mm, rad and seconds.
 
 #include "core/mechanism/mechanism.h"
@@ -42,7 +42,7 @@ using ChannelSet = std::bitset<kChannelCount>;
 
 ChannelSet allChannels();
 
-/// The six that the report's Figure 2 plots: θ3, R4x and their derivatives.
+/// The six channels that are plotted: θ3, R4x and their derivatives.
 inline constexpr std::array<Channel, 6> kPlottedChannels{{{Theta3, Order::Position},
                                                           {R4x, Order::Position},
                                                           {Theta3, Order::Velocity},
@@ -61,19 +61,19 @@ constexpr bool isAngle(Coordinate coordinate)
     return coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3 || coordinate == Theta4;
 }
 
-/// UTF-8: "mm", "mm/s", "mm/s²", "°", "°/s", "°/s²".
-std::string_view authorUnitOf(Channel channel);
+/// The unit of a channel in files and on the screen, UTF-8: "mm", "mm/s", "mm/s²", "°", "°/s", "°/s²".
+std::string_view fileUnit(Channel channel);
 
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-/// From the core's unit (mm, rad, s) to that of the author's files (mm, °, s).
-constexpr double inAuthorUnit(Channel channel, double value)
+/// Converts a value from the core's unit (mm, rad, s) to that of files and of the screen (mm, °, s).
+constexpr double toFileUnit(Channel channel, double value)
 {
     return isAngle(channel.coordinate) ? value * kDegreesPerRadian : value;
 }
 
-/// The size that a channel's numbers have by nature, in the unit of the author's files: {1 rad, a + b + |c|}·|ω2|^k for
-/// the k-th derivative. What rounding errors are measured against where a channel is identically zero.
-double naturalScale(const Mechanism &mechanism, Channel channel);
+/// The order of magnitude of a channel (mm, rad, s): {1 rad, a + b + |c|}·|ω2|^k for the k-th derivative. Rounding
+/// errors are measured against it where a channel is identically zero.
+double naturalSize(const Parameters &parameters, Channel channel);
 
 } // namespace slidercrank

@@ -7,12 +7,12 @@
 namespace slidercrank
 {
 
-std::array<Parameters, 8> imagesOf(const Parameters &p)
+std::array<Parameters, 8> mirrorImages(const Parameters &p)
 {
     constexpr double kHalfTurn = std::numbers::pi;
     std::array<Parameters, 8> images;
     auto image = images.begin();
-    for (const Branch branch : {p.branch, otherThan(p.branch)}) {
+    for (const Branch branch : {p.branch, oppositeBranch(p.branch)}) {
         *image++ = {p.a, p.b, p.c, p.omega2, p.theta20, branch};
         *image++ = {p.a, p.b, p.c, -p.omega2, kHalfTurn - p.theta20, branch};
         *image++ = {p.a, p.b, -p.c, -p.omega2, -p.theta20, branch};

@@ -21,13 +21,13 @@
 namespace slidercrank
 {
 
-/// What does not exist.
+/// NaN: stands for a value that does not exist.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Which of the two assemblies: on Open the slider lies to the right of A (cos θ3 > 0), on Crossed to the left.
 enum class Branch { Open, Crossed };
 
-constexpr Branch otherThan(Branch branch)
+constexpr Branch oppositeBranch(Branch branch)
 {
     return branch == Branch::Open ? Branch::Crossed : Branch::Open;
 }
@@ -44,11 +44,12 @@ struct Parameters {
     friend bool operator==(const Parameters &, const Parameters &) = default;
 };
 
-/// Reversed, mirrored, turned: the same on either branch, itself first. What one channel, or two, cannot tell apart.
-std::array<Parameters, 8> imagesOf(const Parameters &parameters);
+/// The eight mechanisms whose motions a single channel cannot tell apart: reversed, mirrored in the x axis, turned by
+/// half a turn, each on either branch; the first is `parameters` itself.
+std::array<Parameters, 8> mirrorImages(const Parameters &parameters);
 
-/// a + b + |c|, mm: the size that lengths have.
-inline double reachOf(const Parameters &parameters)
+/// a + b + |c|, mm.
+inline double characteristicLength(const Parameters &parameters)
 {
     return parameters.a + parameters.b + std::abs(parameters.c);
 }

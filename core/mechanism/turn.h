@@ -13,14 +13,14 @@ inline constexpr double kTurn = 2.0 * std::numbers::pi;
 inline constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
 /// Into [-π, π).
-inline double wrapped(double angle)
+inline double wrapToPi(double angle)
 {
     const double turned = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
     return turned >= std::numbers::pi ? turned - kTurn : turned;
 }
 
 /// Into [0, 2π).
-inline double intoFirstTurn(double angle)
+inline double wrapToTwoPi(double angle)
 {
     const double turned = angle - kTurn * std::floor(angle / kTurn);
     return turned >= kTurn ? 0.0 : turned;

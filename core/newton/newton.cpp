@@ -130,7 +130,7 @@ template <class System>
 Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
                typename System::Coordinates &q, NewtonResult &result)
 {
-    const double reach = reachOf(mechanism.parameters());
+    const double reach = characteristicLength(mechanism.parameters());
     const bool isTiny = reach < kLeastReach;
     const double unit = isTiny ? kUnitsOfTiny : 1.0;
     const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
@@ -410,7 +410,7 @@ void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const
             if (position.status == Status::Solved) {
                 const bool relative = options.toleranceKind == ToleranceKind::Relative;
                 const double residual =
-                    relative ? position.residual() * reachOf(mechanism.parameters()) : position.residual();
+                    relative ? position.residual() * characteristicLength(mechanism.parameters()) : position.residual();
                 system.write(q, state.q);
                 differentiateHere(system, mechanism, residual, state);
             }

@@ -40,7 +40,7 @@ public:
             const Channel channel = m_columns[k].channel;
             const Vector12 *derivatives[] = {&state.q, &state.qDot, &state.qDDot};
             const double value = (*derivatives[static_cast<std::size_t>(channel.order)])[channel.coordinate];
-            m_columns[k].values[i] = inAuthorUnit(channel, value);
+            m_columns[k].values[i] = toFileUnit(channel, value);
         }
     }
 

@@ -152,13 +152,6 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
     return kappa;
 }
 
-/// {1 rad, a + b + |c|}·|ω2|^k: the size of the k-th derivative by nature.
-inline double naturalSize(const Parameters &parameters, Channel channel)
-{
-    const double position = isAngle(channel.coordinate) ? 1.0 : reachOf(parameters);
-    return position * std::pow(std::abs(parameters.omega2), static_cast<int>(channel.order));
-}
-
 /// Of naturalSize(): what is less than this is zero, but for the judge's own rounding.
 inline constexpr double kExactZero = 1e-36;
 

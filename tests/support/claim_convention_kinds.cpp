@@ -232,7 +232,7 @@ ClaimFile axisTheOtherWay(Dice &dice)
     }
     expect(file, {{"sign", {kX, kV, kA}, -1.0}});
     // x → -x and θ → θ + 180°: -c, θ20 + 180°, the other assembly.
-    file.readings.push_back({imagesOf(*file.truth)[7], {{"half-turn", {kTheta}}}});
+    file.readings.push_back({mirrorImages(*file.truth)[7], {{"half-turn", {kTheta}}}});
     finish(file, dice);
     return file;
 }
@@ -246,10 +246,10 @@ ClaimFile clockwise(Dice &dice)
     }
     file.columns.push_back(column(kY));
     expect(file, {{"sign", {kTheta, kOmega, kAlpha}, -1.0}});
-    file.readings.push_back({imagesOf(*file.truth)[2], {{"sign", {kY}, -1.0}}});
+    file.readings.push_back({mirrorImages(*file.truth)[2], {{"sign", {kY}, -1.0}}});
     constexpr double kSmall = 4.0; // a height of one digit does not tell its own sign
     if (std::abs(file.truth->c) < kSmall) {
-        file.readings.push_back({imagesOf(*file.truth)[2], {}});
+        file.readings.push_back({mirrorImages(*file.truth)[2], {}});
     }
     finish(file, dice);
     return file;
@@ -271,7 +271,7 @@ ClaimFile halfTurnWithinATurn(Dice &dice)
     ClaimColumn &angle = columnOf(file, kTheta);
     for (const double t : file.instants) {
         const auto value = static_cast<double>(motionAt(*file.truth, t)[indexOf(kTheta)]);
-        angle.values.push_back(intoFirstTurn((value + 180.0) / kDegreesPerRadian) * kDegreesPerRadian);
+        angle.values.push_back(wrapToTwoPi((value + 180.0) / kDegreesPerRadian) * kDegreesPerRadian);
     }
     angle.zero = 180.0;
     expect(file, {{"half-turn", {kTheta}}});
@@ -453,7 +453,7 @@ ClaimFile millisecondsOfHand(Dice &dice)
 ClaimFile otherAssemblyOfHand(Dice &dice)
 {
     ClaimFile file = asAtHand(dice);
-    file.atHand.branch = otherThan(file.atHand.branch);
+    file.atHand.branch = oppositeBranch(file.atHand.branch);
     expect(file, {{"branch", {}}});
     file.readings.push_back({*file.truth, {}}); // another mechanism, as well
     finish(file, dice);

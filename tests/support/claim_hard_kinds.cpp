@@ -47,7 +47,7 @@ AllChannels manyDigits(const Parameters &parameters, double t)
             state.status == Status::Solved || (state.status == Status::Singular && channel.order == Order::Position);
         const double value = static_cast<double>(state.values[k]);
         const bool isZero = std::abs(value) <= kExactZero * naturalSize(parameters, channel);
-        all[k] = exists ? inAuthorUnit(channel, isZero ? 0.0 : value) : kNone;
+        all[k] = exists ? toFileUnit(channel, isZero ? 0.0 : value) : kNone;
     }
     return all;
 }
@@ -191,7 +191,7 @@ ClaimFile caseOfTheStudy(Dice &dice)
             const Channel channel = channelAt(k);
             const bool exists = state.status == Status::Solved ||
                                 (state.status == Status::Singular && channel.order == Order::Position);
-            all[k] = exists ? inAuthorUnit(channel, static_cast<double>(state.values[k])) : kNone;
+            all[k] = exists ? toFileUnit(channel, static_cast<double>(state.values[k])) : kNone;
         }
         return all;
     });

@@ -222,7 +222,7 @@ std::optional<Offness> trueReading(const ClaimFile &file, const ProgramClaim &cl
     why = "finds " + described(claim.findings) + " where there is " +
           (file.readings.empty() ? "no slider-crank" : described(file.readings.front().findings));
     for (const TrueReading &reading : file.readings) {
-        for (const Parameters &image : imagesOf(reading.truth)) {
+        for (const Parameters &image : mirrorImages(reading.truth)) {
             const Likeness likeness = likenessOf(file, reading.truth, image, claim.findings);
             // How the file would read with an alternative is not said.
             if (!likeness.same ||
@@ -266,7 +266,7 @@ std::string falseVerdict(const ClaimFile &file, const ReferenceData &read,
                 factor *= finding.amount;
             }
         }
-        double peak = 1e-9 * naturalScale(Mechanism(model), verdict.channel);
+        double peak = 1e-9 * toFileUnit(verdict.channel, naturalSize(model, verdict.channel));
         double excess = 0.0;
         const std::size_t k = indexOf(verdict.channel);
         for (std::size_t i = 0; i < read.time.size(); ++i) {
@@ -387,7 +387,7 @@ std::vector<double> standardErrorsOff(const ClaimFile &file, const ProgramClaim 
 {
     std::vector<double> result;
     double least = std::numeric_limits<double>::infinity();
-    for (const Parameters &image : imagesOf(*file.truth)) {
+    for (const Parameters &image : mirrorImages(*file.truth)) {
         if (claim.outcome != ClaimedOutcome::Identified || image.branch != claim.parameters.branch ||
             !likenessOf(file, *file.truth, image, claim.findings).same) {
             continue;

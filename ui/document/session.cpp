@@ -437,7 +437,7 @@ void Session::takeOver()
 void Session::apply(const Convention &convention)
 {
     if (convention.kind == Convention::Kind::Branch) {
-        setParameters(with(parameters(), &Parameters::branch, otherThan(parameters().branch)));
+        setParameters(with(parameters(), &Parameters::branch, oppositeBranch(parameters().branch)));
     } else if (m_choices.reference) {
         follow(applied(convention, m_choices.reference));
     }

@@ -44,7 +44,7 @@ bool isOnBlock(QPointF away)
 
 bool isWithin(const CrankRange &range, double angle)
 {
-    return intoFirstTurn(angle - range.from) <= range.to - range.from;
+    return wrapToTwoPi(angle - range.from) <= range.to - range.from;
 }
 
 } // namespace

@@ -33,7 +33,7 @@ void MechanismDrawing::refreshCycle(const QRectF &frame)
         return;
     }
     constexpr double kLongest = 0.4; // of the mechanism's extent
-    const QRectF reach = reachOf(mechanism(), result->limits);
+    const QRectF reach = characteristicLength(mechanism(), result->limits);
     const double longest = kLongest * std::max(reach.width(), reach.height());
     cycle = cycleOf(mechanism(), result->limits);
     velocity = arrowScale(cycle, MotionKind::Velocity, mechanism(), frame, longest);

@@ -58,7 +58,7 @@ QRectF MechanismProjection::visible() const
     return QRectF(toModel({0.0, size.height()}), toModel({size.width(), 0.0}));
 }
 
-QRectF reachOf(const Mechanism &mechanism, const MotionLimits &limits)
+QRectF characteristicLength(const Mechanism &mechanism, const MotionLimits &limits)
 {
     const double a = mechanism.a();
     const double c = mechanism.c();
@@ -74,7 +74,7 @@ QRectF reachOf(const Mechanism &mechanism, const MotionLimits &limits)
     return QRectF(QPointF(left, std::min(-a, c)), QPointF(right, std::max(a, c)));
 }
 
-QRectF reachOf(const ReferenceData &data, const Mechanism &lengths)
+QRectF characteristicLength(const ReferenceData &data, const Mechanism &lengths)
 {
     constexpr std::size_t kInstants = 400; // enough for tens of turns, in a moment
     QPolygonF pins;

@@ -8,8 +8,8 @@
 // Model coordinates: mm, x to the right, y upwards, O2 in the origin. A rectangle of the model has its least y at
 // top().
 
-#include "core/limits/mobility.h"
 #include "core/import/reference_data.h"
+#include "core/limits/mobility.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -37,10 +37,10 @@ struct MechanismProjection {
 };
 
 /// Everywhere that the pins A and B can be, mm. Empty rectangles do not occur: the crank has a length.
-QRectF reachOf(const Mechanism &mechanism, const MotionLimits &limits);
+QRectF characteristicLength(const Mechanism &mechanism, const MotionLimits &limits);
 
 /// Everywhere that they are in the data, which tell nothing of those lengths, mm; null where the data have no pose.
-QRectF reachOf(const ReferenceData &data, const Mechanism &lengths);
+QRectF characteristicLength(const ReferenceData &data, const Mechanism &lengths);
 
 class MechanismFrame
 {

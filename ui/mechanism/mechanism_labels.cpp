@@ -146,8 +146,8 @@ public:
         };
         constexpr double kWidestOfCrank = 30.0;
         constexpr double kWidestOfCoupler = 36.0;
-        paintAngle(QStringLiteral("θ₂"), m_crank, intoFirstTurn(m_drawing.pose.theta2), kWidestOfCrank);
-        paintAngle(QStringLiteral("θ³"), m_coupler, wrapped(m_drawing.pose.theta3), kWidestOfCoupler);
+        paintAngle(QStringLiteral("θ₂"), m_crank, wrapToTwoPi(m_drawing.pose.theta2), kWidestOfCrank);
+        paintAngle(QStringLiteral("θ³"), m_coupler, wrapToPi(m_drawing.pose.theta3), kWidestOfCoupler);
     }
 
     /// At its mark, over the height at which B's name passes by, or below the rail.

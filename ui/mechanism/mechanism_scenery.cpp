@@ -140,7 +140,7 @@ Rail railOf(const MechanismDrawing &drawing)
     if (limits.mobility == Mobility::FullTurn && limits.inner && limits.outer) {
         return {std::min(limits.inner->R4x, limits.outer->R4x), std::max(limits.inner->R4x, limits.outer->R4x)};
     }
-    const QRectF reach = reachOf(drawing.mechanism(), limits);
+    const QRectF reach = characteristicLength(drawing.mechanism(), limits);
     return {reach.left(), reach.right()};
 }
 

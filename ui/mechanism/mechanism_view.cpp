@@ -252,7 +252,7 @@ DrawnPart MechanismView::partUnder(QPointF pixel) const
 /// Of the mechanism and of what is compared with it.
 QRectF MechanismView::reach() const
 {
-    return reachOf(m_drawing.mechanism(), m_drawing.result->limits).united(visibleGhostReach());
+    return characteristicLength(m_drawing.mechanism(), m_drawing.result->limits).united(visibleGhostReach());
 }
 
 /// As far as the drawing follows it; null where that would leave too little of the model to be seen.
@@ -262,7 +262,7 @@ QRectF MechanismView::visibleGhostReach() const
         return {};
     }
     constexpr double kMost = 3.0; // times the model's
-    const QRectF own = reachOf(m_drawing.mechanism(), m_drawing.result->limits);
+    const QRectF own = characteristicLength(m_drawing.mechanism(), m_drawing.result->limits);
     const QRectF both = own.united(m_ghostReach);
     const double extent = std::max(own.width(), own.height());
     const bool fits = std::max(both.width(), both.height()) <= kMost * extent; // not so, too, where it is not finite

@@ -170,7 +170,7 @@ QString explanationOf(const MechanismDrawing &drawing)
                    "be at least %1 mm for any pose; the crank turns round when b is at least %2 mm.")
             .arg(atLeastText(shortestCouplerForAnyPose(mechanism)), turning);
     }
-    const double angle = intoFirstTurn(drawing.pose.theta2);
+    const double angle = wrapToTwoPi(drawing.pose.theta2);
     return MechanismWords::tr(
                "Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at "
                "least %2 mm.")

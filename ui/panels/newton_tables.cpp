@@ -279,9 +279,10 @@ std::vector<TableRow> coordinateRows(const Mechanism &mechanism, const State &st
             const Vector12 &values = order == Order::Position   ? state.q
                                      : order == Order::Velocity ? state.qDot
                                                                 : state.qDDot;
-            const double value = inAuthorUnit(channel, values[i]);
-            row.cells.push_back(numberCell(value, steadyText(value, naturalScale(mechanism, channel)),
-                                           symbolOf(channel), unitOf(channel)));
+            const double value = toFileUnit(channel, values[i]);
+            row.cells.push_back(
+                numberCell(value, steadyText(value, toFileUnit(channel, naturalSize(mechanism.parameters(), channel))),
+                           symbolOf(channel), unitOf(channel)));
         }
         row.cells.push_back(textCell(unitOf(Channel{coordinate, Order::Position})));
         rows.push_back(std::move(row));

@@ -89,20 +89,20 @@ MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &run)
 {
     if (m_speed > 0.0) {
         const bool isBackwards = mechanism.omega2() < 0.0;
-        using Kind = CoursePoint::Kind;
-        std::array<Course, kChannels> courses = coursesOf(mechanism);
+        using Kind = CriticalPoint::Kind;
+        std::array<CriticalPoints, kChannels> courses = findCriticalPoints(mechanism);
         for (std::size_t channel = 0; channel < kChannels; ++channel) {
-            Course &course = courses[channel];
+            CriticalPoints &course = courses[channel];
             if (isBackwards) {
                 std::ranges::reverse(course);
             }
             Passages &passages = m_passages[channel];
-            for (const CoursePoint &point : course) {
-                const Kind kind = !isBackwards || point.kind == Kind::Turn ? point.kind
-                                  : point.kind == Kind::Begin              ? Kind::End
-                                                                           : Kind::Begin;
-                passages.push_back({intoFirstTurn(isBackwards ? -point.theta2 : point.theta2),
-                                    brought(inAuthorUnit(kPlottedChannels[channel], point.value)), kind});
+            for (const CriticalPoint &point : course) {
+                const Kind kind = !isBackwards || point.kind == Kind::Extremum ? point.kind
+                                  : point.kind == Kind::Begin                  ? Kind::End
+                                                                               : Kind::Begin;
+                passages.push_back({wrapToTwoPi(isBackwards ? -point.theta2 : point.theta2),
+                                    brought(toFileUnit(kPlottedChannels[channel], point.value)), kind});
             }
             std::ranges::stable_sort(passages, {}, &Passage::phase);
 
@@ -234,11 +234,11 @@ std::vector<CurvePoint> MotionCurves::line(std::size_t channel, const Samples &e
     };
     visitPassages(channel, edges.time.front(), edges.time.back(), [&](double t, const Passage &passage) {
         addEdgesUntil(t);
-        if (passage.kind == CoursePoint::Kind::Begin) {
+        if (passage.kind == CriticalPoint::Kind::Begin) {
             addGap(points, t);
         }
         points.push_back({t, passage.value});
-        if (passage.kind == CoursePoint::Kind::End) {
+        if (passage.kind == CriticalPoint::Kind::End) {
             addGap(points, t);
         }
     });

@@ -6,7 +6,7 @@
 // band between the extremes. No count of samples is in them. Values are in the unit of the author's files.
 
 #include "core/closed_form/batch.h"
-#include "core/limits/course.h"
+#include "core/limits/critical_points.h"
 #include "ui/plots/curve_sampling.h"
 #include "ui/text/interval.h"
 
@@ -47,7 +47,7 @@ private:
     struct Passage {
         double phase = 0.0; ///< rad, within [0, 2π), growing with time
         double value = 0.0;
-        CoursePoint::Kind kind = CoursePoint::Kind::Turn;
+        CriticalPoint::Kind kind = CriticalPoint::Kind::Extremum;
     };
     using Passages = std::vector<Passage>;
 

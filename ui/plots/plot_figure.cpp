@@ -204,7 +204,7 @@ QString quantity(std::size_t channel)
 
 QString channelUnit(std::size_t channel)
 {
-    return QString::fromUtf8(authorUnitOf(kPlottedChannels[channel]));
+    return QString::fromUtf8(fileUnit(kPlottedChannels[channel]));
 }
 
 ShownData::ShownData(const Result &result, const PlotSettings &shown)

@@ -115,8 +115,7 @@ QString unitText(const FileColumn &column)
     case ColumnRole::Ignored: return QStringLiteral("–");
     case ColumnRole::Time: return ColumnText::tr("s (none given)");
     case ColumnRole::CrankAngle: return ColumnText::tr("%1 (none given)").arg(QStringLiteral("°"));
-    case ColumnRole::Channel:
-        return ColumnText::tr("%1 (none given)").arg(QString::fromUtf8(authorUnitOf(column.channel)));
+    case ColumnRole::Channel: return ColumnText::tr("%1 (none given)").arg(QString::fromUtf8(fileUnit(column.channel)));
     }
     return {};
 }

@@ -95,7 +95,7 @@ QString columnNameOf(Channel channel)
 
 QString unitOf(Channel channel)
 {
-    return QString::fromUtf8(authorUnitOf(channel));
+    return QString::fromUtf8(fileUnit(channel));
 }
 
 QString symbolOf(Parameter parameter)

@@ -249,7 +249,7 @@ void addStrokeTimes(FactList &list, const Mechanism &mechanism, const MotionLimi
              MotionFacts::tr("The crank's turn from the outer to the inner dead centre"), timeOf(*limits.angleInwards));
     if (const double speed = std::abs(mechanism.omega2()); speed > 0.0) {
         const auto meanSpeed = [&](double angle) {
-            return amount(*limits.stroke * speed / angle, QString::fromUtf8(authorUnitOf({R4x, Order::Velocity})));
+            return amount(*limits.stroke * speed / angle, QString::fromUtf8(fileUnit({R4x, Order::Velocity})));
         };
         list.add(MotionFacts::tr("mean speed forward"), meanSpeed(*limits.angleOutwards),
                  MotionFacts::tr("The stroke over the forward stroke's time"));
@@ -271,7 +271,7 @@ QString peakName(Channel channel)
 
 Amount peakOf(Channel channel, double value)
 {
-    return amount(inAuthorUnit(channel, value), QString::fromUtf8(authorUnitOf(channel)));
+    return amount(toFileUnit(channel, value), QString::fromUtf8(fileUnit(channel)));
 }
 
 void addPeak(FactList &list, const Peak &peak)

@@ -77,7 +77,7 @@ QString sentenceOf(const ReadFault &fault)
                                         "rad in its place, or none.")
                     : ReadFaultText::tr("the unit is not known or does not suit the quantity: write for example [%1], "
                                         "m, cm or in in its place, or none."))
-            .arg(QString::fromUtf8(authorUnitOf(fault.channel)));
+            .arg(QString::fromUtf8(fileUnit(fault.channel)));
     case Kind::UnknownTimeUnit:
         return ReadFaultText::tr("the unit of the time is not known: write [s] or [ms], or none for seconds.");
     case Kind::NoSuchColumn:

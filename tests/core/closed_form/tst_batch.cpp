@@ -78,7 +78,7 @@ QString differenceFromOneByOne(const Parameters &parameters, std::span<const dou
                 const Motion motion = closedForm.motionAt(instants[i]);
                 const double motions[] = {motion.theta3, motion.R4x,        motion.theta3Dot,
                                           motion.R4xDot, motion.theta3DDot, motion.R4xDDot};
-                expected = inAuthorUnit(kPlottedChannels[k], motions[k]);
+                expected = toFileUnit(kPlottedChannels[k], motions[k]);
             }
             if (!same(answer.values[k][i], expected)) {
                 return QString("%1\n    %2 of %3 instants, number %4: %5, expected %6")

@@ -43,7 +43,7 @@ ReferenceData fileWith(std::initializer_list<Channel> channels)
         for (const double t : data.time) {
             const State state = motion.stateAt(t);
             const Vector12 &of = channel.order == Order::Position ? state.q : state.qDot;
-            series.values.push_back(inAuthorUnit(channel, of[channel.coordinate]));
+            series.values.push_back(toFileUnit(channel, of[channel.coordinate]));
         }
         data.series.push_back(series);
     }

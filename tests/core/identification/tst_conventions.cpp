@@ -381,7 +381,7 @@ const std::vector<Fault> &faultsOfTheWhole()
          }},
         {"the other assembly",
          [](Table &, Parameters &p, RandomFiles &) {
-             p.branch = otherThan(p.branch);
+             p.branch = oppositeBranch(p.branch);
              return std::vector<Convention>{{Kind::Branch, {}, 1.0}};
          }},
         {"a late start",
@@ -592,7 +592,7 @@ private slots:
             for (const ConventionFinding &finding : findConventions(data, Mechanism(p))) {
                 data = applied(finding.convention, data);
                 if (finding.convention.kind == Kind::Branch) {
-                    p.branch = otherThan(p.branch);
+                    p.branch = oppositeBranch(p.branch);
                 }
             }
             QVERIFY(data.series.size() >= 5);

@@ -116,7 +116,7 @@ private slots:
             QVERIFY(plottedMotion(p, t, values, derivatives));
             const PrintedRow expected = textbookMotion(p, t);
             for (std::size_t k = 0; k < kPrintedChannels; ++k) {
-                const double found = inAuthorUnit(kPlottedChannels[k], values[static_cast<Eigen::Index>(k)]);
+                const double found = toFileUnit(kPlottedChannels[k], values[static_cast<Eigen::Index>(k)]);
                 const auto value = static_cast<double>(expected[k]);
                 QVERIFY2(std::abs(found - value) <= 1e-9 * std::max(std::abs(value), 1.0), qPrintable(described(p)));
             }

@@ -131,7 +131,8 @@ private slots:
             const std::vector<ChannelComparison> after = compareExactly(rounded, data).channels;
             for (std::size_t k = 0; k < before.size(); ++k) {
                 QVERIFY(after[k].verdict <= before[k].verdict);
-                const double floor = 1e-12 * naturalScale(rounded, after[k].channel);
+                const double floor =
+                    1e-12 * toFileUnit(after[k].channel, naturalSize(rounded.parameters(), after[k].channel));
                 QVERIFY2(*after[k].rms <= 1.05 * *before[k].rms + floor,
                          QByteArray::number(i) + ": rms " + QByteArray::number(*after[k].rms) + " instead of " +
                              QByteArray::number(*before[k].rms));

@@ -217,7 +217,7 @@ void tst_mobility::rangesEndWhereTheCouplerIsSquare()
         for (const CrankRange &range : limits.ranges) {
             for (const double end : {range.from, range.to}) {
                 const double height = std::abs(p.c - p.a * std::sin(end));
-                VERIFY_FOR(p, near(height, p.b, 8.0 * kUnitRoundoff * reachOf(p)));
+                VERIFY_FOR(p, near(height, p.b, 8.0 * kUnitRoundoff * characteristicLength(p)));
             }
         }
     }
@@ -243,7 +243,7 @@ void tst_mobility::deadCentresStandStill()
             VERIFY_FOR(p, centre->theta2 >= -kPi && centre->theta2 < kPi);
             // B is b + a, or |b - a|, away from O2.
             const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
-            VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * reachOf(p)));
+            VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
 
             const ExactState<Digits50> exact = atAngle<Digits50>(p, centre->theta2);
             const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
@@ -254,9 +254,10 @@ void tst_mobility::deadCentresStandStill()
             const double R4 = static_cast<double>(exact.values[indexOf({R4x, Order::Position})]);
             const double R4Dot = static_cast<double>(exact.values[indexOf({R4x, Order::Velocity})]);
             const double R4DDot = static_cast<double>(exact.values[indexOf({R4x, Order::Acceleration})]);
-            VERIFY_FOR(p, near(centre->R4x, R4, kTolerance * reachOf(p) / cosine));
+            VERIFY_FOR(p, near(centre->R4x, R4, kTolerance * characteristicLength(p) / cosine));
             // An error of u in θ2 leaves u R̈4x of speed; and more, for lengths, where terms larger than it cancel.
-            VERIFY_FOR(p, near(R4Dot, 0.0, 16.0 * kUnitRoundoff * (kPi * std::abs(R4DDot) + reachOf(p) / cosine)));
+            VERIFY_FOR(p, near(R4Dot, 0.0,
+                               16.0 * kUnitRoundoff * (kPi * std::abs(R4DDot) + characteristicLength(p) / cosine)));
         }
     }
     QVERIFY(outer > 0 && inner > 0);
@@ -307,7 +308,7 @@ void tst_mobility::strokeIsThatOfTheMotion()
             stroke = std::max(stroke, most - least);
         }
         if (limits.stroke) {
-            QVERIFY2(near(*limits.stroke, stroke, kSampling * reachOf(p)),
+            QVERIFY2(near(*limits.stroke, stroke, kSampling * characteristicLength(p)),
                      qPrintable(QString("%1: %2, sampled %3")
                                     .arg(QString::fromStdString(describe(p)))
                                     .arg(*limits.stroke, 0, 'g', 17)
@@ -342,7 +343,7 @@ void tst_mobility::anglesLeadFromDeadCentreToDeadCentre()
         for (int i = 1; i <= 50; ++i) {
             const double theta2 = limits.inner->theta2 + sense * outwards * i / 50.0;
             const double R4 = static_cast<double>(atAngle<Digits50>(p, theta2).values[indexOf({R4x, Order::Position})]);
-            VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * reachOf(p));
+            VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
             last = R4;
         }
     }
@@ -373,7 +374,7 @@ void tst_mobility::largestPressureAngleIsThatOfTheMotion()
         // θ3 reaches asin of its largest sine: known to √u where that is 1
         const ExactState<Digits50> there = atAngle<Digits50>(p, limits.largestPressureAngleAt);
         const double height = std::abs(p.c - p.a * std::sin(limits.largestPressureAngleAt));
-        VERIFY_FOR(p, near(std::sin(largest), height / p.b, kTolerance * reachOf(p) / p.b));
+        VERIFY_FOR(p, near(std::sin(largest), height / p.b, kTolerance * characteristicLength(p) / p.b));
         if (limits.mobility == Mobility::FullTurn) {
             const Digits50 sine = (Digits50(p.a) + std::abs(p.c)) / p.b;
             VERIFY_FOR(p, near(largest, static_cast<double>(asin(sine)), 1e-15));
@@ -406,7 +407,7 @@ void tst_mobility::mirroringTheOffsetMirrorsTheAngles()
         const MotionLimits other = motionLimits(Mechanism(mirrored));
         VERIFY_FOR(p, one.mobility == other.mobility);
         VERIFY_FOR(p, one.ranges.size() == other.ranges.size());
-        VERIFY_FOR(p, near(one.stroke, other.stroke, kTolerance * reachOf(p)));
+        VERIFY_FOR(p, near(one.stroke, other.stroke, kTolerance * characteristicLength(p)));
         VERIFY_FOR(p, near(one.angleOutwards, other.angleOutwards, kTolerance));
         VERIFY_FOR(p, near(one.angleInwards, other.angleInwards, kTolerance));
         VERIFY_FOR(p, near(one.timeRatio, other.timeRatio, 10.0 * kTolerance));
@@ -422,11 +423,11 @@ void tst_mobility::mirroringTheOffsetMirrorsTheAngles()
         VERIFY_FOR(p, one.outer.has_value() == other.outer.has_value());
         VERIFY_FOR(p, one.inner.has_value() == other.inner.has_value());
         if (one.outer) {
-            VERIFY_FOR(p, near(one.outer->R4x, other.outer->R4x, kTolerance * reachOf(p)));
+            VERIFY_FOR(p, near(one.outer->R4x, other.outer->R4x, kTolerance * characteristicLength(p)));
             VERIFY_FOR(p, near(difference(one.outer->theta2, -other.outer->theta2), 0.0, kTolerance));
         }
         if (one.inner) {
-            VERIFY_FOR(p, near(one.inner->R4x, other.inner->R4x, kTolerance * reachOf(p)));
+            VERIFY_FOR(p, near(one.inner->R4x, other.inner->R4x, kTolerance * characteristicLength(p)));
             VERIFY_FOR(p, near(difference(one.inner->theta2, -other.inner->theta2), 0.0, kTolerance));
         }
     }
@@ -437,17 +438,17 @@ void tst_mobility::mirroringTheBranchMirrorsTheSlider()
 {
     for (const Parameters &p : mechanisms()) {
         Parameters mirrored = p;
-        mirrored.branch = otherThan(p.branch);
+        mirrored.branch = oppositeBranch(p.branch);
         const MotionLimits one = motionLimits(Mechanism(p));
         const MotionLimits other = motionLimits(Mechanism(mirrored));
         VERIFY_FOR(p, one.mobility == other.mobility);
-        VERIFY_FOR(p, near(one.stroke, other.stroke, kTolerance * reachOf(p)));
+        VERIFY_FOR(p, near(one.stroke, other.stroke, kTolerance * characteristicLength(p)));
         if (one.outer) {
-            VERIFY_FOR(p, near(one.outer->R4x, -other.outer->R4x, kTolerance * reachOf(p)));
+            VERIFY_FOR(p, near(one.outer->R4x, -other.outer->R4x, kTolerance * characteristicLength(p)));
             VERIFY_FOR(p, near(difference(one.outer->theta2, kPi - other.outer->theta2), 0.0, kTolerance));
         }
         if (one.inner) {
-            VERIFY_FOR(p, near(one.inner->R4x, -other.inner->R4x, kTolerance * reachOf(p)));
+            VERIFY_FOR(p, near(one.inner->R4x, -other.inner->R4x, kTolerance * characteristicLength(p)));
         }
         if (one.angleOutwards && p.omega2 != 0.0) {
             VERIFY_FOR(p, near(*one.angleOutwards, *other.angleInwards, kTolerance));

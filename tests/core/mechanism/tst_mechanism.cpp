@@ -39,7 +39,7 @@ private slots:
     void indicesAreInTheOrderOfSolve();
     void unitsAreThoseOfTheAuthor();
     void setsHoldTheirChannels();
-    void naturalScaleFollowsSizeAndSpeed();
+    void naturalSizeFollowsLengthAndSpeed();
 };
 
 void tst_mechanism::defaultsAreTable1()
@@ -203,17 +203,17 @@ void tst_mechanism::indicesAreInTheOrderOfSolve()
 
 void tst_mechanism::unitsAreThoseOfTheAuthor()
 {
-    QCOMPARE(authorUnitOf({R4x, Order::Position}), "mm");
-    QCOMPARE(authorUnitOf({R4x, Order::Velocity}), "mm/s");
-    QCOMPARE(authorUnitOf({R4x, Order::Acceleration}), "mm/s\u00b2");
-    QCOMPARE(authorUnitOf({Theta3, Order::Position}), "\u00b0");
-    QCOMPARE(authorUnitOf({Theta3, Order::Velocity}), "\u00b0/s");
-    QCOMPARE(authorUnitOf({Theta3, Order::Acceleration}), "\u00b0/s\u00b2");
+    QCOMPARE(fileUnit({R4x, Order::Position}), "mm");
+    QCOMPARE(fileUnit({R4x, Order::Velocity}), "mm/s");
+    QCOMPARE(fileUnit({R4x, Order::Acceleration}), "mm/s\u00b2");
+    QCOMPARE(fileUnit({Theta3, Order::Position}), "\u00b0");
+    QCOMPARE(fileUnit({Theta3, Order::Velocity}), "\u00b0/s");
+    QCOMPARE(fileUnit({Theta3, Order::Acceleration}), "\u00b0/s\u00b2");
     for (std::size_t index = 0; index < kChannelCount; ++index) {
         const Channel channel = channelAt(index);
         const bool angle = nameOf(channel).starts_with("theta");
         QCOMPARE(isAngle(channel.coordinate), angle);
-        QCOMPARE(inAuthorUnit(channel, std::numbers::pi), angle ? 180.0 : std::numbers::pi);
+        QCOMPARE(toFileUnit(channel, std::numbers::pi), angle ? 180.0 : std::numbers::pi);
     }
 }
 
@@ -226,18 +226,14 @@ void tst_mechanism::setsHoldTheirChannels()
     }
 }
 
-/// In the author's units: 180/π degrees to the radian.
-void tst_mechanism::naturalScaleFollowsSizeAndSpeed()
+void tst_mechanism::naturalSizeFollowsLengthAndSpeed()
 {
-    Parameters parameters;
-    parameters.c = -25.0;
-    parameters.omega2 = -3.0;
-    const Mechanism mechanism(parameters);
-    QCOMPARE(naturalScale(mechanism, {R4x, Order::Position}), 110.0);
-    QCOMPARE(naturalScale(mechanism, {R4x, Order::Velocity}), 330.0);
-    QCOMPARE(naturalScale(mechanism, {R1y, Order::Acceleration}), 990.0);
-    QCOMPARE(naturalScale(mechanism, {Theta3, Order::Position}), 180.0 / std::numbers::pi);
-    QCOMPARE(naturalScale(mechanism, {Theta4, Order::Acceleration}), 9.0 * 180.0 / std::numbers::pi);
+    const Parameters parameters{.c = -25.0, .omega2 = -3.0};
+    QCOMPARE(naturalSize(parameters, {R4x, Order::Position}), 110.0);
+    QCOMPARE(naturalSize(parameters, {R4x, Order::Velocity}), 330.0);
+    QCOMPARE(naturalSize(parameters, {R1y, Order::Acceleration}), 990.0);
+    QCOMPARE(naturalSize(parameters, {Theta3, Order::Position}), 1.0);
+    QCOMPARE(naturalSize(parameters, {Theta4, Order::Acceleration}), 9.0);
 }
 
 QTEST_APPLESS_MAIN(tst_mechanism)

@@ -345,7 +345,7 @@ void tst_newton::startsAgainFromAfarOnTheOtherBranch()
         Parameters p;
         p.branch = branch;
         Parameters other = p;
-        other.branch = otherThan(branch);
+        other.branch = oppositeBranch(branch);
         const Vector12 start = ClosedForm{Mechanism(other)}.stateAt(0.19).q;
         const NewtonResult result = track(Mechanism(p), 0.2, start, kToTheEnd);
         QCOMPARE(result.status, Status::Solved);

@@ -162,7 +162,7 @@ void tst_trajectory::closedFormValuesAreThoseOfClosedForm()
             QCOMPARE(trajectory.status[i], state.status);
             for (std::size_t index = 0; index < kChannelCount; ++index) {
                 const Channel channel = channelAt(index);
-                const double expected = inAuthorUnit(channel, valueOf(state, channel));
+                const double expected = toFileUnit(channel, valueOf(state, channel));
                 if (!same(trajectory[channel][i], expected)) {
                     QFAIL(qPrintable(QString("%1, %2 at t=%3: %4, expected %5")
                                          .arg(QString::fromStdString(std::string(which.name)))
@@ -196,7 +196,7 @@ void tst_trajectory::newtonValuesAreThoseOfTheSolver()
         const State state = differentiate(mechanism, last.q, last.residual());
         for (std::size_t index = 0; index < kChannelCount; ++index) {
             const Channel channel = channelAt(index);
-            QCOMPARE(trajectory[channel][i], inAuthorUnit(channel, valueOf(state, channel)));
+            QCOMPARE(trajectory[channel][i], toFileUnit(channel, valueOf(state, channel)));
         }
     }
     QCOMPARE(trajectory.count(Status::Solved), instants.size());

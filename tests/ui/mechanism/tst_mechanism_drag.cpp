@@ -75,7 +75,7 @@ private slots:
     {
         const MechanismDrawing drawing = drawingAt({}, 0.1);
         MechanismFrame frame;
-        frame.fit(reachOf(drawing.mechanism(), drawing.result->limits));
+        frame.fit(characteristicLength(drawing.mechanism(), drawing.result->limits));
         const MechanismProjection on = frame.projection({800.0, 600.0});
         const auto partAtModel = [&](QPointF model) { return partAt(drawing, on, on.toPixels(model)); };
         QCOMPARE(partAtModel(drawing.pins->A), DrawnPart::A);
@@ -94,7 +94,7 @@ private slots:
         rocker.b = 40.0;
         const MechanismDrawing drawing = drawingAt(rocker, 0.2);
         MechanismFrame frame;
-        frame.fit(reachOf(drawing.mechanism(), drawing.result->limits));
+        frame.fit(characteristicLength(drawing.mechanism(), drawing.result->limits));
         const MechanismProjection on = frame.projection({800.0, 600.0});
         QCOMPARE(partAt(drawing, on, on.toPixels({0.0, -20.0})), DrawnPart::ForbiddenArc);
         QCOMPARE(partAt(drawing, on, on.toPixels({-20.0, 0.0})), DrawnPart::Background);

@@ -43,7 +43,7 @@ double valueAt(const ClosedForm &motion, std::size_t channel, double t)
     const Motion m = motion.motionAt(t);
     const std::array<double, 6> values{m.theta3, m.R4x, m.theta3Dot, m.R4xDot, m.theta3DDot, m.R4xDDot};
     return m.status == Status::Solved || m.status == Status::Singular
-               ? inAuthorUnit(kPlottedChannels[channel], values[channel])
+               ? toFileUnit(kPlottedChannels[channel], values[channel])
                : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -369,9 +369,9 @@ private slots:
                 }
                 const QCPRange axis = shown.plot(plot)->yAxis->range();
                 for (const PeakPlace &place : peak.places) {
-                    QVERIFY(axis.contains(inAuthorUnit(peak.channel, place.value)));
+                    QVERIFY(axis.contains(toFileUnit(peak.channel, place.value)));
                 }
-                const double magnitude = inAuthorUnit(peak.channel, peak.magnitude);
+                const double magnitude = toFileUnit(peak.channel, peak.magnitude);
                 QVERIFY(std::max(-axis.lower, axis.upper) <= 1.3 * magnitude);
             }
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/limits/course.h"
+#include "core/limits/critical_points.h"
 
 #include "core/closed_form/clearance.h"
 #include "core/closed_form/closed_form.h"
@@ -59,7 +59,7 @@ public:
         return m_gap < 0.0 ? std::copysign(m_width * std::cosh(u), u) : m_width * std::sinh(u);
     }
     double uAt(double angle) const { return m_gap < 0.0 ? std::acosh(angle / m_width) : std::asinh(angle / m_width); }
-    double theta2(double angle) const { return wrapped(m_centre + angle); }
+    double theta2(double angle) const { return wrapToPi(m_centre + angle); }
 
     // With s = b cos θ3 and h = c - a sin θ2, and a dash for d/dθ2:
     //     s θ3' = -a cos θ2             s' θ3' + s θ3'' = a sin θ2        s'' θ3' + 2 s' θ3'' + s θ3''' = a cos θ2
@@ -103,7 +103,7 @@ private:
     ClosedForm m_motion; ///< with the angle for the time
 };
 
-using Courses = std::array<Course, kCount>;
+using Courses = std::array<CriticalPoints, kCount>;
 
 /// From one u to another, one sign of φ.
 void searchTurns(const SteepPlace &place, double from, double to, Courses &courses)
@@ -122,7 +122,7 @@ void searchTurns(const SteepPlace &place, double from, double to, Courses &cours
                     place.phi(place.turningPoint(channel, low, high, atLow.slope[channel], atHigh.slope[channel]));
                 const double value = place.at(angle).value[channel];
                 if (std::isfinite(value)) {
-                    courses[channel].push_back({place.theta2(angle), value, CoursePoint::Kind::Turn});
+                    courses[channel].push_back({place.theta2(angle), value, CriticalPoint::Kind::Extremum});
                 }
             }
         }
@@ -136,7 +136,7 @@ void addLimit(const SteepPlace &place, double u, Courses &courses)
 {
     const double angle = place.phi(u);
     const Rates rates = place.at(angle);
-    const CoursePoint::Kind kind = u > 0.0 ? CoursePoint::Kind::Begin : CoursePoint::Kind::End;
+    const CriticalPoint::Kind kind = u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End;
     for (std::size_t channel = 0; channel < kCount; ++channel) {
         const bool isFinite = place.isToggle() || kPlottedChannels[channel].order == Order::Position;
         const double value = rates.value[channel];
@@ -163,14 +163,14 @@ void searchAbout(const SteepPlace &place, double reach, Courses &courses)
 }
 
 /// Ascending, without what was found from both sides.
-void putInOrder(Course &course)
+void putInOrder(CriticalPoints &course)
 {
     constexpr double kSamePlace = 1e-10; // rad
-    std::ranges::sort(course, [](const CoursePoint &a, const CoursePoint &b) {
+    std::ranges::sort(course, [](const CriticalPoint &a, const CriticalPoint &b) {
         return a.theta2 != b.theta2 ? a.theta2 < b.theta2 : a.kind < b.kind;
     });
-    const auto isSame = [](const CoursePoint &a, const CoursePoint &b) {
-        return a.kind == CoursePoint::Kind::Turn && b.kind == CoursePoint::Kind::Turn &&
+    const auto isSame = [](const CriticalPoint &a, const CriticalPoint &b) {
+        return a.kind == CriticalPoint::Kind::Extremum && b.kind == CriticalPoint::Kind::Extremum &&
                std::abs(std::remainder(b.theta2 - a.theta2, kTurn)) < kSamePlace;
     };
     course.erase(std::unique(course.begin(), course.end(), isSame), course.end());
@@ -181,7 +181,7 @@ void putInOrder(Course &course)
 
 } // namespace
 
-Courses coursesOf(const Mechanism &mechanism)
+Courses findCriticalPoints(const Mechanism &mechanism)
 {
     Courses courses;
     const Clearance lengths(mechanism);
@@ -207,7 +207,7 @@ Courses coursesOf(const Mechanism &mechanism)
         putInOrder(courses[i]);
         const double omega = mechanism.omega2();
         const std::array<double, 3> factors{1.0, omega, omega * omega};
-        for (CoursePoint &point : courses[i]) {
+        for (CriticalPoint &point : courses[i]) {
             point.value *= factors[static_cast<std::size_t>(kPlottedChannels[i].order)];
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/limits/course.h"
+#include "core/limits/critical_points.h"
 
 #include "core/closed_form/batch.h"
 #include "core/limits/instant_centre.h"
@@ -51,7 +51,7 @@ Turn turnOf(Parameters p)
 }
 
 /// Where the motion reaches beyond what the course says it can between two neighbouring crank angles; empty: nowhere.
-QString whereItLeaves(const Course &course, std::size_t channel, const Turn &turn)
+QString whereItLeaves(const CriticalPoints &course, std::size_t channel, const Turn &turn)
 {
     const std::vector<double> &values = turn.values[channel];
     double size = 0.0;
@@ -64,11 +64,11 @@ QString whereItLeaves(const Course &course, std::size_t channel, const Turn &tur
         double lower = std::min(values[from], values[to]);
         double upper = std::max(values[from], values[to]);
         bool isWhole = std::isfinite(values[from]) && std::isfinite(values[to]);
-        for (const CoursePoint &point : course) {
+        for (const CriticalPoint &point : course) {
             if (turn.theta2[from] <= point.theta2 && point.theta2 <= turn.theta2[to]) {
                 lower = std::min(lower, point.value);
                 upper = std::max(upper, point.value);
-                isWhole = isWhole && point.kind == CoursePoint::Kind::Turn;
+                isWhole = isWhole && point.kind == CriticalPoint::Kind::Extremum;
             }
         }
         if (!isWhole) {
@@ -93,11 +93,11 @@ void check(const Parameters &p, const QString &name)
 {
     Parameters unit = p;
     unit.omega2 = 1.0;
-    std::array<Course, kChannels> courses = coursesOf(Mechanism(unit));
+    std::array<CriticalPoints, kChannels> courses = findCriticalPoints(Mechanism(unit));
     const Turn turn = turnOf(p);
     for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        for (CoursePoint &point : courses[channel]) {
-            point.value = inAuthorUnit(kPlottedChannels[channel], point.value);
+        for (CriticalPoint &point : courses[channel]) {
+            point.value = toFileUnit(kPlottedChannels[channel], point.value);
         }
         const QString where = whereItLeaves(courses[channel], channel, turn);
         QVERIFY2(where.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(name, where)));
@@ -107,7 +107,7 @@ void check(const Parameters &p, const QString &name)
 } // namespace
 
 /// Between two places of a course the motion only rises or only falls.
-class TestCourse : public QObject
+class TestCriticalPoints : public QObject
 {
     Q_OBJECT
 
@@ -133,12 +133,12 @@ private slots:
     {
         Parameters p;
         p.b = 40.0;
-        for (const Course &course : coursesOf(Mechanism(p))) {
-            const auto count = [&course](CoursePoint::Kind kind) {
-                return std::ranges::count(course, kind, &CoursePoint::kind);
+        for (const CriticalPoints &course : findCriticalPoints(Mechanism(p))) {
+            const auto count = [&course](CriticalPoint::Kind kind) {
+                return std::ranges::count(course, kind, &CriticalPoint::kind);
             };
-            QCOMPARE(count(CoursePoint::Kind::Begin), 1);
-            QCOMPARE(count(CoursePoint::Kind::End), 1);
+            QCOMPARE(count(CriticalPoint::Kind::Begin), 1);
+            QCOMPARE(count(CriticalPoint::Kind::End), 1);
         }
     }
 
@@ -183,11 +183,11 @@ private slots:
     {
         Parameters p;
         p.b = 4.0;
-        for (const Course &course : coursesOf(Mechanism(p))) {
+        for (const CriticalPoints &course : findCriticalPoints(Mechanism(p))) {
             QVERIFY(course.empty());
         }
     }
 };
 
-QTEST_GUILESS_MAIN(TestCourse)
-#include "tst_course.moc"
+QTEST_GUILESS_MAIN(TestCriticalPoints)
+#include "tst_critical_points.moc"

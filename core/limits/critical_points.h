@@ -17,20 +17,20 @@
 namespace slidercrank
 {
 
-struct CoursePoint {
+struct CriticalPoint {
     /// It begins and ends, as the crank's angle grows, at the limits of a rocker; at an exact toggle, where the speeds
     /// jump, it ends and begins anew.
-    enum class Kind { End, Begin, Turn };
+    enum class Kind { End, Begin, Extremum };
 
     double theta2 = 0.0; ///< within [-π, π)
     double value = 0.0;  ///< ±∞ for the derivatives at a rocker's limit
-    Kind kind = Kind::Turn;
+    Kind kind = Kind::Extremum;
 };
 
 /// Ascending crank angles; empty where there is no motion at all.
-using Course = std::vector<CoursePoint>;
+using CriticalPoints = std::vector<CriticalPoint>;
 
 /// As in kPlottedChannels.
-std::array<Course, kPlottedChannels.size()> coursesOf(const Mechanism &mechanism);
+std::array<CriticalPoints, kPlottedChannels.size()> findCriticalPoints(const Mechanism &mechanism);
 
 } // namespace slidercrank
