@@ -104,6 +104,7 @@ const char *wordOf(Identification::Outcome outcome)
     switch (outcome) {
     case Identification::Outcome::Identified: return "identified";
     case Identification::Outcome::Ambiguous: return "ambiguous";
+    case Identification::Outcome::Approximate: return "approximate";
     case Identification::Outcome::Insufficient: return "insufficient";
     case Identification::Outcome::Nearest: return "nearest";
     case Identification::Outcome::None: return "none";
@@ -163,6 +164,16 @@ QByteArray jsonOf(const std::vector<Identification::Noise> &noise)
         channels += jsonString(columnNameOf(one.channel)) + ':' + jsonNumber(one.rms);
     }
     return '{' + channels.join(',') + '}';
+}
+
+QByteArray jsonOf(const std::vector<Identification::LeftOut> &columns)
+{
+    QByteArrayList channels;
+    for (const Identification::LeftOut &column : columns) {
+        channels += "{\"channel\":" + jsonString(columnNameOf(column.channel)) +
+                    ",\"percentOfPeak\":" + jsonNumber(column.percentOfPeak) + '}';
+    }
+    return '[' + channels.join(',') + ']';
 }
 
 } // namespace slidercrank

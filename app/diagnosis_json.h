@@ -31,4 +31,7 @@ QByteArray jsonOf(const std::vector<Identification::Alternative> &alternatives);
 /// An object, a member a channel: what noise is left, in the author's unit.
 QByteArray jsonOf(const std::vector<Identification::Noise> &noise);
 
+/// An array, an object a column that takes no part in the fit.
+QByteArray jsonOf(const std::vector<Identification::LeftOut> &columns);
+
 } // namespace slidercrank

@@ -42,17 +42,22 @@ QByteArray jsonOf(const Reference &reference, const Diagnosis &diagnosis)
         errors += name + (found.identifiable[i] ? jsonNumber(found.standardError[i]) : none);
         identifiable += name + (found.identifiable[i] ? "true" : "false");
     }
+    QByteArrayList excludedRows;
+    for (const std::size_t line : found.excludedRows) {
+        excludedRows += QByteArray::number(line);
+    }
     return "{\"file\":" + jsonString(joinedName(reference.paths)) + ',' + jsonJoined(reference.paths) +
            "\"outcome\":\"" + wordOf(found.outcome) +
            "\",\"mechanism\":" + (isMechanism ? jsonMechanism(Mechanism(found.parameters)) : none) +
            ",\"standardError\":{" + errors.join(',') + "},\"identifiable\":{" + identifiable.join(',') +
-           "},\"alternatives\":" + jsonOf(found.alternatives) + ",\"rounded\":" +
-           (found.outcome == Outcome::Identified ? jsonMechanism(Mechanism(diagnosis.rounded)) : none) +
+           "},\"alternatives\":" + jsonOf(found.alternatives) +
+           ",\"rounded\":" + (found.hasOneMechanism() ? jsonMechanism(Mechanism(diagnosis.rounded)) : none) +
            ",\"noise\":" + jsonOf(found.noise) + ",\"iterations\":" + QByteArray::number(found.iterations) +
            ",\"conditionNumber\":" + (found.stands() ? jsonNumber(found.conditionNumber) : none) +
            ",\"channels\":" + jsonOf(diagnosis.identified) + ",\"columns\":" + jsonColumns(data.layout) +
-           ",\"conventions\":" + jsonOf(diagnosis.conventions, data) +
-           ",\"summary\":" + jsonString(summaryOf(diagnosis)) + '}';
+           ",\"conventions\":" + jsonOf(diagnosis.conventions, data) + ",\"leftOut\":" + jsonOf(found.leftOut) +
+           ",\"excludedRows\":[" + excludedRows.join(',') + ']' + ",\"summary\":" + jsonString(summaryOf(diagnosis)) +
+           '}';
 }
 
 /// "--a 20 --b …": to go on with.
@@ -79,10 +84,12 @@ QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &
         text += explanationOf(finding.convention, data) + u' ' + effectOf(finding) + u'\n';
     }
     text += summaryOf(diagnosis) + u'\n';
-    text += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
-                .arg(found.iterations)
-                .arg(rounded(found.conditionNumber)) +
-            u'\n';
+    if (found.outcome != Outcome::Approximate) {
+        text += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
+                    .arg(found.iterations)
+                    .arg(rounded(found.conditionNumber)) +
+                u'\n';
+    }
     const std::optional<ReferenceData> timed =
         data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // what it was compared as
     text += u'\n' + tableOf(diagnosis.identified, timed ? *timed : data) + u'\n';
@@ -92,8 +99,8 @@ QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &
     if (const QString rounded = roundNumbersText(diagnosis); !rounded.isEmpty()) {
         text += rounded + u'\n';
     }
-    const QString goOn = found.outcome == Outcome::Identified ? CommandLine::tr("To go on with it: %1")
-                                                              : CommandLine::tr("To go on with the first: %1");
+    const QString goOn = found.hasOneMechanism() ? CommandLine::tr("To go on with it: %1")
+                                                 : CommandLine::tr("To go on with the first: %1");
     return text + goOn.arg(optionsFor(diagnosis.rounded)) + u'\n';
 }
 
@@ -103,19 +110,23 @@ class OutcomeTally
 public:
     void add(const Identification &found)
     {
-        ++(found.outcome == Outcome::Identified  ? m_identified
-           : found.outcome == Outcome::Ambiguous ? m_ambiguous
-                                                 : m_open);
+        ++(found.outcome == Outcome::Identified    ? m_identified
+           : found.outcome == Outcome::Approximate ? m_approximate
+           : found.outcome == Outcome::Ambiguous   ? m_ambiguous
+                                                   : m_open);
     }
     void addUnreadable() { ++m_unreadable; }
 
     QString sentence() const
     {
         QString text = CommandLine::tr("%1 files: %2 identified, %3 ambiguous, %4 not identified")
-                           .arg(m_identified + m_ambiguous + m_open + m_unreadable)
+                           .arg(m_identified + m_approximate + m_ambiguous + m_open + m_unreadable)
                            .arg(m_identified)
                            .arg(m_ambiguous)
                            .arg(m_open);
+        if (m_approximate > 0) {
+            text += CommandLine::tr(", %1 approximated").arg(m_approximate);
+        }
         if (m_unreadable > 0) {
             text += CommandLine::tr(", %1 could not be read").arg(m_unreadable);
         }
@@ -124,6 +135,7 @@ public:
 
 private:
     int m_identified = 0;
+    int m_approximate = 0;
     int m_ambiguous = 0;
     int m_open = 0;
     int m_unreadable = 0;

@@ -18,6 +18,8 @@ void Identification::claimNothing()
     identifiable.fill(false);
     alternatives.clear();
     noise.clear();
+    leftOut.clear();
+    excludedRows.clear();
 }
 
 void Identification::keepToMechanisms(const Parameters &atHand)

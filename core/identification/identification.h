@@ -25,6 +25,7 @@ struct Identification {
     enum class Outcome {
         Identified,   ///< what is left is rounding, or noise that looks like noise
         Ambiguous,    ///< several mechanisms explain the file equally
+        Approximate,  ///< explained up to a systematic deviation of at most 1 %: no standard errors
         Insufficient, ///< too few values, rows a turn or columns to tell
         Nearest,      ///< nothing found stands; this comes nearest
         None          ///< not even that
@@ -32,10 +33,16 @@ struct Identification {
     Outcome outcome = Outcome::None;
     bool stopped = false; ///< nothing else counts
 
-    /// Whether there is a mechanism that explains the file.
-    bool stands() const { return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Ambiguous); }
+    /// Whether there is a mechanism that explains the file, at least approximately.
+    bool stands() const { return hasOneMechanism() || (!stopped && outcome == Outcome::Ambiguous); }
 
-    /// Identified, Ambiguous: the (first) mechanism; Nearest: what comes nearest; else the mechanism at hand. θ20 in
+    /// Whether there is exactly one such mechanism.
+    bool hasOneMechanism() const
+    {
+        return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Approximate);
+    }
+
+    /// Identified, Approximate, Ambiguous: the (first) mechanism; Nearest: what comes nearest; else the mechanism at hand. θ20 in
     /// (-π, π]; what is not identifiable is as in the mechanism at hand.
     Parameters parameters;
 
@@ -43,7 +50,7 @@ struct Identification {
     /// onlyRatios), and unless Identified or Ambiguous.
     std::array<double, kParameterCount> standardError{};
 
-    /// All true where Identified or Ambiguous (but see onlyRatios), all false else.
+    /// All true where stands() (but see onlyRatios), all false else.
     std::array<bool, kParameterCount> identifiable{};
 
     /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as it was, b and c follow
@@ -83,6 +90,15 @@ struct Identification {
         double rms = 0.0; ///< in the author's unit
     };
     std::vector<Noise> noise; ///< the columns whose residuals are noise beyond rounding
+
+    /// A column that takes no part in the fit.
+    struct LeftOut {
+        Channel channel;
+        double percentOfPeak = 0.0; ///< its largest deviation from the mechanism found
+    };
+    std::vector<LeftOut> leftOut;
+
+    std::vector<std::size_t> excludedRows; ///< outliers: their lines in the file, counted from 1
 
     int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters

@@ -96,6 +96,7 @@ std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData d
     const bool rises = crank.degrees.back() >= crank.degrees.front();
     if (rises != (speed > 0.0)) {
         std::ranges::reverse(crank.degrees);
+        std::ranges::reverse(data.lines);
         for (ReferenceSeries &series : data.series) {
             std::ranges::reverse(series.values);
         }

@@ -159,6 +159,10 @@ void keepRows(ReferenceData &data, const std::vector<std::size_t> &rows)
         return;
     }
     keep(data.time, rows);
+    if (!data.lines.empty()) {
+        std::ranges::transform(rows, data.lines.begin(), [&data](std::size_t row) { return data.lines[row]; });
+        data.lines.resize(rows.size());
+    }
     if (data.crank) {
         keep(data.crank->degrees, rows);
     }

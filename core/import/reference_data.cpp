@@ -105,6 +105,7 @@ private:
             row.line += m_linesBefore;
             leaveOut(std::move(row), m_skipped);
         }
+        next.rows.countLinesFrom(m_linesBefore);
         m_linesBefore += next.count;
         if (m_waiting.size() == 1) {
             m_rows = std::move(next.rows);

@@ -76,6 +76,10 @@ struct ReferenceData {
     std::vector<SkippedRow> skipped;    ///< at most 1000, and then one more that counts the others
     FileLayout layout;                  ///< how the file is written, and what each column became and why
     std::optional<CrankAngles> crank{}; ///< where the file counts by them: the instants follow
+    std::vector<std::size_t> lines{};   ///< of the (first) file, where each row stands, from 1; empty where unknown
+
+    /// The line of that row; without lines, its number from 1.
+    std::size_t lineOfRow(std::size_t row) const { return row < lines.size() ? lines[row] : row + 1; }
 
     const ReferenceSeries *find(Channel channel) const;
 

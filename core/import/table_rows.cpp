@@ -139,6 +139,7 @@ SeriesBuilder::SeriesBuilder(const TableLayout &layout)
 void SeriesBuilder::reserve(std::size_t rows)
 {
     m_data.time.reserve(rows);
+    m_data.lines.reserve(rows);
     for (ReferenceSeries &series : m_data.series) {
         series.values.reserve(rows);
     }
@@ -147,6 +148,7 @@ void SeriesBuilder::reserve(std::size_t rows)
 void SeriesBuilder::clear()
 {
     m_data.time.clear();
+    m_data.lines.clear();
     for (ReferenceSeries &series : m_data.series) {
         series.values.clear();
     }
@@ -157,6 +159,7 @@ void SeriesBuilder::clear()
 void SeriesBuilder::add(const Row &row)
 {
     m_data.time.push_back(row.time.value);
+    m_data.lines.push_back(row.line);
     m_timeObserver.observe(row.time.places, row.time.digits);
     for (std::size_t i = 0; i < row.numbers.size(); ++i) {
         const PlainNumber &number = row.numbers[i];
@@ -173,10 +176,18 @@ void SeriesBuilder::add(const SeriesBuilder &later)
         values.insert(values.end(), more.begin(), more.end());
     };
     append(m_data.time, later.m_data.time);
+    m_data.lines.insert(m_data.lines.end(), later.m_data.lines.begin(), later.m_data.lines.end());
     m_timeObserver.add(later.m_timeObserver);
     for (std::size_t i = 0; i < m_observers.size(); ++i) {
         append(m_data.series[i].values, later.m_data.series[i].values);
         m_observers[i].add(later.m_observers[i]);
+    }
+}
+
+void SeriesBuilder::countLinesFrom(std::size_t linesBefore)
+{
+    for (std::size_t &line : m_data.lines) {
+        line += linesBefore;
     }
 }
 
@@ -238,6 +249,7 @@ void readLines(std::string_view lines, const TableLayout &layout, ReadLines &int
             into.error = timeFault(line, layout, excerpt(row.time.digits));
             return;
         }
+        row.line = line;
         into.rows.add(row);
     }
     into.count = scanner.line() - 1;

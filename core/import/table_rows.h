@@ -20,6 +20,7 @@ namespace slidercrank
 /// The numbers of one line, reused from line to line.
 struct Row {
     PlainNumber time;                 ///< in seconds
+    std::size_t line = 0;
     std::vector<PlainNumber> numbers; ///< by place in TableLayout::channels, in the author's unit; a gap has no digits
 };
 
@@ -35,6 +36,7 @@ public:
     void clear(); ///< without rows again, but with the room for them
     void add(const Row &row);
     void add(const SeriesBuilder &later); ///< the rows that follow
+    void countLinesFrom(std::size_t linesBefore);
 
     /// The data, without the columns that hold no number at all: those count as ignored.
     ReferenceData take(TableLayout &layout, std::vector<SkippedRow> skipped);

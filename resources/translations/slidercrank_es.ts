@@ -46,6 +46,57 @@
     </message>
 </context>
 <context>
+    <name>slidercrank::AnimationForm</name>
+    <message>
+        <source>Export animation</source>
+        <translation>Exportar animación</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Unit of the length</source>
+        <translation>Unidad de la duración</translation>
+    </message>
+    <message>
+        <source>s of the motion</source>
+        <translation>s del movimiento</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>%1 frames: %2 s at the speed of playing, %3×.</source>
+        <translation>%1 fotogramas: %2 s a la velocidad de reproducción, %3×.</translation>
+    </message>
+    <message>
+        <source>More than %1 frames: choose a shorter length, fewer frames a second or a higher speed of playing.</source>
+        <translation>Más de %1 fotogramas: elija una duración menor, menos fotogramas por segundo o una velocidad de reproducción mayor.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ColumnMapping</name>
     <message>
         <source>ignored</source>
@@ -1252,9 +1303,9 @@ standard error, and the others are still compared. FILE may be - for standard in
 Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
 columna del movimiento exacto del mecanismo en los instantes del propio archivo. El redondeo hace incierto un valor en media
 unidad de su última cifra, y en lo que el movimiento avanza en media unidad de la de su instante (los instantes a
-intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95 % de sus errores no pasa de eso y ninguno de diez veces tanto;
+intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95&#xa0;% de sus errores no pasa de eso y ninguno de diez veces tanto;
 se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1 % de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
+1&#xa0;% de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
 informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
 </translation>
     </message>
@@ -1350,6 +1401,10 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     <message>
         <source>%1: t = %2 s, one instant</source>
         <translation>%1: t = %2 s, un instante</translation>
+    </message>
+    <message>
+        <source>, %1 approximated</source>
+        <translation>, %1 aproximados</translation>
     </message>
 </context>
 <context>
@@ -1584,11 +1639,11 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
-        <translation>%1: su error máximo es el %2 % del pico.</translation>
+        <translation>%1: su error máximo es el %2&#xa0;% del pico.</translation>
     </message>
     <message>
         <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation>%1: error máximo del %2 % del pico en vez del %3 %.</translation>
+        <translation>%1: error máximo del %2&#xa0;% del pico en vez del %3&#xa0;%.</translation>
     </message>
     <message>
         <source>%1: measured from where it began; %2 is %1%3.</source>
@@ -1723,7 +1778,7 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     </message>
     <message>
         <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
-        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5 % de él.</translation>
+        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5&#xa0;% de él.</translation>
     </message>
     <message>
         <source>There are too few instants to find the mechanism: export more of them.</source>
@@ -1743,7 +1798,7 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     </message>
     <message>
         <source>No mechanism was found that explains this file. The nearest: %1, off by up to %2 % of peak, in %3.</source>
-        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1, que se aparta hasta un %2 % del pico, en %3.</translation>
+        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1, que se aparta hasta un %2&#xa0;% del pico, en %3.</translation>
     </message>
     <message>
         <source>The coupler angle θ³ alone determines only b/a and c/a; a = %1 is taken as given.</source>
@@ -1780,6 +1835,29 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     <message>
         <source>The file is a table by crank angle: ω₂ follows from its derivatives.</source>
         <translation>El archivo es una tabla por ángulo de la manivela: ω₂ resulta de sus derivadas.</translation>
+    </message>
+    <message>
+        <source>%1 ≈ %2</source>
+        <translation>%1 ≈ %2</translation>
+    </message>
+    <message>
+        <source>%1/a ≈ %2</source>
+        <translation>%1/a ≈ %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 explain the file up to %3 % of peak; the rest is systematic (filtered, interpolated or integrated data?), so no standard errors can be given.</source>
+        <translation>%1, %2 explican el archivo hasta un %3 % del pico; el resto es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores estándar.</translation>
+    </message>
+    <message>
+        <source>%1 deviates by %2 % of its peak from the motion of the other columns and was left out.</source>
+        <translation>%1 se aparta un %2 % de su pico del movimiento de las demás columnas y se dejó fuera.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rows far off the motion were left out: %n, line %1.</source>
+        <translation>
+            <numerusform>Se dejó fuera %n fila muy apartada del movimiento: línea %1.</numerusform>
+            <numerusform>Se dejaron fuera %n filas muy apartadas del movimiento: líneas %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2022,9 +2100,9 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
         <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
 close: none beyond a hundred times
 differs: anything else, and what lies beyond the rounding by 1 % of half the motion&apos;s range</source>
-        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
+        <translation>coincide: al menos el 95&#xa0;% de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
 próximo: ninguno más allá de cien veces
-difiere: todo lo demás, y lo que rebasa el redondeo en un 1 % de la mitad del recorrido</translation>
+difiere: todo lo demás, y lo que rebasa el redondeo en un 1&#xa0;% de la mitad del recorrido</translation>
     </message>
     <message>
         <source>Without bounds where one of the two ends its stroke</source>
@@ -2227,7 +2305,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>%1 Largest error: %2 → %3 % of peak.</source>
-        <translation>%1 Error máximo: %2 → %3 % del pico.</translation>
+        <translation>%1 Error máximo: %2 → %3&#xa0;% del pico.</translation>
     </message>
     <message>
         <source>The file fits %1</source>
@@ -2342,7 +2420,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>, most in %1: by up to %2 % of its peak</source>
-        <translation>, sobre todo en %1: hasta un %2 % de su pico</translation>
+        <translation>, sobre todo en %1: hasta un %2&#xa0;% de su pico</translation>
     </message>
     <message>
         <source>At %1 of the file&apos;s instants the mechanism cannot be assembled, or has no derivatives.</source>
@@ -2374,19 +2452,19 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none beyond it by more than %3 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ cota para al menos el %1 % de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| ≤ cota para al menos el %1&#xa0;% de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3&#xa0;% de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2&#xa0;% de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>|model − reference| &gt; %1 · bound somewhere, or beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2 % de la mitad del recorrido.</translation>
+        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2&#xa0;% de la mitad del recorrido.</translation>
     </message>
     <message>
         <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
-        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4 %.</translation>
+        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4&#xa0;%.</translation>
     </message>
     <message>
         <source>ground</source>
@@ -2652,7 +2730,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>|model − x| / |x| · 100 %</source>
-        <translation>|modelo − x| / |x| · 100 %</translation>
+        <translation>|modelo − x| / |x| · 100&#xa0;%</translation>
     </message>
     <message>
         <source>Drag A, or B along its line</source>
@@ -3025,6 +3103,30 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>acceleration: %1 mm ≙ %2 mm/s²</source>
         <translation>aceleración: %1 mm ≙ %2 mm/s²</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismCentre</name>
+    <message>
+        <source>P at infinity: the coupler does not turn,</source>
+        <translation>P en el infinito: la biela no gira,</translation>
+    </message>
+    <message>
+        <source>A and B move alike, at %1 mm/s</source>
+        <translation>A y B se mueven igual, a %1 mm/s</translation>
+    </message>
+    <message>
+        <source>P: the coupler turns about it at %1 rad/s</source>
+        <translation>P: la biela gira en torno a él a %1 rad/s</translation>
+    </message>
+    <message>
+        <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
+        <comment>of a point: |ω₃| times its distance</comment>
+        <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
+    </message>
+    <message>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
     </message>
 </context>
 <context>
@@ -4076,6 +4178,25 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::NumberBox</name>
+    <message>
+        <source>This must be a whole number from %1 to %2.</source>
+        <translation>Debe ser un número entero de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>This must be greater than %1.</source>
+        <translation>Debe ser mayor que %1.</translation>
+    </message>
+    <message>
+        <source>This must be at least %1.</source>
+        <translation>Debe ser como mínimo %1.</translation>
+    </message>
+    <message>
+        <source>This must be at most %1.</source>
+        <translation>Debe ser como máximo %1.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ParameterPanel</name>
     <message>
         <source>rad/s</source>
@@ -4457,6 +4578,33 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::QuantityText</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>The decimal sign here is “%1”: %2.</source>
+        <translation>Aquí el signo decimal es «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large.</source>
+        <translation>«%1» es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>“%1”: the units here are %2.</source>
+        <translation>«%1»: aquí las unidades son %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>“%1”: no unit belongs to this number.</source>
+        <translation>«%1»: este número no lleva unidad.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ReadFaultText</name>
     <message>
         <source>the unit is not known or does not suit the quantity: write for example [%1], rad in its place, or none.</source>
@@ -4641,6 +4789,25 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>there is no time column: name the column of the instants &quot;time&quot;, or that of the crank&apos;s angle &quot;theta2&quot;.</source>
         <translation>no hay columna de tiempo: llame &quot;time&quot; a la columna de los instantes, o &quot;theta2&quot; a la del ángulo de la manivela.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::Recovery</name>
+    <message>
+        <source>Restore</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
+    </message>
+    <message>
+        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
+        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
     </message>
 </context>
 <context>
@@ -5017,7 +5184,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (evenly spaced instants count as exact), none beyond %2 times that bound, nor by more than %4 % of half the motion&apos;s range. Close: none beyond %3 times, nor by more than %5 %.</source>
-        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1 % de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4 % de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5 %.</translation>
+        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1&#xa0;% de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4&#xa0;% de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5&#xa0;%.</translation>
     </message>
     <message>
         <source>Iterations: %1; the largest residual is %2.</source>
@@ -5081,6 +5248,10 @@ SHA-256: %2</translation>
         <source>Reference: %1, %2, %3 angles.</source>
         <translation>Referencia: %1, %2, %3 ángulos.</translation>
     </message>
+    <message>
+        <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2).</source>
+        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2).</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportPages</name>
@@ -5091,6 +5262,101 @@ SHA-256: %2</translation>
     <message>
         <source>%1 cannot be written: %2.</source>
         <translation>No se puede escribir %1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::RunForm</name>
+    <message>
+        <source>Run and speed</source>
+        <translation>Recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>The first instant</source>
+        <translation>El primer instante</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>From the first instant to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>One turn</source>
+        <translation>Una vuelta</translation>
+    </message>
+    <message>
+        <source>As long as the crank takes to turn round once</source>
+        <translation>Lo que la manivela tarda en dar una vuelta</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Intervals; one instant more is computed</source>
+        <translation>Tramos; se calcula un instante más</translation>
+    </message>
+    <message>
+        <source>Playing speed</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Seconds of the motion in a second of the clock</source>
+        <translation>Segundos del movimiento en un segundo de reloj</translation>
+    </message>
+    <message>
+        <source>A turn plays in</source>
+        <translation>Una vuelta dura</translation>
+    </message>
+    <message>
+        <source>Seconds of the clock for one turn of the crank</source>
+        <translation>Segundos de reloj para una vuelta de la manivela</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::SaveDialogText</name>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>This cannot be written as .%1: choose a name that ends in .%2.</source>
+        <translation>Esto no se puede escribir como .%1: elija un nombre que termine en .%2.</translation>
+    </message>
+    <message>
+        <source> or .</source>
+        <comment>between the endings of file names</comment>
+        <translation> o .</translation>
+    </message>
+    <message>
+        <source>PNG images (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>Dibujos SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documentos PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -6053,6 +6319,13 @@ SHA-256: %2</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::WholeFileText</name>
+    <message>
+        <source>it is a pipe or a device</source>
+        <translation>es una tubería o un dispositivo</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::WorkAside</name>
     <message>
         <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
@@ -6061,248 +6334,6 @@ SHA-256: %2</translation>
     <message>
         <source>That failed: %1.</source>
         <translation>Eso ha fallado: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::WholeFileText</name>
-    <message>
-        <source>it is a pipe or a device</source>
-        <translation>es una tubería o un dispositivo</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::Recovery</name>
-    <message>
-        <source>Restore</source>
-        <translation>Recuperar</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>The program ended before your changes were saved. They are kept, as of %1.</source>
-        <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
-    </message>
-    <message>
-        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
-        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::NumberBox</name>
-    <message>
-        <source>This must be a whole number from %1 to %2.</source>
-        <translation>Debe ser un número entero de %1 a %2.</translation>
-    </message>
-    <message>
-        <source>This must be greater than %1.</source>
-        <translation>Debe ser mayor que %1.</translation>
-    </message>
-    <message>
-        <source>This must be at least %1.</source>
-        <translation>Debe ser como mínimo %1.</translation>
-    </message>
-    <message>
-        <source>This must be at most %1.</source>
-        <translation>Debe ser como máximo %1.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::QuantityText</name>
-    <message>
-        <source>“%1” is not a number.</source>
-        <translation>«%1» no es un número.</translation>
-    </message>
-    <message>
-        <source>The decimal sign here is “%1”: %2.</source>
-        <translation>Aquí el signo decimal es «%1»: %2.</translation>
-    </message>
-    <message>
-        <source>“%1” is too large.</source>
-        <translation>«%1» es demasiado grande.</translation>
-    </message>
-    <message>
-        <source>“%1”: the units here are %2.</source>
-        <translation>«%1»: aquí las unidades son %2.</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>“%1”: no unit belongs to this number.</source>
-        <translation>«%1»: este número no lleva unidad.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::SaveDialogText</name>
-    <message>
-        <source>%1 is there already. Replace it?</source>
-        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>This cannot be written as .%1: choose a name that ends in .%2.</source>
-        <translation>Esto no se puede escribir como .%1: elija un nombre que termine en .%2.</translation>
-    </message>
-    <message>
-        <source> or .</source>
-        <comment>between the endings of file names</comment>
-        <translation> o .</translation>
-    </message>
-    <message>
-        <source>PNG images (*.png)</source>
-        <translation>Imágenes PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>SVG drawings (*.svg)</source>
-        <translation>Dibujos SVG (*.svg)</translation>
-    </message>
-    <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documentos PDF (*.pdf)</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::RunForm</name>
-    <message>
-        <source>Run and speed</source>
-        <translation>Recorrido y velocidad</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source>The first instant</source>
-        <translation>El primer instante</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>From the first instant to the last</source>
-        <translation>Del primer instante al último</translation>
-    </message>
-    <message>
-        <source>One turn</source>
-        <translation>Una vuelta</translation>
-    </message>
-    <message>
-        <source>As long as the crank takes to turn round once</source>
-        <translation>Lo que la manivela tarda en dar una vuelta</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Pasos</translation>
-    </message>
-    <message>
-        <source>Intervals; one instant more is computed</source>
-        <translation>Tramos; se calcula un instante más</translation>
-    </message>
-    <message>
-        <source>Playing speed</source>
-        <translation>Velocidad de reproducción</translation>
-    </message>
-    <message>
-        <source>×</source>
-        <translation>×</translation>
-    </message>
-    <message>
-        <source>Seconds of the motion in a second of the clock</source>
-        <translation>Segundos del movimiento en un segundo de reloj</translation>
-    </message>
-    <message>
-        <source>A turn plays in</source>
-        <translation>Una vuelta dura</translation>
-    </message>
-    <message>
-        <source>Seconds of the clock for one turn of the crank</source>
-        <translation>Segundos de reloj para una vuelta de la manivela</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::MechanismCentre</name>
-    <message>
-        <source>P at infinity: the coupler does not turn,</source>
-        <translation>P en el infinito: la biela no gira,</translation>
-    </message>
-    <message>
-        <source>A and B move alike, at %1 mm/s</source>
-        <translation>A y B se mueven igual, a %1 mm/s</translation>
-    </message>
-    <message>
-        <source>P: the coupler turns about it at %1 rad/s</source>
-        <translation>P: la biela gira en torno a él a %1 rad/s</translation>
-    </message>
-    <message>
-        <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
-        <comment>of a point: |ω₃| times its distance</comment>
-        <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
-    </message>
-    <message>
-        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
-        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::AnimationForm</name>
-    <message>
-        <source>Export animation</source>
-        <translation>Exportar animación</translation>
-    </message>
-    <message>
-        <source>Frames a second</source>
-        <translation>Fotogramas por segundo</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Ancho</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Alto</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Duración</translation>
-    </message>
-    <message>
-        <source>Unit of the length</source>
-        <translation>Unidad de la duración</translation>
-    </message>
-    <message>
-        <source>s of the motion</source>
-        <translation>s del movimiento</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
-    </message>
-    <message>
-        <source>%1 frames: %2 s at the speed of playing, %3×.</source>
-        <translation>%1 fotogramas: %2 s a la velocidad de reproducción, %3×.</translation>
-    </message>
-    <message>
-        <source>More than %1 frames: choose a shorter length, fewer frames a second or a higher speed of playing.</source>
-        <translation>Más de %1 fotogramas: elija una duración menor, menos fotogramas por segundo o una velocidad de reproducción mayor.</translation>
     </message>
 </context>
 </TS>

@@ -39,6 +39,7 @@ ProgramClaim claimOf(const ReferenceData &data, const Mechanism &atHand)
     switch (said.identification.outcome) {
     case Identification::Outcome::Identified: claim.outcome = ClaimedOutcome::Identified; break;
     case Identification::Outcome::Ambiguous: claim.outcome = ClaimedOutcome::Ambiguous; break;
+    case Identification::Outcome::Approximate: claim.outcome = ClaimedOutcome::Approximate; break;
     case Identification::Outcome::Insufficient: claim.outcome = ClaimedOutcome::Insufficient; break;
     case Identification::Outcome::Nearest: claim.outcome = ClaimedOutcome::Nearest; break;
     case Identification::Outcome::None: claim.outcome = ClaimedOutcome::None; break;

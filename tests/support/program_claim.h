@@ -14,7 +14,7 @@
 namespace slidercrank
 {
 
-enum class ClaimedOutcome { Identified, Ambiguous, Insufficient, Nearest, None };
+enum class ClaimedOutcome { Identified, Ambiguous, Insufficient, Nearest, None, Approximate };
 
 /// All that the program says of a file.
 struct ProgramClaim {

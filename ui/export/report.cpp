@@ -75,8 +75,8 @@ ReportBlock mechanismBlock(const ReportContent &content)
                                                : Report::tr("Thin: the mechanism that was kept.");
     }
     if (isFound(content)) {
-        block.table.header << (found.outcome == Identification::Outcome::Identified ? Report::tr("the file's own")
-                                                                                    : Report::tr("one of the file's"));
+        block.table.header << (found.hasOneMechanism() ? Report::tr("the file's own")
+                                                       : Report::tr("one of the file's"));
         block.table.numeric += u'n';
     }
     for (const Parameter parameter : kParameters) {
@@ -271,20 +271,23 @@ void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &co
         return;
     }
     const auto agreeing = std::ranges::count(found.identified, Verdict::Agrees, &ChannelComparison::verdict);
-    const bool isOne = found.identification.outcome == Identification::Outcome::Identified;
+    const bool isOne = found.identification.hasOneMechanism();
+    const bool hasErrors = found.identification.outcome != Identification::Outcome::Approximate;
     QString text = (isOne ? Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
                           : Report::tr("Against the first of several mechanisms the file agrees in %1 of %2 channels."))
                        .arg(agreeing)
                        .arg(found.identified.size());
-    if (const QString more = isOne ? caveatsOf(found) : summaryOf(found); !more.isEmpty()) {
+    if (const QString more = isOne && hasErrors ? caveatsOf(found) : summaryOf(found); !more.isEmpty()) {
         text += u' ' + more;
     }
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         text += u' ' + rounded;
     }
     blocks.push_back(paragraph(text));
-    QString note = Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
-                              "%2); ± is one standard deviation.")
+    QString note = (hasErrors ? Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, "
+                                           "condition number %2); ± is one standard deviation.")
+                              : Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, "
+                                           "condition number %2)."))
                        .arg(found.identification.iterations)
                        .arg(shortNumber(found.identification.conditionNumber, 3));
     if (!found.conventions.empty()) {

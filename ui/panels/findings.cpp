@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/findings.h"
 
-#include "ui/widgets/named.h"
-#include "ui/widgets/paragraph.h"
 #include "ui/document/result.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/convention_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/paragraph.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -99,7 +99,7 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
         finding.sentence = summary;
         return finding;
     }
-    const bool isOne = found.outcome == Identification::Outcome::Identified;
+    const bool isOne = found.hasOneMechanism();
     finding.sentence = isOne ? changeText(diagnosis.found, Mechanism(diagnosis.parameters)) : summary;
     const bool takesOver = isBetter(diagnosis.found.identified, result.comparison);
     if (takesOver) {

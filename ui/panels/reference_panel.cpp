@@ -419,7 +419,7 @@ void ReferencePanel::fillFindings()
         }
         rows->addWidget(named("identificationLabel", plainText(summary)));
         if (const Identification &found = m_diagnosis->found.identification; found.stands()) {
-            const bool isOne = found.outcome == Identification::Outcome::Identified;
+            const bool isOne = found.hasOneMechanism();
             auto *takeOver =
                 named("takeOverButton", new QPushButton(isOne ? tr("Use this mechanism") : tr("Use the first")));
             takeOver->setToolTip(tr("Sets the sliders to this mechanism; can be undone"));

@@ -38,6 +38,13 @@ bool isLength(Parameter parameter)
     return parameter == Parameter::A || parameter == Parameter::B || parameter == Parameter::C;
 }
 
+/// The value of a parameter and its unit, to the three digits that an approximate mechanism deserves.
+QString approximateText(Parameter parameter, const Parameters &p)
+{
+    constexpr int kDigits = 3;
+    return numberText(shownFactor(parameter) * valueOf(p, parameter), kDigits) + unitBehind(parameter);
+}
+
 /// The parameters found and those kept, each of them written out.
 struct FoundAndKept {
     QStringList found;
@@ -115,6 +122,67 @@ QString whyText(Why why)
     return {};
 }
 
+/// The channel that is farthest from the mechanism found; none where nothing was compared.
+const ChannelComparison *worstChannel(const Diagnosis &diagnosis)
+{
+    const ChannelComparison *worst = nullptr;
+    for (const ChannelComparison &channel : diagnosis.identified) {
+        if (channel.percentOfPeak && (!worst || *channel.percentOfPeak > *worst->percentOfPeak)) {
+            worst = &channel;
+        }
+    }
+    return worst;
+}
+
+/// "a ≈ 43 mm, … explain the file up to 0.02 % of peak"
+QString approximateSentence(const Diagnosis &diagnosis)
+{
+    const Identification &found = diagnosis.identification;
+    QStringList values;
+    for (const Parameter parameter : kParameters) {
+        if (found.identifiable[indexOf(parameter)]) {
+            values << DiagnosisText::tr("%1 ≈ %2").arg(symbolOf(parameter),
+                                                       approximateText(parameter, found.parameters));
+        } else if (found.onlyRatios && isLength(parameter) && parameter != Parameter::A) {
+            values << DiagnosisText::tr("%1/a ≈ %2")
+                          .arg(symbolOf(parameter),
+                               numberText(valueOf(found.parameters, parameter) / found.parameters.a, 3));
+        }
+    }
+    const ChannelComparison *const worst = worstChannel(diagnosis);
+    return DiagnosisText::tr(
+               "%1, %2 explain the file up to %3 % of peak; the rest is systematic (filtered, interpolated or "
+               "integrated data?), so no standard errors can be given.")
+        .arg(values.join(DiagnosisText::tr(", ")), withNoun(found.parameters.branch),
+             errorText(worst ? *worst->percentOfPeak : 0.0));
+}
+
+/// Columns that take no part in the fit, and rows that were taken for outliers; a sentence each.
+QStringList exclusionSentences(const Identification &found)
+{
+    QStringList sentences;
+    for (const Identification::LeftOut &column : found.leftOut) {
+        sentences << DiagnosisText::tr(
+                         "%1 deviates by %2 % of its peak from the motion of the other columns and was left out.")
+                         .arg(symbolOf(column.channel), errorText(column.percentOfPeak));
+    }
+    if (!found.excludedRows.empty()) {
+        constexpr std::size_t kMostListed = 10;
+        QStringList lines;
+        for (const std::size_t line : found.excludedRows) {
+            if (lines.size() == kMostListed) {
+                lines << QStringLiteral("…");
+                break;
+            }
+            lines << QString::number(line);
+        }
+        sentences << DiagnosisText::tr("Rows far off the motion were left out: %n, line %1.", nullptr,
+                                       static_cast<int>(found.excludedRows.size()))
+                         .arg(lines.join(DiagnosisText::tr(", ")));
+    }
+    return sentences;
+}
+
 QString ambiguityOf(const Identification &found)
 {
     QStringList mechanisms{measuredMechanism(found)};
@@ -174,9 +242,8 @@ QString nearestSentence(const Diagnosis &diagnosis)
 {
     constexpr int kDigits = 4;
     const QString mechanism = mechanismText(Mechanism(diagnosis.identification.parameters), kDigits);
-    const auto worst = std::ranges::max_element(
-        diagnosis.identified, {}, [](const ChannelComparison &channel) { return channel.percentOfPeak.value_or(0.0); });
-    return worst == diagnosis.identified.end() || !worst->percentOfPeak
+    const ChannelComparison *const worst = worstChannel(diagnosis);
+    return !worst
                ? DiagnosisText::tr("No mechanism was found that explains this file. The nearest: %1.").arg(mechanism)
                : DiagnosisText::tr("No mechanism was found that explains this file. The nearest: %1, off by up to %2 % "
                                    "of peak, in %3.")
@@ -188,6 +255,9 @@ QString nearestSentence(const Diagnosis &diagnosis)
 QString measuredText(Parameter parameter, const Identification &found)
 {
     const Parameters &p = found.parameters;
+    if (found.outcome == Outcome::Approximate && found.identifiable[indexOf(parameter)]) {
+        return approximateText(parameter, p);
+    }
     if (found.onlyRatios && (parameter == Parameter::B || parameter == Parameter::C)) {
         return DiagnosisText::tr("%1 a").arg(measuredRatio(parameter, found));
     }
@@ -212,7 +282,7 @@ QString caveatsOf(const Diagnosis &diagnosis)
                          "The coupler angle θ³ alone determines only b/a and c/a; a = %1 is taken as given.")
                          .arg(parameterText(Parameter::A, identification.parameters.a));
     }
-    if (identification.outcome == Outcome::Identified) {
+    if (identification.hasOneMechanism()) {
         for (const Identification::Alternative &alternative : identification.alternatives) {
             sentences << imageSentence(alternative);
         }
@@ -229,6 +299,7 @@ QString caveatsOf(const Diagnosis &diagnosis)
                          "are metres, a = %1; then write [m] behind the names.")
                          .arg(parameterText(Parameter::A, 1e3 * diagnosis.rounded.a));
     }
+    sentences << exclusionSentences(identification);
     if (!identification.noise.empty()) {
         QStringList columns;
         for (const Identification::Noise &noise : identification.noise) {
@@ -252,8 +323,9 @@ QString summaryOf(const Diagnosis &diagnosis)
         return DiagnosisText::tr("The search was stopped.");
     }
     if (found.stands()) {
-        const QString mechanism =
-            found.outcome == Outcome::Identified ? measuredMechanism(found) + u'.' : ambiguityOf(found);
+        const QString mechanism = found.outcome == Outcome::Identified    ? measuredMechanism(found) + u'.'
+                                  : found.outcome == Outcome::Approximate ? approximateSentence(diagnosis)
+                                                                          : ambiguityOf(found);
         const QString caveats = caveatsOf(diagnosis);
         return caveats.isEmpty() ? mechanism : mechanism + u' ' + caveats;
     }
@@ -286,7 +358,7 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
     QStringList lines = differenceLines(diagnosis, data, mechanism);
     if (!diagnosis.isOfMechanismAtHand) {
         const QString summary = summaryOf(diagnosis);
-        lines << (diagnosis.identification.outcome == Outcome::Identified
+        lines << (diagnosis.identification.hasOneMechanism()
                       ? DiagnosisText::tr("The file's own mechanism: %1").arg(summary)
                       : summary);
     }
@@ -296,7 +368,7 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
 QString roundNumbersText(const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
-    if (found.outcome != Outcome::Identified || diagnosis.rounded == found.parameters) {
+    if (!found.hasOneMechanism() || diagnosis.rounded == found.parameters) {
         return {};
     }
     constexpr int kDigits = 9;

@@ -108,7 +108,7 @@ private slots:
             const int files = one ? 1 : asked > 0 ? asked : kForMemoryOnly ? 1 : std::max(kind.fewest, runs(50, 500));
             std::vector<Judged> all(static_cast<std::size_t>(files));
             inParallel(all.size(), [&](std::size_t i) { all[i] = judgedFile(kind, first + static_cast<int>(i)); });
-            std::array<int, 5> outcomes{};
+            std::array<int, 6> outcomes{};
             int wrong = 0;
             int fixed = 0;
             int missed = 0;
