@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/claim_judge.h"
 
-#include "core/comparison/comparison.h"
 #include "core/mechanism/turn.h"
-#include "tests/support/what_is_fixed.h"
+#include "tests/support/claim_deviation.h"
+#include "tests/support/expected_precision.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
+#include <limits>
 
 namespace slidercrank
 {
@@ -16,7 +16,10 @@ namespace slidercrank
 namespace
 {
 
-std::string described(const Parameters &p)
+constexpr double kStandardErrors = 5.0; ///< within which a claimed parameter has to lie
+constexpr double kOriginTolerance = 2e-3;
+
+std::string describe(const Parameters &p)
 {
     std::array<char, 200> text{};
     std::snprintf(text.data(), text.size(), "a %.9g b %.9g c %.9g omega2 %.9g theta20 %.9g %s", p.a, p.b, p.c, p.omega2,
@@ -24,10 +27,11 @@ std::string described(const Parameters &p)
     return text.data();
 }
 
-std::string described(const std::vector<ExpectedFinding> &findings)
+template <class SomeFinding>
+std::string describe(const std::vector<SomeFinding> &findings)
 {
     std::string text;
-    for (const ExpectedFinding &finding : findings) {
+    for (const Finding &finding : findings) {
         text += (text.empty() ? "" : ", ") + std::string(finding.name);
         for (const Channel channel : finding.channels) {
             text += ' ' + std::string(nameOf(channel));
@@ -37,367 +41,301 @@ std::string described(const std::vector<ExpectedFinding> &findings)
     return text.empty() ? "nothing" : text;
 }
 
-long double differenceOf(Channel channel, long double one, long double other)
+Pose poseInRow(const ClaimFile &file, const Parameters &parameters, std::size_t row)
 {
-    const long double difference = one - other;
-    const bool angle = isAngle(channel.coordinate) && channel.order == Order::Position;
-    return angle ? std::remainder(difference, 360.0L) : difference;
+    const double t = file.instants[row];
+    return file.byAngle ? poseAt(parameters, file.truth->omega2 * t + file.truth->theta20, file.truth->omega2)
+                        : motionAt(parameters, t);
 }
 
-/// How an image of the truth would read in the file's columns.
+/// How an image of the truth reads in the file's columns.
 struct Likeness {
-    bool same = false;
-    std::vector<std::pair<Channel, double>> offsets; ///< image less truth, of columns with a free zero
+    bool isSame = false;                               ///< no column tells the image from the truth
+    std::vector<std::pair<Channel, double>> offsets{}; ///< image less truth, of columns with a free origin
 };
 
-bool names(const std::vector<ExpectedFinding> &findings, std::string_view name, Channel channel)
-{
-    return std::ranges::any_of(findings, [&](const ExpectedFinding &finding) {
-        return finding.name == name && std::ranges::count(finding.channels, channel) > 0;
-    });
-}
-
-/// Whether no column of the file tells the image from the truth, to half a printed step; columns whose zero the claim
-/// takes to be free, up to a constant.
-Likeness likenessOf(const ClaimFile &file, const Parameters &truth, const Parameters &image,
-                    const std::vector<ExpectedFinding> &claimed)
+/// Compares to half a printed step; columns whose origin the claim takes to be free up to a constant.
+Likeness compareImage(const ClaimFile &file, const Parameters &truth, const Parameters &image,
+                      const ProgramClaim &claim)
 {
     constexpr long double kSame = 1e-9L; // of the channel's size
-    struct Compared {
-        const ClaimColumn &column;
-        bool isFree;
-        long double size;
-        std::optional<long double> offset{};
-    };
-    std::vector<Compared> compared;
-    for (const ClaimColumn &each : file.columns) {
-        if (each.isMotion) {
-            double size = 0.0;
-            for (const double value : each.values) {
-                size = std::isfinite(value) ? std::max(size, std::abs(value - each.zero)) : size;
-            }
-            const bool isFree = names(claimed, "zero-point", each.named) || names(claimed, "half-turn", each.named);
-            compared.push_back({each, isFree, size / std::abs(each.factor)});
+    Likeness likeness{true};
+    for (const ClaimColumn &column : file.columns) {
+        if (column.content != ClaimColumn::Content::Motion) {
+            continue;
         }
-    }
-    for (std::size_t i = 0; i < file.instants.size(); ++i) {
-        const AllChannels exact = motionAt(truth, file.instants[i]);
-        const AllChannels other = motionAt(image, file.instants[i]);
-        for (auto &[each, isFree, size, offset] : compared) {
-            const std::size_t k = indexOf(each.shown);
-            if (!std::isfinite(exact[k]) || !std::isfinite(each.values[i])) {
+        double size = 0.0;
+        for (const double value : column.values) {
+            size = std::isfinite(value) ? std::max(size, std::abs(value - column.origin)) : size;
+        }
+        const long double factor = std::abs(column.factor);
+        const std::size_t k = indexOf(column.shown);
+        const bool isFree =
+            hasFinding(claim, "zero-point", column.named) || hasFinding(claim, "half-turn", column.named);
+        std::optional<long double> offset;
+        for (std::size_t row = 0; row < file.instants.size(); ++row) {
+            const long double exact = poseInRow(file, truth, row)[k];
+            if (!std::isfinite(exact) || !std::isfinite(column.values[row])) {
                 continue;
             }
-            const long double difference = differenceOf(each.shown, other[k], exact[k]);
-            if (!offset) {
-                offset = isFree ? difference : 0.0L;
-            }
-            const long double step = each.form.stepAt(each.values[i]) / std::abs(each.factor);
-            if (!(std::abs(differenceOf(each.shown, difference, *offset)) <= std::max(kSame * size, 0.5L * step))) {
+            const long double difference = differenceIn(column.shown, poseInRow(file, image, row)[k], exact);
+            offset = offset.value_or(isFree ? difference : 0.0L);
+            const long double tolerance =
+                std::max(kSame * size / factor, 0.5L * column.form.stepAt(column.values[row]) / factor);
+            if (!(std::abs(differenceIn(column.shown, difference, *offset)) <= tolerance)) {
                 return {};
             }
         }
-    }
-    Likeness likeness{true, {}};
-    for (const auto &[each, isFree, size, offset] : compared) {
         if (isFree && offset) {
-            likeness.offsets.emplace_back(each.named, static_cast<double>(*offset));
+            likeness.offsets.emplace_back(column.named, static_cast<double>(*offset));
         }
     }
     return likeness;
 }
 
-/// Half of 0.2 % is no honest aim of a claim; five standard errors are.
-constexpr double kLikelyErrors = 5.0;
-constexpr double kSmallPart = 2e-3;
-
-struct Offness {
-    std::array<double, kParameterCount> off{};   ///< claimed less true
-    std::array<double, kParameterCount> error{}; ///< standard errors
+struct ParameterErrors {
+    std::array<double, kParameterCount> difference{}; ///< claimed less true
+    std::array<double, kParameterCount> standardError{};
     std::array<bool, kParameterCount> counts{};
     std::array<double, kParameterCount> sizes{};
+
+    bool areWithin(double standardErrors, double part) const
+    {
+        for (std::size_t i = 0; i < kParameterCount; ++i) {
+            const double error = std::isfinite(standardError[i]) ? standardError[i] : 0.0;
+            if (counts[i] && !(std::abs(difference[i]) <= std::max(standardErrors * error, part * sizes[i]))) {
+                return false;
+            }
+        }
+        return true;
+    }
 };
 
-Offness offnessOf(const ProgramClaim &claim, const Parameters &parameters, const Parameters &truth)
+ParameterErrors parameterErrors(const ProgramClaim &claim, const Parameters &parameters, const Parameters &truth)
 {
-    Offness result;
-    result.error = claim.standardError;
-    result.counts = claim.identifiable;
-    result.sizes = partSizes(truth);
+    ParameterErrors errors;
+    errors.standardError = claim.standardError;
+    errors.counts = claim.identifiable;
+    errors.sizes = parameterSizes(truth);
     double scale = 1.0;
     if (claim.onlyRatios) { // b and c go with the a that was given
         scale = parameters.a / truth.a;
-        result.counts[indexOf(Parameter::A)] = false;
-        result.counts[indexOf(Parameter::B)] = result.counts[indexOf(Parameter::C)] = true;
+        errors.counts[indexOf(Parameter::A)] = false;
+        errors.counts[indexOf(Parameter::B)] = errors.counts[indexOf(Parameter::C)] = true;
     }
-    result.sizes[0] *= scale;
-    result.sizes[1] *= scale;
-    result.sizes[2] *= scale;
-    result.off = {parameters.a - scale * truth.a, parameters.b - scale * truth.b, parameters.c - scale * truth.c,
-                  parameters.omega2 - truth.omega2, std::remainder(parameters.theta20 - truth.theta20, kTurn)};
-    return result;
+    for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+        errors.sizes[indexOf(length)] *= scale;
+        errors.difference[indexOf(length)] = valueOf(parameters, length) - scale * valueOf(truth, length);
+    }
+    errors.difference[indexOf(Parameter::Omega2)] = parameters.omega2 - truth.omega2;
+    errors.difference[indexOf(Parameter::Theta20)] = std::remainder(parameters.theta20 - truth.theta20, kTurn);
+    return errors;
 }
 
-bool isNear(const Offness &offness, double errors = kLikelyErrors)
+Channels sorted(Channels channels)
 {
-    for (std::size_t i = 0; i < kParameterCount; ++i) {
-        const double error = std::isfinite(offness.error[i]) ? offness.error[i] : 0.0;
-        if (offness.counts[i] &&
-            !(std::abs(offness.off[i]) <= std::max(errors * error, kSmallPart * offness.sizes[i]))) {
-            return false;
+    std::ranges::sort(channels, {}, [](Channel channel) { return indexOf(channel); });
+    return channels;
+}
+
+bool isSameOrigin(const ClaimFile &file, const Finding &claimed, double amount, const Likeness &likeness)
+{
+    const Channel channel = claimed.channels.front();
+    for (const auto &[shifted, offset] : likeness.offsets) {
+        amount += shifted == channel ? offset : 0.0;
+    }
+    double error = 0.0;
+    if (file.truth) {
+        for (const auto &[shifted, originError] : expectedPrecision(file).originErrors) {
+            error = shifted == channel ? originError : error;
         }
     }
-    return true;
+    const double size = isAngle(channel.coordinate) ? kDegreesPerRadian : file.truth ? file.truth->a : 0.0;
+    const double difference = claimed.amount - amount;
+    return std::abs(isAngle(channel.coordinate) ? std::remainder(difference, 360.0) : difference) <=
+           std::max(kStandardErrors * error, kOriginTolerance * std::max(std::abs(amount), size));
 }
 
-bool isWithin(const Offness &offness, double part)
+bool isSameFinding(const ClaimFile &file, const Finding &claimed, const Finding &expected, const Likeness &likeness)
 {
-    for (std::size_t i = 0; i < kParameterCount; ++i) {
-        if (offness.counts[i] && !(std::abs(offness.off[i]) <= part * offness.sizes[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-bool isSameFinding(const ClaimFile &file, const ExpectedFinding &claimed, const ExpectedFinding &expected,
-                   const Likeness &likeness)
-{
-    std::vector<Channel> one = claimed.channels;
-    std::vector<Channel> other = expected.channels;
-    std::ranges::sort(one, {}, [](Channel channel) { return indexOf(channel); });
-    std::ranges::sort(other, {}, [](Channel channel) { return indexOf(channel); });
-    if (claimed.name != expected.name || (one != other && claimed.name != "time-unit" && claimed.name != "axis")) {
+    const bool isOfTheWholeFile = claimed.name == "time-unit" || claimed.name == "axis";
+    const Channels channels = sorted(claimed.channels);
+    const Channels trueChannels = sorted(expected.channels);
+    const bool areChannelsTrue =
+        channels == trueChannels || (expected.isOptional && std::ranges::all_of(channels, [&](Channel channel) {
+                                         return std::ranges::count(trueChannels, channel) > 0;
+                                     }));
+    if (claimed.name != expected.name || (!isOfTheWholeFile && !areChannelsTrue)) {
         return false;
     }
-    if (expected.amount == 0.0) {
-        return true;
+    if (expected.amount != 0.0 && claimed.name == "zero-point") {
+        return isSameOrigin(file, claimed, expected.amount, likeness);
     }
-    double amount = expected.amount;
-    double tolerance = 1e-9 * std::abs(amount);
-    if (claimed.name == "zero-point") {
-        const Channel channel = claimed.channels.front();
-        for (const auto &[which, offset] : likeness.offsets) {
-            amount += which == channel ? offset : 0.0;
-        }
-        double error = 0.0;
-        const WhatIsFixed fixed = file.truth ? whatIsFixed(file) : WhatIsFixed();
-        for (const auto &[which, zeroError] : fixed.zeroErrors) {
-            error = which == channel ? zeroError : error;
-        }
-        const double size = isAngle(channel.coordinate) ? kDegreesPerRadian : file.truth ? file.truth->a : 0.0;
-        tolerance = std::max(kLikelyErrors * error, kSmallPart * std::max(std::abs(amount), size));
-        const double difference = claimed.amount - amount;
-        return std::abs(isAngle(channel.coordinate) ? std::remainder(difference, 360.0) : difference) <= tolerance;
-    }
-    return std::abs(claimed.amount - amount) <= tolerance;
+    return expected.amount == 0.0 || std::abs(claimed.amount - expected.amount) <= 1e-9 * std::abs(expected.amount);
 }
 
-/// Whole turns change nothing that is claimed: θ3 is taken up to them.
-/// Of an image that is named beside the claim, a zero point is another one, of which nothing is said.
-bool areSameFindings(const ClaimFile &file, const std::vector<ExpectedFinding> &claimed,
-                     const std::vector<ExpectedFinding> &expected, const Likeness &likeness, bool isImage)
+/// The mechanism of a claim, one of its images (whose origins nobody states) or one of its alternatives (which may read
+/// the file in another way, and have no standard errors).
+enum class Role { Mechanism, Image, Alternative };
+
+/// Whole turns change nothing that is claimed.
+bool areSameFindings(const ClaimFile &file, const ProgramClaim &claim, const std::vector<Finding> &expected,
+                     const Likeness &likeness, Role role)
 {
-    std::vector<ExpectedFinding> left = expected;
-    for (const ExpectedFinding &one : claimed) {
-        if (one.name == "whole-turns") {
-            continue;
-        }
-        const auto same = std::ranges::find_if(left, [&](const ExpectedFinding &other) {
-            return (isImage && one.name == "zero-point" && one.name == other.name && one.channels == other.channels) ||
-                   isSameFinding(file, one, other, likeness);
+    std::vector<Finding> missing = expected;
+    for (const Finding &finding : claim.findings) {
+        const auto same = std::ranges::find_if(missing, [&](const Finding &other) {
+            return (role == Role::Image && finding.name == "zero-point" && finding.name == other.name &&
+                    finding.channels == other.channels) ||
+                   isSameFinding(file, finding, other, likeness);
         });
-        if (same == left.end()) {
+        if (same == missing.end() && finding.name != "whole-turns") {
             return false;
         }
-        left.erase(same);
+        if (same != missing.end() && !same->isOptional) {
+            missing.erase(same);
+        }
     }
-    return left.empty();
+    return std::ranges::all_of(missing, &Finding::isOptional);
 }
 
-/// The true reading that a mechanism with the claim's findings is, if any; else what is wrong.
-std::optional<Offness> trueReading(const ClaimFile &file, const ProgramClaim &claim, const Parameters &parameters,
-                                   std::string &why, bool isImage = false, bool isAlternative = false)
+/// Why a mechanism with the claim's findings is not a true interpretation; empty if it is one.
+std::string falseMechanism(const ClaimFile &file, const ProgramClaim &claim, const Parameters &parameters,
+                           Role role = Role::Mechanism)
 {
-    why = "finds " + described(claim.findings) + " where there is " +
-          (file.readings.empty() ? "no slider-crank" : described(file.readings.front().findings));
-    for (const TrueReading &reading : file.readings) {
-        for (const Parameters &image : mirrorImages(reading.truth)) {
-            const Likeness likeness = likenessOf(file, reading.truth, image, claim.findings);
-            // How the file would read with an alternative is not said.
-            if (!likeness.same ||
-                (!isAlternative && !areSameFindings(file, claim.findings, reading.findings, likeness, isImage))) {
+    constexpr double kInvisible = 0.05; // tolerance, where the file does not show that another mechanism made it
+    std::string why = "finds " + describe(claim.findings) + " where there is " +
+                      (file.interpretations.empty() ? "no slider-crank" : describe(file.interpretations[0].findings));
+    for (const Interpretation &interpretation : file.interpretations) {
+        for (const Parameters &image : imagesOf(interpretation.mechanism)) {
+            const Likeness likeness = compareImage(file, interpretation.mechanism, image, claim);
+            if (!likeness.isSame ||
+                (role != Role::Alternative && !areSameFindings(file, claim, interpretation.findings, likeness, role))) {
                 continue;
             }
-            const Offness offness = offnessOf(claim, parameters, image);
-            const bool sameBranch = image.branch == parameters.branch;
-            // The standard errors are those of the first; of an alternative there are none.
-            constexpr double kAboutRight = 0.05;
-            if (sameBranch && (isNear(offness) || (isAlternative && isWithin(offness, kAboutRight)))) {
-                return offness;
+            const ParameterErrors errors = parameterErrors(claim, parameters, image);
+            constexpr double kRoughly = 0.05;
+            if (image.branch == parameters.branch && (errors.areWithin(kStandardErrors, file.tolerance) ||
+                                                      (role == Role::Alternative && errors.areWithin(0.0, kRoughly)))) {
+                return {};
             }
             if (why.starts_with("finds")) {
-                why = "is " + described(parameters) + ", not " + described(image) + " ±";
+                why = "is " + describe(parameters) + ", not " + describe(image) + " ±";
                 for (const double error : claim.standardError) {
                     why += ' ' + std::to_string(error);
                 }
             }
         }
     }
-    return std::nullopt;
+    return why;
 }
 
-/// A verdict better than `differs` for a motion that is off by more than 2 % of its peak beyond half the printed step.
-std::string falseVerdict(const ClaimFile &file, const ReferenceData &read,
-                         const std::vector<ChannelComparison> &verdicts, const Parameters &model,
-                         const std::vector<ExpectedFinding> &findings)
+/// `isRight`: set where the truth is the mechanism of the claim, or among those that it lists.
+std::string falseMechanisms(const ClaimFile &file, const ProgramClaim &claim, bool &isRight)
 {
-    constexpr double kVisible = 0.02;
-    for (const ChannelComparison &verdict : verdicts) {
-        const ReferenceSeries *series = read.find(verdict.channel);
-        const auto column = std::ranges::find(file.columns, verdict.channel, &ClaimColumn::named);
-        if (verdict.verdict == Verdict::Differs || series == nullptr ||
-            names(findings, "swapped-columns", verdict.channel)) {
-            continue;
-        }
-        double factor = 1.0;
-        for (const ExpectedFinding &finding : findings) {
-            if (finding.name.ends_with("-unit") && names({finding}, finding.name, verdict.channel)) {
-                factor *= finding.amount;
-            }
-        }
-        double peak = 1e-9 * toFileUnit(verdict.channel, naturalSize(model, verdict.channel));
-        double excess = 0.0;
-        const std::size_t k = indexOf(verdict.channel);
-        for (std::size_t i = 0; i < read.time.size(); ++i) {
-            const double value = series->values[i];
-            if (!std::isfinite(value)) {
-                continue;
-            }
-            const double t = read.time[i];
-            const double off = static_cast<double>(std::abs(motionAt(model, t)[k] - value));
-            peak = std::max(peak, static_cast<double>(std::abs(motionAt(model, t)[k])));
-            double least = off;
-            for (const double late : {-0.5, 0.5}) { // times the step of the clock
-                const double other =
-                    static_cast<double>(std::abs(motionAt(model, t + late * file.timeStep * file.clock)[k] - value));
-                least = std::min(least, other);
-            }
-            excess = std::max(excess, least - 0.5 * column->form.stepAt(value / factor) * std::abs(factor));
-        }
-        if (excess > kVisible * peak) {
-            return std::string(verdict.verdict == Verdict::Agrees ? "agrees" : "close") + " in " +
-                   std::string(nameOf(verdict.channel)) + ", which is off by " + std::to_string(100.0 * excess / peak) +
-                   " % of the peak, with " + described(model);
-        }
-    }
-    return {};
-}
-
-/// Whether the columns stand there as the motion has them, but for rounding.
-bool isPlain(const ClaimFile &file)
-{
-    return file.truth && file.clock == 1.0 && std::ranges::all_of(file.columns, [](const ClaimColumn &each) {
-               return each.isMotion && each.named == each.shown && each.factor == 1.0 && each.zero == 0.0 &&
-                      each.noise == 0.0;
-           });
-}
-
-bool isNear(const std::array<double, 2> &claimed, const std::optional<std::array<double, 2>> &speeds)
-{
-    constexpr double kNear = 0.05;
-    return speeds && std::abs(claimed[0] - (*speeds)[0]) <= kNear * std::abs((*speeds)[0]) &&
-           std::abs(claimed[1] - (*speeds)[1]) <= kNear * std::abs((*speeds)[1]);
-}
-
-std::string falseClaim(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim, bool &right)
-{
-    right = false;
-    std::string why;
-    const bool claims = claim.outcome == ClaimedOutcome::Identified || claim.outcome == ClaimedOutcome::Ambiguous;
-    if (claims && file.tooFew) {
+    if (file.hasTooFewValues) {
         return "identified from next to nothing";
     }
-    if (claims) {
-        right = trueReading(file, claim, claim.parameters, why).has_value();
-        std::string other;
-        const auto isTrue = [&](const Parameters &parameters) {
-            return trueReading(file, claim, parameters, other).has_value();
+    const std::string why = falseMechanism(file, claim, claim.parameters);
+    isRight = why.empty();
+    const auto isTrue = [&](Role role) {
+        return [&file, &claim, role](const Parameters &p) { return falseMechanism(file, claim, p, role).empty(); };
+    };
+    for (const Parameters &image : claim.images) {
+        if (std::string wrong = falseMechanism(file, claim, image, Role::Image); isRight && !wrong.empty()) {
+            return "an image that " + wrong;
+        }
+    }
+    if (claim.outcome == ClaimedOutcome::Ambiguous) {
+        isRight = isRight || std::ranges::any_of(claim.images, isTrue(Role::Mechanism)) ||
+                  std::ranges::any_of(claim.alternatives, isTrue(Role::Alternative));
+        return isRight ? "" : why;
+    }
+    const std::string wrong = falseMechanism(file, claim, claim.rounded);
+    return !isRight ? why : wrong.empty() ? "" : "rounded " + wrong;
+}
+
+/// Without a mechanism that is claimed, findings have to be those of a true interpretation, but `nearest` may state
+/// the origins that were fitted; with an approximate mechanism some of them, and no origins.
+std::string falseFindings(const ClaimFile &file, const ProgramClaim &claim)
+{
+    const bool isApproximate = claim.outcome == ClaimedOutcome::Approximate;
+    if (claim.outcome == ClaimedOutcome::Nearest &&
+        std::ranges::all_of(claim.findings, [](const Finding &finding) { return finding.name == "zero-point"; })) {
+        return {};
+    }
+    const auto isTrue = [&](const Interpretation &interpretation) {
+        const auto isExpected = [&](const Finding &finding) {
+            return finding.name == "whole-turns" ||
+                   std::ranges::any_of(interpretation.findings, [&](const Finding &expected) {
+                       return isSameFinding(file, finding, expected, {true});
+                   });
         };
-        const auto isTrueImage = [&](const Parameters &parameters) {
-            return trueReading(file, claim, parameters, other, true).has_value();
-        };
-        const auto isTrueAlternative = [&](const Parameters &parameters) {
-            return trueReading(file, claim, parameters, other, false, true).has_value();
-        };
-        if (right && !std::ranges::all_of(claim.images, isTrueImage)) {
-            return "an image that " + other;
-        }
-        if (claim.outcome == ClaimedOutcome::Ambiguous && !right) {
-            right =
-                std::ranges::any_of(claim.images, isTrue) || std::ranges::any_of(claim.alternatives, isTrueAlternative);
-        }
-        if (!right) {
-            return why;
-        }
-        if (claim.outcome == ClaimedOutcome::Identified && !trueReading(file, claim, claim.rounded, why)) {
-            return "rounded " + why;
-        }
-    } else if (!claim.findings.empty()) {
-        Likeness plain{true, {}};
-        const auto isTrue = [&](const TrueReading &reading) {
-            return areSameFindings(file, claim.findings, reading.findings, plain, false);
-        };
-        if (std::ranges::none_of(file.readings, isTrue)) {
-            return "finds " + described(claim.findings) + " without a mechanism";
-        }
+        return isApproximate ? std::ranges::all_of(claim.findings, isExpected)
+                             : areSameFindings(file, claim, interpretation.findings, {true}, Role::Mechanism);
+    };
+    if (!claim.findings.empty() && std::ranges::none_of(file.interpretations, isTrue)) {
+        return "finds " + describe(claim.findings) + " without an exact mechanism";
     }
-    if (claim.crankSpeeds && !isNear(*claim.crankSpeeds, file.crankSpeeds)) {
-        const std::array<double, 2> speeds = file.crankSpeeds.value_or(std::array{kNone, kNone});
-        return "an uneven crank, from " + std::to_string((*claim.crankSpeeds)[0]) + " to " +
-               std::to_string((*claim.crankSpeeds)[1]) + " rad/s, not from " + std::to_string(speeds[0]) + " to " +
-               std::to_string(speeds[1]);
-    }
-    if (claim.change && file.offBy &&
-        (claim.change != file.offBy || std::abs(claim.changed / valueOf(*file.truth, *file.offBy) - 1.0) > 0.01)) {
-        return "another parameter is said to have changed";
-    }
-    if (std::string wrong = falseVerdict(file, claim.read, claim.identified, claim.parameters, claim.findings);
-        !wrong.empty()) {
-        return wrong;
-    }
-    const ExactComparison hand = compareExactly(Mechanism(file.atHand), data);
-    if (std::string wrong = falseVerdict(file, data, hand.channels, file.atHand, {}); !wrong.empty()) {
-        return wrong;
-    }
-    if (isPlain(file)) {
-        for (const ChannelComparison &channel : compareExactly(Mechanism(*file.truth), data).channels) {
-            if (channel.verdict == Verdict::Differs) {
-                return "differs in " + std::string(nameOf(channel.channel)) + " from its own motion, by " +
-                       std::to_string(channel.worstOver) + " half steps";
-            }
+    for (const Finding &finding : claim.findings) {
+        if (isApproximate && finding.name == "zero-point") {
+            return "an origin beside an approximate mechanism";
         }
     }
     return {};
+}
+
+/// Allows 5 % of each speed.
+std::string falseCrankSpeeds(const ClaimFile &file, const ProgramClaim &claim)
+{
+    if (!claim.crankSpeeds) {
+        return {};
+    }
+    const std::array claimed = *claim.crankSpeeds;
+    const std::array speeds = file.crankSpeeds.value_or(std::array{kNone, kNone});
+    const auto isNear = [](double one, double other, double part) {
+        return std::abs(one - other) <= part * std::abs(other);
+    };
+    if (isNear(claimed[0], speeds[0], 0.05) && isNear(claimed[1], speeds[1], 0.05)) {
+        return {};
+    }
+    return "an uneven crank, from " + std::to_string(claimed[0]) + " to " + std::to_string(claimed[1]) +
+           " rad/s, not from " + std::to_string(speeds[0]) + " to " + std::to_string(speeds[1]);
+}
+
+std::string falseClaim(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim, bool &isRight)
+{
+    const bool isIdentified = claim.outcome == ClaimedOutcome::Identified || claim.outcome == ClaimedOutcome::Ambiguous;
+    isRight = claim.outcome == ClaimedOutcome::Approximate && file.mayBeApproximate;
+    std::string wrong = isIdentified ? falseMechanisms(file, claim, isRight) : falseFindings(file, claim);
+    if (wrong.empty()) {
+        wrong = falseCrankSpeeds(file, claim);
+    }
+    if (wrong.empty() && claim.change && file.wrongGiven &&
+        (claim.change != file.wrongGiven ||
+         std::abs(claim.changedValue / valueOf(*file.truth, *file.wrongGiven) - 1.0) > 0.01)) {
+        wrong = "another parameter is said to have changed";
+    }
+    return wrong.empty() ? falseDeviation(file, data, claim) : wrong;
 }
 
 } // namespace
 
-std::vector<double> standardErrorsOff(const ClaimFile &file, const ProgramClaim &claim)
+std::vector<double> errorsInStandardErrors(const ClaimFile &file, const ProgramClaim &claim)
 {
     std::vector<double> result;
     double least = std::numeric_limits<double>::infinity();
-    for (const Parameters &image : mirrorImages(*file.truth)) {
+    for (const Parameters &image : imagesOf(*file.truth)) {
         if (claim.outcome != ClaimedOutcome::Identified || image.branch != claim.parameters.branch ||
-            !likenessOf(file, *file.truth, image, claim.findings).same) {
+            !compareImage(file, *file.truth, image, claim).isSame) {
             continue;
         }
-        const Offness offness = offnessOf(claim, claim.parameters, image);
+        const ParameterErrors errors = parameterErrors(claim, claim.parameters, image);
         std::vector<double> ratios;
         double sum = 0.0;
         for (std::size_t i = 0; i < kParameterCount; ++i) {
-            if (offness.counts[i]) {
-                ratios.push_back(std::abs(offness.off[i]) / offness.error[i]);
+            if (errors.counts[i]) {
+                ratios.push_back(std::abs(errors.difference[i]) / errors.standardError[i]);
                 sum += ratios.back();
             }
         }
@@ -409,19 +347,15 @@ std::vector<double> standardErrorsOff(const ClaimFile &file, const ProgramClaim 
     return result;
 }
 
-ClaimJudgement judged(const ClaimFile &file, const ReferenceData &data)
+ClaimJudgement judgeClaim(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim)
 {
-    const ProgramClaim claim = claimOf(data, Mechanism(file.atHand));
-    ClaimJudgement judgement;
-    judgement.outcome = claim.outcome;
-    judgement.falseClaim = falseClaim(file, data, claim, judgement.right);
-    judgement.fixes = fixesTheMechanism(file);
-    if (judgement.fixes && !judgement.right && judgement.falseClaim.empty()) {
-        judgement.miss = "missed " + described(*file.truth);
-    }
+    ClaimJudgement judgement{claim.outcome};
+    judgement.falseClaim = falseClaim(file, data, claim, judgement.isRight);
+    judgement.isDetermined = file.crankSpeeds || determinesItsMechanism(file);
     if (file.crankSpeeds) {
-        judgement.fixes = true;
         judgement.miss = claim.crankSpeeds ? "" : "does not say that the crank turns unevenly";
+    } else if (judgement.isDetermined && !judgement.isRight && judgement.falseClaim.empty()) {
+        judgement.miss = "missed " + describe(*file.truth);
     }
     return judgement;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether what the program claims of a file of known origin is so.
+// Whether what the program claims about a file of known origin is true.
 
-#include "tests/support/claim_files.h"
+#include "tests/support/claim_file.h"
 #include "tests/support/program_claim.h"
 
 #include <string>
@@ -14,16 +14,15 @@ namespace slidercrank
 
 struct ClaimJudgement {
     ClaimedOutcome outcome = ClaimedOutcome::None;
-    bool right = false;     ///< identified, or ambiguous with the truth among what is listed
-    bool fixes = false;     ///< the file fixes the mechanism
-    std::string falseClaim; ///< why; empty: none
-    std::string miss;       ///< of a file that fixes it
+    bool isRight = false; ///< identified (or approximate, where that is as good), or the truth is among those listed
+    bool isDetermined = false; ///< the file determines its mechanism
+    std::string falseClaim{};  ///< why; empty: none
+    std::string miss{};        ///< what was missed in a file that determines its mechanism
 };
 
-ClaimJudgement judged(const ClaimFile &file, const ReferenceData &data);
+ClaimJudgement judgeClaim(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim);
 
-/// By how many of its standard errors each parameter is off, of the image of the truth that comes nearest; empty where
-/// nothing is identified. What is not identifiable is left out.
-std::vector<double> standardErrorsOff(const ClaimFile &file, const ProgramClaim &claim);
+/// How many of its standard errors each parameter is away from the nearest image of the truth; empty unless identified.
+std::vector<double> errorsInStandardErrors(const ClaimFile &file, const ProgramClaim &claim);
 
 } // namespace slidercrank

@@ -3,7 +3,6 @@
 
 #include "core/identification/diagnosis.h"
 
-#include <string_view>
 #include <utility>
 
 namespace slidercrank
@@ -12,7 +11,20 @@ namespace slidercrank
 namespace
 {
 
-std::string_view wordOf(Convention::Kind kind)
+ClaimedOutcome claimedOutcome(Identification::Outcome outcome)
+{
+    switch (outcome) {
+    case Identification::Outcome::Identified: return ClaimedOutcome::Identified;
+    case Identification::Outcome::Ambiguous: return ClaimedOutcome::Ambiguous;
+    case Identification::Outcome::Approximate: return ClaimedOutcome::Approximate;
+    case Identification::Outcome::Insufficient: return ClaimedOutcome::Insufficient;
+    case Identification::Outcome::Nearest: return ClaimedOutcome::Nearest;
+    case Identification::Outcome::None: break;
+    }
+    return ClaimedOutcome::None;
+}
+
+std::string_view nameOf(Convention::Kind kind)
 {
     switch (kind) {
     case Convention::Kind::ZeroPoint: return "zero-point";
@@ -26,46 +38,47 @@ std::string_view wordOf(Convention::Kind kind)
     case Convention::Kind::Branch: return "branch";
     case Convention::Kind::TimeShift: return "time-shift";
     case Convention::Kind::NotDerivative: return "not-derivative";
-    default: return "axis";
+    case Convention::Kind::Axis: break;
     }
+    return "axis";
 }
 
 } // namespace
 
-ProgramClaim claimOf(const ReferenceData &data, const Mechanism &atHand)
+ProgramClaim claimAbout(const ReferenceData &data, const Mechanism &given)
 {
+    const Diagnosis diagnosis = diagnose(data, given);
+    const Identification &identification = diagnosis.identification;
     ProgramClaim claim;
-    const Diagnosis said = diagnose(data, atHand);
-    switch (said.identification.outcome) {
-    case Identification::Outcome::Identified: claim.outcome = ClaimedOutcome::Identified; break;
-    case Identification::Outcome::Ambiguous: claim.outcome = ClaimedOutcome::Ambiguous; break;
-    case Identification::Outcome::Approximate: claim.outcome = ClaimedOutcome::Approximate; break;
-    case Identification::Outcome::Insufficient: claim.outcome = ClaimedOutcome::Insufficient; break;
-    case Identification::Outcome::Nearest: claim.outcome = ClaimedOutcome::Nearest; break;
-    case Identification::Outcome::None: claim.outcome = ClaimedOutcome::None; break;
-    }
+    claim.outcome = claimedOutcome(identification.outcome);
+    claim.parameters = identification.parameters;
+    claim.standardError = identification.standardError;
+    claim.identifiable = identification.identifiable;
+    claim.onlyRatios = identification.onlyRatios;
     using Why = Identification::Alternative::Why;
-    for (const auto &[why, parameters] : said.identification.alternatives) {
+    for (const auto &[why, parameters] : identification.alternatives) {
         const bool isImage = why != Why::Alias && why != Why::AnotherMechanism;
         (isImage ? claim.images : claim.alternatives).push_back(parameters);
     }
-    if (said.change) {
-        claim.change = said.change->parameter;
-        claim.changed = said.change->value;
+    for (const auto &[channel, rms] : identification.noise) {
+        claim.noise.push_back({channel, rms});
     }
-    if (said.unevenCrank) {
-        claim.crankSpeeds = {said.unevenCrank->atStart, said.unevenCrank->atEnd};
+    for (const auto &[channel, percentOfPeak] : identification.leftOut) {
+        claim.leftOut.push_back({channel, percentOfPeak});
     }
-    claim.parameters = said.identification.parameters;
-    claim.standardError = said.identification.standardError;
-    claim.identifiable = said.identification.identifiable;
-    claim.onlyRatios = said.identification.onlyRatios;
-    claim.rounded = said.rounded;
-    claim.identified = said.identified;
+    claim.excludedLines = identification.excludedRows;
+    claim.rounded = diagnosis.rounded;
+    if (diagnosis.change) {
+        claim.change = diagnosis.change->parameter;
+        claim.changedValue = diagnosis.change->value;
+    }
+    if (diagnosis.unevenCrank) {
+        claim.crankSpeeds = {diagnosis.unevenCrank->atStart, diagnosis.unevenCrank->atEnd};
+    }
+    claim.identified = diagnosis.identified;
     claim.read = data;
-    for (const ConventionFinding &finding : said.conventions) {
-        const Convention &convention = finding.convention;
-        claim.findings.push_back({wordOf(convention.kind), convention.channels, convention.amount});
+    for (const auto &[convention, before, after] : diagnosis.conventions) {
+        claim.findings.push_back({{nameOf(convention.kind), convention.channels, convention.amount}, before, after});
         claim.read = applied(convention, std::move(claim.read));
     }
     return claim;
