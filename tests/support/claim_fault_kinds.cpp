@@ -144,7 +144,7 @@ void addInterpolated(ClaimFile &f, int points)
             column.values.push_back(sum);
         }
     }
-    expectApproximate(f);
+    expectApproximate(f, points == 1 ? 0.5 * coarse : 0.0);
 }
 
 /// Adds part · swing · shape(row, turns since the start) to those columns.

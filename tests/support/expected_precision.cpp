@@ -124,6 +124,7 @@ private:
         long double exact; ///< without factor and origin
         double error;
         double log;        ///< of spread / error
+        double deviation;  ///< from the exact motion, in errors, of a column with systematic deviations; else 0
         VectorXd gradient; ///< by each unknown in its size, then by each free origin, in errors
     };
 
