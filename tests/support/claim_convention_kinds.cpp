@@ -104,7 +104,7 @@ void addAxisTheOtherWay(ClaimFile &f)
 {
     addMultiplied(f, "sign", kSlider, -1.0);
     // x → -x and θ → θ + 180°: -c, θ20 + 180°, the other assembly.
-    f.interpretations.push_back({imagesOf(*f.truth)[7], {{"half-turn", {kTheta}}}});
+    f.interpretations.push_back({mirrorImages(*f.truth)[7], {{"half-turn", {kTheta}}}});
 }
 
 /// Angles count clockwise, heights upwards; or the height has the wrong sign.
@@ -112,7 +112,7 @@ void addClockwise(ClaimFile &f)
 {
     addMultiplied(f, "sign", kCoupler, -1.0);
     f.add(kY);
-    const Parameters mirrored = imagesOf(*f.truth)[2];
+    const Parameters mirrored = mirrorImages(*f.truth)[2];
     f.interpretations.push_back({mirrored, {{"sign", {kY}, -1.0}}});
     constexpr double kSmall = 4.0; // a height of one digit does not tell its own sign
     if (std::abs(f.truth->c) < kSmall) {
@@ -133,7 +133,7 @@ void addHalfTurnWithinATurn(ClaimFile &f)
     f.add(kSix);
     f.sample();
     for (const double t : f.instants) {
-        f.at(kTheta).values.push_back(intoFirstTurn((f.exactValue(kTheta, t) + 180.0) / kDegreesPerRadian) *
+        f.at(kTheta).values.push_back(wrapToTwoPi((f.exactValue(kTheta, t) + 180.0) / kDegreesPerRadian) *
                                       kDegreesPerRadian);
     }
     f.at(kTheta).origin = 180.0;
@@ -278,7 +278,7 @@ void addMillisecondsForGiven(ClaimFile &f)
 void addOtherAssemblyThanGiven(ClaimFile &f)
 {
     addGiven(f);
-    f.given.branch = otherThan(f.given.branch);
+    f.given.branch = oppositeBranch(f.given.branch);
     expect(f, {{"branch"}});
     expect(f, {}); // another mechanism, as well
 }

@@ -305,7 +305,7 @@ std::string falseVerdict(const ClaimFile &file, const ReferenceData &read,
             continue;
         }
         const double factor = claim ? unitFactor(*claim, verdict.channel) : 1.0;
-        double peak = 1e-9 * naturalScale(Mechanism(model), verdict.channel);
+        double peak = 1e-9 * toFileUnit(verdict.channel, naturalSize(model, verdict.channel));
         double excess = 0.0;
         for (std::size_t i = 0; i < read.time.size(); ++i) {
             const double value = series->values[i];

@@ -210,7 +210,7 @@ void addProportionalNoise(ClaimFile &f)
     const double part = f.random.logUniform(1e-3, 1e-2);
     const Channels channels = f.columns.size() == 1 ? Channels{kX} : Channels{kX, kTheta};
     disturb(f, channels, part, [&](std::size_t row, double) {
-        return f.random.normal() * (0.2 + std::abs(f.exactValue(kX, f.instants[row])) / reachOf(*f.truth));
+        return f.random.normal() * (0.2 + std::abs(f.exactValue(kX, f.instants[row])) / characteristicLength(*f.truth));
     });
 }
 

@@ -206,7 +206,7 @@ std::string falseMechanism(const ClaimFile &file, const ProgramClaim &claim, con
     std::string why = "finds " + describe(claim.findings) + " where there is " +
                       (file.interpretations.empty() ? "no slider-crank" : describe(file.interpretations[0].findings));
     for (const Interpretation &interpretation : file.interpretations) {
-        for (const Parameters &image : imagesOf(interpretation.mechanism)) {
+        for (const Parameters &image : mirrorImages(interpretation.mechanism)) {
             const Likeness likeness = compareImage(file, interpretation.mechanism, image, claim);
             if (!likeness.isSame ||
                 (role != Role::Alternative && !areSameFindings(file, claim, interpretation.findings, likeness, role))) {
@@ -326,7 +326,7 @@ std::vector<double> errorsInStandardErrors(const ClaimFile &file, const ProgramC
 {
     std::vector<double> result;
     double least = std::numeric_limits<double>::infinity();
-    for (const Parameters &image : imagesOf(*file.truth)) {
+    for (const Parameters &image : mirrorImages(*file.truth)) {
         if (claim.outcome != ClaimedOutcome::Identified || image.branch != claim.parameters.branch ||
             !compareImage(file, *file.truth, image, claim).isSame) {
             continue;

@@ -137,7 +137,7 @@ Pose manyDigits(const Parameters &parameters, double t, double zero)
             state.status == Status::Solved || (state.status == Status::Singular && channel.order == Order::Position);
         const double value = static_cast<double>(state.values[k]);
         const bool isZero = std::abs(value) <= zero * naturalSize(parameters, channel);
-        pose[k] = exists ? inAuthorUnit(channel, isZero ? 0.0 : value) : kNone;
+        pose[k] = exists ? toFileUnit(channel, isZero ? 0.0 : value) : kNone;
     }
     return pose;
 }
