@@ -118,7 +118,7 @@ Place placeOf(const Limit &limit, const Mechanism &mechanism)
         return {"null", "null"};
     }
     const double theta2 = degreesOf(*limit.theta2);
-    return {jsonNumber(theta2), jsonNumber(instantAtCrankAngle(mechanism, theta2, 0.0))};
+    return {jsonNumber(theta2), jsonNumber(instantAtCrankAngle(mechanism, *limit.theta2, 0.0))};
 }
 
 QByteArray jsonOf(const Mechanism &mechanism, Mobility mobility, const QString &reason, const std::vector<Limit> &list)

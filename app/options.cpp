@@ -108,7 +108,8 @@ SolverSettings readSolver(OptionReader &reader)
 double readCrankInstant(OptionReader &reader, const Mechanism &mechanism, double start)
 {
     const double degrees = reader.boundedNumber("at-angle", 0.0, kDegree);
-    const std::optional<double> instant = instantAtCrankAngle(mechanism, degrees, start);
+    const double theta2 = std::remainder(degrees, 360.0) / kDegreesPerRadian;
+    const std::optional<double> instant = instantAtCrankAngle(mechanism, theta2, start);
     if (!instant && mechanism.omega2() == 0.0) {
         reader.refuse(CommandLine::tr("The crank stands still (--omega2 0) and never comes to %1°: choose another "
                                       "--omega2, or set its angle with --theta20.")

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -17,26 +18,28 @@ namespace slidercrank
 namespace
 {
 
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
 /// The middle of the branch's half turn of θ3.
 double branchCentre(Branch branch)
 {
     return branch == Branch::Open ? 0.0 : std::numbers::pi;
 }
 
-/// cos θ3 has the branch's sign, but for what rounding cannot tell from 0.
+/// Whether cos θ3 has the sign of the branch, except where rounding cannot tell it from 0.
 bool isOnBranch(const Mechanism &mechanism, double theta3)
 {
-    constexpr double kRoundedCosine = 1.2e-7; // what rounding leaves of a θ3 at a right angle: √(2 r/b), r/b = 7e-15
+    constexpr double kRoundedCosine = 1.2e-7; // rounding error of a θ3 at a right angle: √(2 r/b), r/b = 7e-15
     const double fromCentre = std::abs(theta3 - branchCentre(mechanism.branch()));
     return fromCentre <= 0.5 * std::numbers::pi + kRoundedCosine; // false for NaN
 }
 
-/// The report's way with the linear systems; StructuredSystem is the other.
+/// The linear systems solved as in the reference report. The interface is that of StructuredSystem.
 class DenseSystem
 {
 public:
     using Coordinates = Vector12;
-    static const Vector12 &coordinatesOf(const Vector12 &q) { return q; }
+    static const Vector12 &read(const Vector12 &q) { return q; }
     static void write(const Vector12 &q, Vector12 &to) { to = q; }
 
     DenseSystem(const Mechanism &mechanism, double t)
@@ -47,11 +50,11 @@ public:
 
     void moveTo(const Vector12 &q)
     {
-        m_C = slidercrank::constraints(m_mechanism, q, m_t);
+        m_C = constraints(m_mechanism, q, m_t);
         m_cosTheta3 = std::cos(q[Theta3]);
     }
 
-    void turnTo(const Vector12 &q) { moveTo(q); }
+    void moveNear(const Vector12 &q) { moveTo(q); }
 
     double residual(double perLength) const
     {
@@ -61,8 +64,6 @@ public:
         }
         return scaled.norm();
     }
-
-    const Vector12 &constraints() const { return m_C; }
 
     Vector12 next(const Vector12 &q) const { return q + constraintJacobian(m_mechanism, q).partialPivLu().solve(-m_C); }
 
@@ -93,349 +94,288 @@ double theta3Of(const StructuredSystem::Coordinates &q)
     return q.theta3;
 }
 
-/// Below this (mm) squares of what is left of a length would be 0; then lengths are taken so many times as long.
-constexpr double kLeastReach = 1e-100;
-constexpr double kUnitsOfTiny = 0x1p660;
+/// The size of θ̈3 where nothing is steep, or where a run comes near a toggle, in units of a ω²/b and at most 1. By
+///     b³ cos³ θ3 θ̈3 = a ω² (sin θ2 (b² - a² - c²) + a c (1 + sin² θ2))
+/// it is close to 0 where a ≈ b and c ≈ 0: there θ3 follows the crank, except at the toggle. A run of a hundred steps a
+/// turn comes within φ = π/100 of the toggle, and shows 1/φ³ of the value elsewhere.
+double relativeAcceleration(const Mechanism &mechanism)
+{
+    constexpr double kGrowth = 3e4; // 1/φ³
+    const double a = mechanism.a();
+    const double b = mechanism.b();
+    const double c = mechanism.c();
+    const double seen = kGrowth * (std::abs((b - a) * (b + a) - c * c) + std::abs(a * c));
+    const bool isOrdinary = seen >= b * b || seen == 0.0; // a = b and c = 0: θ̈3 is 0 throughout
+    return isOrdinary ? 1.0 : seen / (b * b);
+}
+
+/// The residuals at which the iteration may stop, in the measure of the options.
+struct Thresholds {
+    double perLength;      ///< the measure of 1 mm
+    double rounding;       ///< of a residual that is 0 but for rounding: each length row sums a few terms of that size
+    double tolerance;      ///< that of the options, or less where it would leave no digit of a short crank's motion
+    double crank;          ///< kResolvedPart of a
+    double coupler;        ///< kResolvedPart of b
+    double perCosineCubed; ///< beside a toggle the terms of θ̈3 cancel down to a third of cos θ3
+
+    Thresholds(const Mechanism &mechanism, const NewtonOptions &options)
+    {
+        constexpr double kRoundings = 32.0;
+        const double reach = reachOf(mechanism.parameters());
+        perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / reach : 1.0;
+        rounding = kRoundings * kEpsilon * perLength * reach;
+        crank = kResolvedPart * perLength * mechanism.a();
+        coupler = kResolvedPart * perLength * mechanism.b();
+        tolerance = std::min(options.tolerance, std::max(crank, rounding));
+        perCosineCubed = coupler * relativeAcceleration(mechanism) / 3.0;
+    }
+
+    /// Whether velocity and acceleration can be computed from a position with that residual.
+    bool isResolved(double residual, double cosTheta3) const
+    {
+        const double cosine = std::abs(cosTheta3);
+        return residual <= perCosineCubed * (cosine * cosine * cosine) || residual <= rounding;
+    }
+};
 
 enum class Ending { Converged, IterationLimit, LeftBranch };
 
-void record(NewtonResult &result, double residual)
-{
-    if (result.residualCount < NewtonResult::kHistory) {
-        ++result.residualCount;
-    }
-    result.residuals[static_cast<std::size_t>(result.residualCount - 1)] = residual; // the last place is the newest's
-}
-
-/// How much of a ω²/b is left of θ̈3 where nothing is steep, or where a run comes near a toggle. By
-///     b³ cos³ θ3 θ̈3 = a ω² (sin θ2 (b² - a² - c²) + a c (1 + sin² θ2))
-/// that is next to nothing where a ≈ b and c ≈ 0: there θ3 keeps pace with the crank, but for the toggle. A run of a
-/// hundred steps a turn comes within φ = π/100 of it, and sees 1/φ³ of the rest.
-double partLeftOfAcceleration(const Mechanism &mechanism)
-{
-    constexpr double kGrowth = 3e4;
-    const double near = 3.0 / kGrowth * mechanism.b();
-    const double excess = mechanism.b() - mechanism.a();
-    if (std::abs(excess) > near || std::abs(mechanism.c()) > near) {
-        return 1.0;
-    }
-    const double a = mechanism.a() / mechanism.b();
-    const double c = mechanism.c() / mechanism.b();
-    const double left = std::abs(excess / mechanism.b() * (1.0 + a) - c * c) + std::abs(a * c);
-    return left > 0.0 ? std::min(kGrowth * left, 1.0) : 1.0; // a = b and c = 0: θ̈3 is 0 throughout
-}
-
-/// Iterates from q, counting into result, until an ending. Leaves `system` at the last q.
+/// Newton-Raphson at one time step.
 template <class System>
-Ending iterate(System &system, const Mechanism &mechanism, const NewtonOptions &options, int maxIterations,
-               typename System::Coordinates &q, NewtonResult &result)
+class Solver
 {
-    const double reach = characteristicLength(mechanism.parameters());
-    const bool isTiny = reach < kLeastReach;
-    const double unit = isTiny ? kUnitsOfTiny : 1.0;
-    const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-    const double perLength = isRelative ? 1.0 / (unit * reach) : isTiny ? 1.0 / kUnitsOfTiny : 1.0;
-    const auto measured = [&](double length) { return perLength * (unit * length); };
-    const auto residualHere = [&] {
-        return isTiny ? residualInUnits(system.constraints(), perLength, unit) : system.residual(perLength);
-    };
+public:
+    using Coordinates = typename System::Coordinates;
 
-    // Rounding alone: each row of lengths sums a few terms of their size; those of angles come out exact.
-    constexpr double kRoundings = 32.0;
-    const double rounding = kRoundings * std::max(std::numeric_limits<double>::epsilon() * measured(reach),
-                                                  measured(std::numeric_limits<double>::denorm_min()));
-
-    // A residual that satisfies the tolerance may leave no digit of the motion; then it goes on. The terms of θ̈3 cancel
-    // beside an exact toggle until a third of cos θ3 is left of them.
-    const double resolved = kResolvedPart * measured(mechanism.a());
-    const double tolerance = std::min(options.tolerance, std::max(resolved, rounding));
-    const double perCosineCubed = kResolvedPart * measured(mechanism.b()) * partLeftOfAcceleration(mechanism) / 3.0;
-    const auto isResolved = [&](double residual) {
-        const double cosine = std::abs(system.cosTheta3());
-        return residual <= perCosineCubed * (cosine * cosine * cosine) || residual <= rounding;
-    };
-
-    // The rounding of a long coupler's rows may hide all of a short crank's, which two or three steps solve.
-    const bool testsFirst = options.warmStart == WarmStart::Taylor && tolerance > 0.0;
-    result.residualCount = 0;
-    system.moveTo(q);
-    double residual = residualHere();
-    record(result, residual);
-    if (rounding > kResolvedPart * measured(mechanism.b())) {
-        return Ending::IterationLimit; // of lengths of a few bits, or of a coupler next to nothing, θ3 is never known
+    Solver(const Mechanism &mechanism, double t, const NewtonOptions &options, NewtonInstant &instant,
+           IterationHistory *history)
+        : m_mechanism(mechanism)
+        , m_t(t)
+        , m_options(options)
+        , m_system(mechanism, t)
+        , m_thresholds(mechanism, options)
+        , m_instant(instant)
+        , m_history(history)
+    {
     }
-    for (int iteration = 0; iteration < maxIterations; ++iteration) {
-        if (testsFirst && residual <= std::min(tolerance, resolved) && isResolved(residual)) {
-            return Ending::Converged;
+
+    void solve()
+    {
+        m_instant.iterations = 0;
+        Ending ending = Ending::LeftBranch;
+        if (hasWarmStart()) {
+            m_q = System::read(warmStart());
+            if (isOnBranch(m_mechanism, theta3Of(m_q))) {
+                ending = iterate(m_options.maxIterations);
+            }
         }
-        const typename System::Coordinates next = system.next(q);
-        if (!isOnBranch(mechanism, theta3Of(next))) {
-            // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
-            return residual <= rounding ? Ending::Converged : Ending::LeftBranch;
+        m_instant.isColdStart = ending == Ending::LeftBranch;
+        if (m_instant.isColdStart) {
+            m_q = System::read(coldStart(m_mechanism, m_t));
+            ending = iterate(std::max(kColdStartIterations, m_options.maxIterations));
         }
-        ++result.iterations;
-        const bool wasBelow = residual <= tolerance; // before the update, as in the report
-        if (tolerance > 0.0 && (testsFirst || wasBelow)) {
-            system.turnTo(next); // likely the last
-        } else {
-            system.moveTo(next);
-        }
-        const double nextResidual = residualHere();
-        const bool isHidden = residual > resolved && iteration < 2;
-        if (tolerance == 0.0 && !(nextResidual < residual) && residual <= rounding && !isHidden) {
-            system.moveTo(q); // the q before is no worse
-            return Ending::Converged;
-        }
-        q = next;
-        residual = nextResidual;
-        record(result, residual);
-        if (tolerance == 0.0 ? residual == 0.0 : wasBelow && isResolved(residual)) {
-            return Ending::Converged;
+        m_instant.positionStatus = ending == Ending::Converged ? Status::Solved : Status::IterationLimit;
+        System::write(m_q, m_instant.q);
+        if (ending == Ending::Converged) {
+            System::write(m_q, m_instant.state.q);
+            differentiate();
         }
     }
-    // Out of iterations beside a toggle: the position is still known, to 2 √(r/b).
-    const bool isLocated =
-        residual <= std::max(4.0 * kResolvedPart * kResolvedPart * measured(mechanism.b()), rounding);
-    return residual <= tolerance && isLocated ? Ending::Converged : Ending::IterationLimit;
-}
 
-void conclude(NewtonResult &result, Ending ending)
-{
-    switch (ending) {
-    case Ending::Converged: result.status = Status::Solved; break;
-    case Ending::IterationLimit:
-    case Ending::LeftBranch: result.status = Status::IterationLimit; break;
+private:
+    /// The matrix of a square coupler is singular: no iteration can start there.
+    bool hasWarmStart() const
+    {
+        const Status status = m_instant.positionStatus;
+        return (status == Status::Solved || status == Status::IterationLimit) &&
+               m_instant.state.status != Status::Singular;
     }
-}
 
-/// Whether there is anything to iterate for; otherwise says in `result` why not.
-bool canStart(const Mechanism &mechanism, double t, NewtonResult &result)
+    /// What the previous time step predicts for this one.
+    Vector12 warmStart() const
+    {
+        if (m_options.warmStart == WarmStart::Previous || m_instant.state.status != Status::Solved) {
+            return m_instant.q;
+        }
+        const State &before = m_instant.state;
+        const double step = m_t - m_instant.t;
+        const double half = 0.5 * step;
+        Vector12 q;
+        for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+            q[i] = before.q[i] + step * (before.qDot[i] + half * before.qDDot[i]);
+        }
+        q[Theta2] = m_mechanism.omega2() * m_t + m_mechanism.theta20(); // linear in t: the same, without the rounding
+        return q;
+    }
+
+    void record()
+    {
+        if (m_history) {
+            if (m_history->size() == kLongestHistory) {
+                m_history->pop_back();
+            }
+            System::write(m_q, m_history->emplace_back().q);
+            m_history->back().residual = m_instant.residual;
+        }
+    }
+
+    /// Iterates from m_q until an ending, with `m_system` at the last m_q.
+    Ending iterate(int maxIterations)
+    {
+        const Thresholds &limit = m_thresholds;
+        const bool toTheEnd = limit.tolerance == 0.0;
+        const bool testsFirst = m_options.warmStart == WarmStart::Taylor && !toTheEnd;
+        double &residual = m_instant.residual;
+        m_system.moveTo(m_q);
+        residual = m_system.residual(limit.perLength);
+        if (m_history) {
+            m_history->clear();
+        }
+        record();
+        if (limit.rounding > limit.coupler) {
+            return Ending::IterationLimit; // θ3 of a coupler that is tiny beside the crank is lost in rounding
+        }
+        for (int iteration = 0; iteration < maxIterations; ++iteration) {
+            if (testsFirst && residual <= std::min(limit.tolerance, limit.crank) && isResolved()) {
+                return Ending::Converged;
+            }
+            const Coordinates next = m_system.next(m_q);
+            if (!isOnBranch(m_mechanism, theta3Of(next))) {
+                // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
+                return residual <= limit.rounding ? Ending::Converged : Ending::LeftBranch;
+            }
+            ++m_instant.iterations;
+            const bool wasBelow = residual <= limit.tolerance; // tested before the update, as in the reference report
+            if (!toTheEnd && (testsFirst || wasBelow)) {
+                m_system.moveNear(next); // probably the last iterate
+            } else {
+                m_system.moveTo(next);
+            }
+            const double nextResidual = m_system.residual(limit.perLength);
+            // The rounding of a long coupler's rows may exceed all of a short crank's, which two or three steps solve.
+            const bool isHidden = residual > limit.crank && iteration < 2;
+            if (toTheEnd && !(nextResidual < residual) && residual <= limit.rounding && !isHidden) {
+                m_system.moveTo(m_q); // the previous iterate is at least as good
+                return Ending::Converged;
+            }
+            m_q = next;
+            residual = nextResidual;
+            record();
+            if (toTheEnd ? residual == 0.0 : wasBelow && isResolved()) {
+                return Ending::Converged;
+            }
+        }
+        // The iteration limit was reached beside a toggle: the position is still known to 2 √(r/b).
+        const double located = std::max(4.0 * kResolvedPart * limit.coupler, limit.rounding);
+        return residual <= std::min(limit.tolerance, located) ? Ending::Converged : Ending::IterationLimit;
+    }
+
+    bool isResolved() const { return m_thresholds.isResolved(m_instant.residual, m_system.cosTheta3()); }
+
+    // For kResolvedPart, the terms of θ̈3
+    //     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
+    // are compared with θ̈3 itself (beside an exact toggle the two terms all but cancel), or with its ordinary size.
+    // sin θ3 is uncertain by the residual or its rounding and, like cos θ2, by δ = ε/2 (|ω t| + |θ2|), which θ2 lost
+    // when ω t and θ20 were rounded: by (a/b) |cos θ2| δ, R2x being (a/2) cos θ2.
+    void differentiate()
+    {
+        State &state = m_instant.state;
+        const bool isFinite = m_system.differentiate(state);
+        const double a = m_mechanism.a();
+        const double b = m_mechanism.b();
+        const double cosine = std::abs(m_system.cosTheta3());
+        const double angles = std::abs(state.q[Theta2] - m_mechanism.theta20()) + std::abs(state.q[Theta2]);
+        const double rounding = kEpsilon * std::max(b, a + std::abs(m_mechanism.c()));
+        const double residual = m_instant.residual / m_thresholds.perLength;
+        const double ofTheta2 = kEpsilon * angles * (std::abs(state.q[R2x]) + 0.5 * a * cosine);
+        const double uncertainty = (std::max(residual, rounding) + ofTheta2) / b;
+        const double crankTerm = a * m_mechanism.omega2() * m_mechanism.omega2();
+        const double couplerTerm = b * state.qDot[Theta3] * state.qDot[Theta3];
+        const double uncertain = uncertainty * (crankTerm + couplerTerm);
+        const double ordinary = crankTerm * relativeAcceleration(m_mechanism);
+        const double size = std::max(b * std::abs(state.qDDot[Theta3]), ordinary);
+        // Beside the accelerations of a much shorter coupler those of the crank are lost to rounding.
+        const bool isCrankResolved = kEpsilon * couplerTerm <= kResolvedPart * kResolvedPart * crankTerm;
+        const bool exists =
+            isFinite && isCrankResolved && uncertain <= kResolvedPart * (cosine * cosine) * cosine * size;
+        state.status = exists ? Status::Solved : Status::Singular;
+        if (!exists) {
+            state.qDot.setConstant(kNone);
+            state.qDDot.setConstant(kNone);
+        }
+    }
+
+    const Mechanism &m_mechanism;
+    double m_t;
+    const NewtonOptions &m_options;
+    System m_system;
+    Thresholds m_thresholds;
+    NewtonInstant &m_instant;
+    IterationHistory *m_history;
+    Coordinates m_q;
+};
+
+/// Solved where there is a position to look for, otherwise the reason.
+Status statusBeforeIterating(const Mechanism &mechanism, double t)
 {
-    const bool isKnown = std::abs(mechanism.omega2() * t) + std::abs(mechanism.theta20()) <= kLargestDrive;
-    // Rounding is monotone: where this holds of the rounded difference, it does of the exact one.
+    const bool isResolved = std::abs(mechanism.omega2() * t) + std::abs(mechanism.theta20()) <= kLargestDrive;
+    // Rounding is monotone: where this holds for the rounded difference, it does for the exact one.
     const bool turnsRound = mechanism.b() - mechanism.a() > std::abs(mechanism.c());
-    if (turnsRound && isKnown) {
-        return true; // the ordinary case, without looking at the angle
+    if (turnsRound && isResolved) {
+        return Status::Solved; // the ordinary case, without computing the angle
     }
     const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
-    if (!isKnown || !std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
-        result.status = Status::NotFinite;
-    } else if (!Clearance(mechanism).at(angle).assemblable()) {
-        result.status = Status::NotAssemblable;
-    } else {
-        return true;
+    if (!isResolved || !std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
+        return Status::NotFinite;
     }
-    return false;
-}
-
-template <class System>
-void assembleFromAfar(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
-                      typename System::Coordinates &q, NewtonResult &result)
-{
-    q = system.coordinatesOf(farStart(mechanism, t));
-    result.startedAfar = true;
-    const int maxIterations = std::max(kAssemblyIterations, options.maxIterations);
-    conclude(result, iterate(system, mechanism, options, maxIterations, q, result));
-}
-
-/// From q, and into it.
-template <class System>
-void trackFrom(System &system, const Mechanism &mechanism, double t, const NewtonOptions &options,
-               typename System::Coordinates &q, NewtonResult &result)
-{
-    const Ending ending = isOnBranch(mechanism, theta3Of(q))
-                              ? iterate(system, mechanism, options, options.maxIterations, q, result)
-                              : Ending::LeftBranch;
-    if (ending == Ending::LeftBranch) {
-        assembleFromAfar(system, mechanism, t, options, q, result);
-    } else {
-        conclude(result, ending);
-    }
-}
-
-void setNothing(State &state)
-{
-    state.qDot.setConstant(kNone);
-    state.qDDot.setConstant(kNone);
-}
-
-/// Velocity and acceleration at the q of `system`, whose residual is given in mm. For kResolvedPart, what θ̈3 is made of
-///     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
-/// is set beside what is left of it (beside an exact toggle the two all but cancel), or would be where nothing is
-/// steep. Of sin θ3 are uncertain: what the residual tells, a rounding, and what θ2 lost when ω t and θ20 were rounded,
-/// δ: (a/b) cos θ2 δ, and the same part of cos θ2 itself.
-template <class System>
-void differentiateHere(const System &system, const Mechanism &mechanism, double residual, State &state)
-{
-    const bool finite = system.differentiate(state);
-    const double cosine = std::abs(system.cosTheta3());
-    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-    constexpr double kSmallest = 4.0 * std::numeric_limits<double>::denorm_min(); // what sums of a few lengths lose
-    const double rounding = kEpsilon * std::max(mechanism.b(), mechanism.a() + std::abs(mechanism.c())) + kSmallest;
-    double uncertainty = std::max(residual, rounding) / mechanism.b();
-    constexpr double kManyAngles = 1000.0; // rad: below, it is less than the rounding wherever that counts
-    const double angles = std::abs(state.q[Theta2] - mechanism.theta20()) + std::abs(state.q[Theta2]);
-    if (angles > kManyAngles && mechanism.omega2() != 0.0) {
-        const double delta = 0.5 * kEpsilon * angles;
-        const double pace = std::abs(state.qDot[Theta3] / mechanism.omega2());
-        uncertainty += delta * cosine * (pace + mechanism.a() / mechanism.b());
-    }
-    const double crankTerm = mechanism.a() * mechanism.omega2() * mechanism.omega2();
-    const double couplerTerm = mechanism.b() * state.qDot[Theta3] * state.qDot[Theta3];
-    const double uncertain = uncertainty * (crankTerm + couplerTerm);
-    const double resolved = kResolvedPart * (cosine * cosine) * cosine;
-    // Beside the accelerations of a coupler that whirls the crank's own are lost to rounding.
-    const bool isCrankThere = kEpsilon * couplerTerm <= kResolvedPart * kResolvedPart * crankTerm;
-    const bool exists = finite && isCrankThere &&
-                        (uncertain <= resolved * (mechanism.b() * std::abs(state.qDDot[Theta3])) ||
-                         uncertain <= resolved * (crankTerm * partLeftOfAcceleration(mechanism)));
-    state.status = exists ? Status::Solved : Status::Singular;
-    if (!exists) {
-        setNothing(state);
-    }
-}
-
-/// Whether the next instant can start from this one. From a square coupler it cannot: there the matrix is singular.
-bool isWarm(const NewtonInstant &instant)
-{
-    const bool hasPosition =
-        instant.positionStatus == Status::Solved || instant.positionStatus == Status::IterationLimit;
-    return hasPosition && instant.state.status != Status::Singular;
-}
-
-/// What `before` lets expect of t.
-template <class System>
-typename System::Coordinates expected(const System &system, const Mechanism &mechanism, const NewtonInstant &before,
-                                      double t, WarmStart warmStart)
-{
-    if (warmStart == WarmStart::Previous || before.state.status != Status::Solved) {
-        return system.coordinatesOf(before.q);
-    }
-    const double step = t - before.t;
-    const double half = 0.5 * step;
-    Vector12 q;
-    for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
-        q[i] = before.q[i] + step * (before.state.qDot[i] + half * before.state.qDDot[i]);
-    }
-    q[Theta2] = mechanism.omega2() * t + mechanism.theta20(); // linear in t: the same, without the rounding
-    return system.coordinatesOf(q);
-}
-
-/// Calls work(system) with the system that solves at t.
-template <class Work>
-void withSystem(const Mechanism &mechanism, double t, Elimination elimination, const Work &work)
-{
-    switch (elimination) {
-    case Elimination::Dense: {
-        DenseSystem system(mechanism, t);
-        work(system);
-        break;
-    }
-    case Elimination::Structured: {
-        StructuredSystem system(mechanism, t);
-        work(system);
-        break;
-    }
-    }
+    return Clearance(mechanism).at(angle).assemblable() ? Status::Solved : Status::NotAssemblable;
 }
 
 } // namespace
 
-// sin θ3 - h/b rises and bends one way between here and the root.
-Vector12 farStart(const Mechanism &mechanism, double t)
+// sin θ3 - h/b increases and is curved in one direction between here and the root.
+Vector12 coldStart(const Mechanism &mechanism, double t)
 {
     const double theta2 = mechanism.omega2() * t + mechanism.theta20();
-    const double theta3 = branchCentre(mechanism.branch());
     const double pinX = mechanism.a() * std::cos(theta2);
     const double pinY = mechanism.a() * std::sin(theta2);
     const double couplerX = mechanism.branch() == Branch::Open ? mechanism.b() : -mechanism.b();
     Vector12 start;
-    start << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY, theta3, pinX + couplerX,
-        mechanism.c(), 0.0;
+    start << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY,
+        branchCentre(mechanism.branch()), pinX + couplerX, mechanism.c(), 0.0;
     return start;
 }
 
-NewtonResult assemble(const Mechanism &mechanism, double t, const NewtonOptions &options)
+void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options,
+             IterationHistory *history)
 {
-    NewtonResult result;
-    result.q.setConstant(kNone);
-    if (canStart(mechanism, t, result)) {
-        withSystem(mechanism, t, options.elimination, [&]<class System>(System &system) {
-            typename System::Coordinates q;
-            assembleFromAfar(system, mechanism, t, options, q, result);
-            system.write(q, result.q);
-        });
-    }
-    return result;
-}
-
-NewtonResult track(const Mechanism &mechanism, double t, const Vector12 &start, const NewtonOptions &options)
-{
-    NewtonResult result;
-    result.q.setConstant(kNone);
-    if (canStart(mechanism, t, result)) {
-        withSystem(mechanism, t, options.elimination, [&]<class System>(System &system) {
-            typename System::Coordinates q = system.coordinatesOf(start);
-            trackFrom(system, mechanism, t, options, q, result);
-            system.write(q, result.q);
-        });
-    }
-    return result;
-}
-
-State differentiate(const Mechanism &mechanism, const Vector12 &q, double residual)
-{
-    State state;
-    state.q = q;
-    DenseSystem system(mechanism, 0.0); // C_q, C_t and Q_d do not depend on time
-    system.moveTo(q);
-    differentiateHere(system, mechanism, residual, state);
-    return state;
-}
-
-void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options)
-{
-    NewtonResult position;
-    State &state = instant.state;
-    if (canStart(mechanism, t, position)) {
-        withSystem(mechanism, t, options.elimination, [&]<class System>(System &system) {
-            typename System::Coordinates q;
-            if (isWarm(instant)) {
-                q = expected(system, mechanism, instant, t, options.warmStart);
-                trackFrom(system, mechanism, t, options, q, position);
-            } else {
-                assembleFromAfar(system, mechanism, t, options, q, position);
-            }
-            system.write(q, instant.q);
-            if (position.status == Status::Solved) {
-                const bool relative = options.toleranceKind == ToleranceKind::Relative;
-                const double residual =
-                    relative ? position.residual() * characteristicLength(mechanism.parameters()) : position.residual();
-                system.write(q, state.q);
-                differentiateHere(system, mechanism, residual, state);
-            }
-        });
-    } else {
+    const Status status = statusBeforeIterating(mechanism, t);
+    if (status != Status::Solved) {
+        if (history) {
+            history->clear();
+        }
         instant.q.setConstant(kNone);
+        instant.iterations = 0;
+        instant.residual = 0.0;
+        instant.positionStatus = status;
+        instant.isColdStart = false;
+    } else if (options.elimination == Elimination::Dense) {
+        Solver<DenseSystem>(mechanism, t, options, instant, history).solve();
+    } else {
+        Solver<StructuredSystem>(mechanism, t, options, instant, history).solve();
     }
-    if (position.status != Status::Solved) {
-        state.q.setConstant(kNone);
-        setNothing(state);
-        state.status = position.status;
+    if (instant.positionStatus != Status::Solved) {
+        const Vector12 none = Vector12::Constant(kNone);
+        instant.state = {none, none, none, instant.positionStatus};
     }
     instant.t = t;
-    instant.iterations = position.iterations;
-    instant.residual = position.residual();
-    instant.positionStatus = position.status;
-    instant.startedAfar = position.startedAfar;
 }
 
-NewtonInstant solveInstant(const Mechanism &mechanism, double t, const NewtonInstant &before,
-                           const NewtonOptions &options)
+NewtonInstant solve(const Mechanism &mechanism, double t, const NewtonOptions &options, NewtonInstant start,
+                    IterationHistory *history)
 {
-    NewtonInstant here = before;
-    advance(mechanism, t, here, options);
-    return here;
+    advance(mechanism, t, start, options, history);
+    return start;
 }
 
 } // namespace slidercrank

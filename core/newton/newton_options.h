@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a person can choose of Newton-Raphson (newton.h). The defaults are the report's.
+// The settings of Newton-Raphson (newton.h). The defaults are those of the reference report.
 
 namespace slidercrank
 {

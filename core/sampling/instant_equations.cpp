@@ -12,45 +12,25 @@
 namespace slidercrank
 {
 
-namespace
-{
-
-NewtonInstant newtonAt(const Mechanism &mechanism, double t, double step, const NewtonOptions &options)
-{
-    return solveInstant(mechanism, t, solveInstant(mechanism, t - step, {}, options), options);
-}
-
-} // namespace
-
 InstantEquations equationsAt(const Mechanism &mechanism, double t, double step, const SolverSettings &settings)
 {
     InstantEquations equations;
-    switch (settings.method) {
-    case Method::Newton: {
-        const NewtonInstant instant = newtonAt(mechanism, t, step, settings.newton);
+    if (settings.method == Method::Newton) {
+        const NewtonInstant before = solve(mechanism, t - step, settings.newton);
+        const NewtonInstant instant = solve(mechanism, t, settings.newton, before);
         equations.state = instant.state;
         equations.q = instant.q;
-        break;
-    }
-    case Method::ClosedForm:
+    } else {
         equations.state = ClosedForm(mechanism).stateAt(t);
         equations.q = equations.state.q;
-        break;
     }
-    if (!equations.hasPosition()) {
-        equations.C.setConstant(kNone);
-        equations.Cq.setConstant(kNone);
-        equations.Ct.setConstant(kNone);
-        equations.Qd.setConstant(kNone);
-        return equations;
+    if (equations.hasPosition()) {
+        equations.C = constraints(mechanism, equations.q, t);
+        equations.Cq = constraintJacobian(mechanism, equations.q);
+        equations.Ct = constraintTimeDerivative(mechanism);
     }
-    equations.C = constraints(mechanism, equations.q, t);
-    equations.Cq = constraintJacobian(mechanism, equations.q);
-    equations.Ct = constraintTimeDerivative(mechanism);
     if (equations.state.status == Status::Solved) {
         equations.Qd = quadraticVelocityTerm(mechanism, equations.q, equations.state.qDot);
-    } else {
-        equations.Qd.setConstant(kNone);
     }
     return equations;
 }

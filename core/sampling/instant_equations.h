@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the report writes down at one instant: C, C_q, C_t and Q_d, at the position that the chosen method finds.
+// The constraint equations at one time: C, C_q, C_t and Q_d at the position that the chosen method finds.
 // Lengths in mm, angles in rad, time in s.
 
 #include "core/mechanism/state.h"
@@ -14,21 +14,23 @@ struct InstantEquations {
     State state; ///< NaN as far as it does not exist
 
     /// Where C and C_q are evaluated: state.q, or the last iterate where Newton-Raphson did not converge; NaN where
-    /// there is no position at all. The others then are NaN too.
+    /// there is no position at all, as are the others then.
     Vector12 q;
-    Vector12 C;
-    Matrix12 Cq;
-    Vector12 Ct;
-    Vector12 Qd; ///< NaN where there is no velocity
+    Vector12 C = Vector12::Constant(kNone);
+    Matrix12 Cq = Matrix12::Constant(kNone);
+    Vector12 Ct = Vector12::Constant(kNone);
+    Vector12 Qd = Vector12::Constant(kNone); ///< NaN also where there is no velocity
 
     bool hasPosition() const { return q.allFinite(); }
 };
 
-/// By the method of `settings`; Newton-Raphson starts from the position `step` seconds before, as in a run.
+/// By the method of `settings`; Newton-Raphson has a warm start from the position `step` seconds before, as when
+/// sampling.
 InstantEquations equationsAt(const Mechanism &mechanism, double t, double step, const SolverSettings &settings);
 
-/// The largest singular value over the smallest: by how much relative errors may grow in C_q Δq = -C. It mixes mm and
-/// rad, as C_q does, so it depends on the unit of length. Infinite for a singular matrix; precondition: finite entries.
+/// The largest singular value divided by the smallest: the factor by which relative errors may grow in C_q Δq = -C. It
+/// depends on the unit of length, because C_q mixes mm and rad. Infinite for a singular matrix; precondition: finite
+/// entries.
 double conditionNumber(const Matrix12 &matrix);
 
 } // namespace slidercrank

@@ -17,10 +17,10 @@ namespace slidercrank
 namespace
 {
 
-/// Instants between two looks at the stop token.
-constexpr std::size_t kInstantsPerLook = 256;
+/// Time stamps between two checks of the stop token.
+constexpr std::size_t kStopInterval = 256;
 
-/// Where the computed instants go: one pointer per wanted channel, with the factor to the author's unit.
+/// The output arrays of the channels that are asked for.
 class Columns
 {
 public:
@@ -53,45 +53,41 @@ private:
     std::size_t m_count = 0;
 };
 
-void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const Columns &columns,
-                    Trajectory &trajectory, const std::stop_token &stop)
+/// Fills the trajectory from solve(t), which returns a State for each time stamp in turn.
+template <class Solve>
+void sampleOneByOne(Trajectory &trajectory, const Columns &columns, const std::stop_token &stop, const Solve &solve)
 {
-    NewtonInstant last;
     for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
-        if (i % kInstantsPerLook == 0 && stop.stop_requested()) {
+        if (i % kStopInterval == 0 && stop.stop_requested()) {
             trajectory.complete = false;
             return;
         }
-        advance(mechanism, trajectory.time[i], last, options);
-        if (last.positionStatus == Status::Solved) {
-            trajectory.iterations += last.iterations;
-            trajectory.mostIterations = std::max(trajectory.mostIterations, last.iterations);
-            if (!last.startedAfar) {
-                trajectory.mostFromBefore = std::max(trajectory.mostFromBefore, last.iterations);
-            }
-            trajectory.largestResidual = std::max(trajectory.largestResidual, last.residual);
-        }
-        trajectory.status[i] = last.state.status;
-        columns.put(i, last.state);
-    }
-}
-
-void sampleInClosedForm(const Mechanism &mechanism, const Columns &columns, Trajectory &trajectory,
-                        const std::stop_token &stop)
-{
-    const ClosedForm closedForm(mechanism);
-    for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
-        if (i % kInstantsPerLook == 0 && stop.stop_requested()) {
-            trajectory.complete = false;
-            return;
-        }
-        const State state = closedForm.stateAt(trajectory.time[i]);
+        const State &state = solve(trajectory.time[i]);
         trajectory.status[i] = state.status;
         columns.put(i, state);
     }
 }
 
-/// The shorter way when no channel but the six plotted ones is asked for.
+void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const Columns &columns,
+                    Trajectory &trajectory, const std::stop_token &stop)
+{
+    NewtonInstant instant;
+    SamplingSummary &summary = trajectory.summary;
+    sampleOneByOne(trajectory, columns, stop, [&](double t) -> const State & {
+        advance(mechanism, t, instant, options);
+        if (instant.positionStatus == Status::Solved) {
+            summary.iterations += instant.iterations;
+            summary.mostIterations = std::max(summary.mostIterations, instant.iterations);
+            if (!instant.isColdStart) {
+                summary.mostWarmIterations = std::max(summary.mostWarmIterations, instant.iterations);
+            }
+            summary.largestResidual = std::max(summary.largestResidual, instant.residual);
+        }
+        return instant.state;
+    });
+}
+
+/// The faster way for the six plotted channels alone, on all processors.
 void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std::stop_token &stop)
 {
     const auto column = [&trajectory](Channel channel) {
@@ -105,12 +101,12 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
     const std::span<const double> instants(trajectory.time);
     const std::span<Status> statuses(trajectory.status);
     const auto evaluate = [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end && !stop.stop_requested(); i += kInstantsPerLook) {
-            const std::size_t count = std::min(kInstantsPerLook, end - i);
+        for (std::size_t i = first; i < end && !stop.stop_requested(); i += kStopInterval) {
+            const std::size_t count = std::min(kStopInterval, end - i);
             batch.evaluate(instants.subspan(i, count), columns.behind(i), statuses.subspan(i, count));
         }
     };
-    constexpr std::size_t kPiece = 1U << 15U; // instants: worth a thread
+    constexpr std::size_t kPiece = 1U << 15U; // time stamps: enough work for a thread
     const std::size_t pieces = (instants.size() + kPiece - 1) / kPiece;
     inParallel(pieces, [&](std::size_t i) { evaluate(i * kPiece, std::min((i + 1) * kPiece, instants.size())); });
     trajectory.complete = !stop.stop_requested();
@@ -132,21 +128,16 @@ double instantsPerTurn(const Mechanism &mechanism, const Sampling &sampling)
     return kTurn * sampling.steps / std::abs(mechanism.omega2() * sampling.duration);
 }
 
-std::size_t Trajectory::count(Status wanted) const
+void SamplingSummary::add(const SamplingSummary &next)
 {
-    return static_cast<std::size_t>(std::count(status.begin(), status.end(), wanted));
-}
-
-void RunSummary::add(const Trajectory &piece)
-{
-    instants += piece.status.size();
-    for (const Status status : piece.status) {
-        ++endedWith[static_cast<std::size_t>(status)];
+    instants += next.instants;
+    for (std::size_t i = 0; i < kStatusCount; ++i) {
+        statusCounts[i] += next.statusCounts[i];
     }
-    iterations += piece.iterations;
-    mostIterations = std::max(mostIterations, piece.mostIterations);
-    mostFromBefore = std::max(mostFromBefore, piece.mostFromBefore);
-    largestResidual = std::max(largestResidual, piece.largestResidual);
+    iterations += next.iterations;
+    mostIterations = std::max(mostIterations, next.mostIterations);
+    mostWarmIterations = std::max(mostWarmIterations, next.mostWarmIterations);
+    largestResidual = std::max(largestResidual, next.largestResidual);
 }
 
 Trajectory sample(const Mechanism &mechanism, std::vector<double> instants, const ChannelSet &channels,
@@ -156,17 +147,17 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> instants, cons
     trajectory.time = std::move(instants);
     trajectory.status.resize(trajectory.time.size());
     const Columns columns(trajectory, channels);
-    switch (settings.method) {
-    case Method::Newton: sampleByNewton(mechanism, settings.newton, columns, trajectory, stop); break;
-    case Method::ClosedForm: {
-        const bool plottedOnly = (channels & ~plottedChannels()).none();
-        if (plottedOnly) {
-            samplePlotted(mechanism, trajectory, stop);
-        } else {
-            sampleInClosedForm(mechanism, columns, trajectory, stop);
-        }
-        break;
+    if (settings.method == Method::Newton) {
+        sampleByNewton(mechanism, settings.newton, columns, trajectory, stop);
+    } else if ((channels & ~plottedChannels()).none()) {
+        samplePlotted(mechanism, trajectory, stop);
+    } else {
+        const ClosedForm closedForm(mechanism);
+        sampleOneByOne(trajectory, columns, stop, [&](double t) { return closedForm.stateAt(t); });
     }
+    trajectory.summary.instants = trajectory.time.size();
+    for (const Status status : trajectory.status) {
+        ++trajectory.summary.statusCounts[static_cast<std::size_t>(status)];
     }
     return trajectory;
 }
@@ -175,14 +166,13 @@ void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const 
                     const SolverSettings &settings, const std::function<bool(const Trajectory &)> &take,
                     std::stop_token stop)
 {
-    constexpr int kPiece = 1 << 15; // all 36 channels in some 10 MB
+    constexpr int kPiece = 1 << 15; // all 36 channels take about 10 MB
     const int count = sampling.steps + 1;
     const int length = settings.method == Method::Newton ? count : std::min(count, kPiece);
     for (int first = 0; first < count; first += length) {
-        std::vector<double> instants;
-        instants.reserve(static_cast<std::size_t>(length));
-        for (int i = first; i < std::min(first + length, count); ++i) {
-            instants.push_back(sampling.instant(i));
+        std::vector<double> instants(static_cast<std::size_t>(std::min(length, count - first)));
+        for (int i = 0; i < static_cast<int>(instants.size()); ++i) {
+            instants[static_cast<std::size_t>(i)] = sampling.instant(first + i);
         }
         const Trajectory piece = sample(mechanism, std::move(instants), channels, settings, stop);
         if (!piece.complete || !take(piece)) {

@@ -170,7 +170,7 @@ std::vector<StudyMethod> makeMethods()
     for (const Way &way : kWays) {
         for (const double tolerance : kTolerances) {
             methods.push_back(newton(
-                way.kind, {kAssemblyIterations, tolerance, ToleranceKind::Relative, way.warmStart, way.elimination}));
+                way.kind, {kColdStartIterations, tolerance, ToleranceKind::Relative, way.warmStart, way.elimination}));
         }
     }
     methods.push_back(closedForm());

@@ -32,16 +32,16 @@ bool isOrdinary(const Request &request)
 }
 
 /// Of a run in closed form.
-RunSummary summaryOf(const Request &request, std::stop_token stop)
+SamplingSummary summaryOf(const Request &request, std::stop_token stop)
 {
-    RunSummary summary;
+    SamplingSummary summary;
     if (isOrdinary(request)) {
         summary.instants = static_cast<std::size_t>(request.sampling.steps) + 1;
-        summary.endedWith[static_cast<std::size_t>(Status::Solved)] = summary.instants;
+        summary.statusCounts[static_cast<std::size_t>(Status::Solved)] = summary.instants;
         return summary;
     }
     const auto add = [&summary](const Trajectory &piece) {
-        summary.add(piece);
+        summary.add(piece.summary);
         return true;
     };
     sampleInPieces(request.mechanism, request.sampling, {}, request.solver, add, std::move(stop));
@@ -94,7 +94,7 @@ std::shared_ptr<const Result> compute(const Request &request, std::stop_token st
         if (request.solver.method == Method::Newton) {
             result->sampleSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
         }
-        result->summary.add(result->trajectory);
+        result->summary = result->trajectory.summary;
     }
     if (request.reference && result->trajectory.complete) {
         const ReferenceData &data = result->reference->data;

@@ -38,7 +38,7 @@ struct Result {
     Mechanism mechanism;
     Sampling sampling;
     SolverSettings solver;
-    RunSummary summary;
+    SamplingSummary summary;
     Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
     MotionLimits limits;
     std::shared_ptr<const Reference> reference; ///< may be null; timed for this mechanism

@@ -230,7 +230,7 @@ QString methodText(const Result &result)
     QString text = Report::tr("Newton-Raphson in the 12 absolute coordinates, %1, at most %2 iterations an instant. ")
                        .arg(until, QString::number(newton.maxIterations)) +
                    instants + u' ';
-    const RunSummary &summary = result.summary;
+    const SamplingSummary &summary = result.summary;
     const QString residual = numberText(summary.largestResidual, 2);
     if (summary.found() > 0 && summary.mostIterations <= newton.maxIterations) {
         text += Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")

@@ -133,7 +133,7 @@ void SolverForm::setResult(const std::shared_ptr<const Result> &result)
         return;
     }
     const QLocale locale;
-    const RunSummary &run = result->summary;
+    const SamplingSummary &run = result->summary;
     const std::size_t instants = run.instants;
     const bool newton = result->solver.method == Method::Newton;
     if (newton) {

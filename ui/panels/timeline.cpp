@@ -421,7 +421,7 @@ void Timeline::goToAngle(double degrees)
             (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // the very angle, whole turns included
         if (!(time >= first() && time <= last())) {
             const double period = kTurn / std::abs(omega2);
-            time = instantAtCrankAngle(Mechanism(m_parameters), degrees, first()).value_or(first());
+            time = instantAtCrankAngle(Mechanism(m_parameters), degrees / kDegreesPerRadian, first()).value_or(first());
             if (time > last()) { // not passed: whichever end is nearer
                 time = first() - (time - period) < time - last() ? first() : last();
             }

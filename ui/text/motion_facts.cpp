@@ -162,7 +162,7 @@ std::optional<double> instantWithin(const Mechanism &mechanism, const Sampling &
 {
     constexpr double kSlack = 1e-9; // of the run: its last instant counts
     const double end = run.start + run.duration;
-    const std::optional<double> t = instantAtCrankAngle(mechanism, kDegreesPerRadian * theta2, run.start);
+    const std::optional<double> t = instantAtCrankAngle(mechanism, theta2, run.start);
     return t && *t <= end + kSlack * run.duration ? std::optional(withAPose(mechanism, std::min(*t, end)))
                                                   : std::nullopt;
 }
@@ -407,7 +407,7 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run)
         .arg(numberText(perTurn, 2), countText(static_cast<std::size_t>(nextRoundNumber(wanted))));
 }
 
-QString iterationsText(const RunSummary &run, const NewtonOptions &options)
+QString iterationsText(const SamplingSummary &run, const NewtonOptions &options)
 {
     if (run.found() == 0) {
         return dash();
@@ -417,10 +417,10 @@ QString iterationsText(const RunSummary &run, const NewtonOptions &options)
     if (run.mostIterations <= options.maxIterations) {
         return MotionFacts::tr("%1 in all, at most %2 an instant").arg(all, most);
     }
-    return run.mostFromBefore == 0
+    return run.mostWarmIterations == 0
                ? MotionFacts::tr("%1 in all, at most %2 where it had a rough start").arg(all, most)
                : MotionFacts::tr("%1 in all, at most %2 from one instant to the next, %3 where it had a rough start")
-                     .arg(all, QString::number(run.mostFromBefore), most);
+                     .arg(all, QString::number(run.mostWarmIterations), most);
 }
 
 QString crankAngleText(double radians)

@@ -45,7 +45,7 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run);
 
 /// "95 in all, at most 4 an instant", over the instants that Newton-Raphson found; a dash where it found none.
-QString iterationsText(const RunSummary &run, const NewtonOptions &options);
+QString iterationsText(const SamplingSummary &run, const NewtonOptions &options);
 
 /// Within [0, 360), in degrees, without the unit.
 QString crankAngleText(double radians);

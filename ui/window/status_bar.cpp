@@ -61,7 +61,7 @@ void StatusBar::retranslate()
 
 void StatusBar::showRun(const Result &result)
 {
-    const RunSummary &run = result.summary;
+    const SamplingSummary &run = result.summary;
     const std::size_t samples = run.instants;
     const std::size_t missing = run.count(Status::NotAssemblable);
     const QString branch = result.mechanism.branch() == Branch::Open ? tr("Open assembly") : tr("Crossed assembly");

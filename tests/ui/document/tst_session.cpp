@@ -58,7 +58,7 @@ private slots:
         Session session;
         QCOMPARE(session.parameters(), Parameters());
         QCOMPARE(session.result()->trajectory.time.size(), std::size_t(201));
-        QCOMPARE(session.result()->trajectory.count(Status::Solved), std::size_t(201));
+        QCOMPARE(session.result()->trajectory.summary.count(Status::Solved), std::size_t(201));
         QVERIFY(!session.result()->reference);
     }
 

@@ -179,7 +179,7 @@ private slots:
             const auto failed = run.count(Status::IterationLimit);
             const QString iterations = child<QLabel>(panel, "iterationsLabel")->text();
             const QString instants = child<QLabel>(panel, "instantsLabel")->text();
-            QVERIFY2(run.mostFromBefore <= most, qPrintable(iterations));
+            QVERIFY2(run.mostWarmIterations <= most, qPrintable(iterations));
             QVERIFY2(!iterations.contains("60"), qPrintable(iterations));
             QVERIFY2(instants.startsWith(failed == 0 ? QString("all 21") : QString("%1 of 21").arg(21 - failed)),
                      qPrintable(instants));
@@ -188,7 +188,7 @@ private slots:
                 QCOMPARE(child<QLabel>(panel, "residualLabel")->text(), QString("–"));
             } else {
                 const bool isWithin = run.mostIterations <= most;
-                const int said = isWithin || run.mostFromBefore == 0 ? run.mostIterations : run.mostFromBefore;
+                const int said = isWithin || run.mostWarmIterations == 0 ? run.mostIterations : run.mostWarmIterations;
                 QVERIFY2(iterations.contains(QString("at most %1 ").arg(said)), qPrintable(iterations));
                 QCOMPARE(iterations.contains("a rough start"), !isWithin);
             }
@@ -204,7 +204,7 @@ private slots:
         session.setSolver({Method::Newton, {2, 1e-8}});
         NewtonPanel panel;
         panel.setResult(session.result());
-        const auto failed = session.result()->trajectory.count(Status::IterationLimit);
+        const auto failed = session.result()->trajectory.summary.count(Status::IterationLimit);
         QVERIFY(failed > 0);
         QString text = child<QLabel>(panel, "explanationLabel")->text();
         QVERIFY2(text.contains(QString("%1 of 201 instants did not converge within 2 iterations").arg(failed)),
@@ -216,7 +216,7 @@ private slots:
         session.setParameters(rocker);
         panel.setResult(session.result());
         text = child<QLabel>(panel, "explanationLabel")->text();
-        const auto missing = session.result()->trajectory.count(Status::NotAssemblable);
+        const auto missing = session.result()->trajectory.summary.count(Status::NotAssemblable);
         QVERIFY(missing > 0);
         QVERIFY2(text.contains(QString("%1 of 201 instants cannot be assembled").arg(missing)), qPrintable(text));
         QVERIFY(!text.contains("%"));

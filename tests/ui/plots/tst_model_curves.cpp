@@ -142,7 +142,7 @@ private slots:
         const Result whole = kept(result);
         QCOMPARE(result.summary.instants, whole.trajectory.time.size());
         for (std::size_t i = 0; i < kStatusCount; ++i) {
-            QCOMPARE(result.summary.endedWith[i], whole.trajectory.count(static_cast<Status>(i)));
+            QCOMPARE(result.summary.statusCounts[i], whole.trajectory.summary.count(static_cast<Status>(i)));
         }
     }
 

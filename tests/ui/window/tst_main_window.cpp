@@ -607,7 +607,7 @@ private slots:
         solver.method = Method::Newton;
         solver.newton.maxIterations = 2;
         m_window->session().setSolver(solver);
-        const RunSummary &run = m_window->session().result()->summary;
+        const SamplingSummary &run = m_window->session().result()->summary;
         const std::size_t unsolved = run.count(Status::IterationLimit);
         QVERIFY(unsolved > 0);
         const QString said = m_window->statusBar()->currentMessage();

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Runs of Newton-Raphson for its tests, and their deviation from the exact motion.
+
+#include "core/closed_form/state_at.h"
+#include "core/newton/newton.h"
+#include "core/study/cases.h"
+#include "tests/support/deviation.h"
+
+#include <QString>
+
+#include <numbers>
+
+namespace slidercrank
+{
+
+inline constexpr double kTurn = 2.0 * std::numbers::pi;
+inline constexpr NewtonOptions kReport;            ///< Table 2 of the reference report
+inline constexpr NewtonOptions kToTheEnd{50, 0.0}; ///< until the residual no longer decreases
+
+/// Every combination of elimination, warm start and tolerance kind, the reference report's first.
+inline std::vector<NewtonOptions> everyWay(int maxIterations, double tolerance)
+{
+    std::vector<NewtonOptions> ways;
+    for (const Elimination elimination : {Elimination::Dense, Elimination::Structured}) {
+        for (const WarmStart warmStart : {WarmStart::Previous, WarmStart::Taylor}) {
+            for (const ToleranceKind kind : {ToleranceKind::Absolute, ToleranceKind::Relative}) {
+                ways.push_back({maxIterations, tolerance, kind, warmStart, elimination});
+            }
+        }
+    }
+    return ways;
+}
+
+/// Each time step from the one before.
+inline std::vector<NewtonInstant> run(const Parameters &parameters, const std::vector<double> &times,
+                                      const NewtonOptions &options)
+{
+    const Mechanism mechanism(parameters);
+    std::vector<NewtonInstant> done;
+    NewtonInstant instant;
+    for (const double t : times) {
+        advance(mechanism, t, instant, options);
+        done.push_back(instant);
+    }
+    return done;
+}
+
+/// Coordinates to start from, without derivatives.
+inline NewtonInstant startAt(const Vector12 &q)
+{
+    NewtonInstant start;
+    start.q = q;
+    start.positionStatus = Status::Solved;
+    start.state.status = Status::NotFinite;
+    return start;
+}
+
+inline std::vector<double> turn(const Parameters &parameters, int steps, double turns = 1.0)
+{
+    return Sampling{0.0, turns * kTurn / std::abs(parameters.omega2), steps}.instants();
+}
+
+inline QString described(const NewtonOptions &options)
+{
+    return QStringLiteral("%1, %2, %3 tolerance %4")
+        .arg(options.elimination == Elimination::Dense ? QStringLiteral("dense") : QStringLiteral("structured"),
+             options.warmStart == WarmStart::Previous ? QStringLiteral("previous") : QStringLiteral("Taylor"),
+             options.toleranceKind == ToleranceKind::Absolute ? QStringLiteral("absolute") : QStringLiteral("relative"))
+        .arg(options.tolerance);
+}
+
+inline QString described(const Parameters &parameters, const NewtonInstant &instant)
+{
+    return QStringLiteral("%1\n    t=%2: status %3 after %4 iterations, residual %5, theta3 %6")
+        .arg(QString::fromStdString(describe(parameters)))
+        .arg(instant.t, 0, 'g', 17)
+        .arg(int(instant.state.status))
+        .arg(instant.iterations)
+        .arg(instant.residual)
+        .arg(instant.q[Theta3], 0, 'g', 17);
+}
+
+/// The closed form as a judge.
+inline ExactState<double> closedFormState(const Parameters &parameters, double t)
+{
+    const State state = ClosedForm{Mechanism(parameters)}.stateAt(t);
+    ExactState<double> exact;
+    exact.status = state.status;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        exact.values[index] = valueOf(state, channelAt(index));
+    }
+    return exact;
+}
+
+inline double exactTheta3(const Parameters &parameters, double t)
+{
+    return ClosedForm{Mechanism(parameters)}.motionAt(t).theta3;
+}
+
+inline Deviation worse(const Deviation &x, const Deviation &y)
+{
+    return y.ratio() > x.ratio() ? y : x;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Newton-Raphson at random time stamps of mechanisms of all kinds: what it calls solved is right.
+
+#include "core/newton/constraints.h"
+#include "core/newton/structured_system.h"
+#include "tests/core/newton/newton_runs.h"
+#include "tests/support/long_tests.h"
+#include "tests/support/random_mechanisms.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace slidercrank;
+
+namespace
+{
+
+/// Random mechanisms of one kind.
+struct Kind {
+    const char *name;
+    double unsolved; ///< largest accepted part of the time stamps that have a pose
+    void (*change)(Parameters &p, double gap, RandomMechanisms &random);
+};
+
+const Kind kKinds[] = {
+    {"ordinary", 0.0, [](Parameters &, double, RandomMechanisms &) {}},
+    {"a = b, c = 0", 0.4, [](Parameters &p, double, RandomMechanisms &) { p.b = p.a, p.c = 0.0; }},
+    {"a and b almost equal, c = 0", 0.3,
+     [](Parameters &p, double gap, RandomMechanisms &) { p.b = p.a * (1.0 + gap), p.c = 0.0; }},
+    {"toggles", 0.15, [](Parameters &p, double gap, RandomMechanisms &) { p.b = (p.a + std::abs(p.c)) * (1.0 + gap); }},
+    {"rockers", 0.01,
+     [](Parameters &p, double, RandomMechanisms &random) { p.b = (p.a + std::abs(p.c)) * random.uniform(0.2, 1.0); }},
+    {"short couplers", 0.5,
+     [](Parameters &p, double, RandomMechanisms &random) {
+         p.c = p.a * random.uniform(-0.99, 0.99);
+         p.b = p.a * std::pow(10.0, random.uniform(-15.0, 0.0));
+     }},
+    {"long couplers", 0.3,
+     [](Parameters &p, double, RandomMechanisms &random) { p.b *= std::pow(10.0, random.uniform(0.0, 6.0)); }},
+    {"late", 0.1,
+     [](Parameters &p, double gap, RandomMechanisms &random) {
+         p.theta20 = std::pow(10.0, random.uniform(0.0, 11.0));
+         p.b = random.uniform(-1.0, 1.0) < 0.0 ? p.b : (p.a + std::abs(p.c)) * (1.0 + std::abs(gap));
+     }},
+};
+
+/// A time stamp anywhere among the angles that have a pose, or, for `i` of 2 or 3 modulo 4, close to a square coupler.
+double randomTime(const Parameters &p, int i, RandomMechanisms &random)
+{
+    const double lowest = std::asin(std::clamp((p.c - p.b) / p.a, -1.0, 1.0));
+    const double highest = std::asin(std::clamp((p.c + p.b) / p.a, -1.0, 1.0));
+    double angle = std::asin(std::clamp((p.c + p.b * random.uniform(-1.0, 1.0)) / p.a, -1.0, 1.0));
+    if (i % 4 >= 2) {
+        const double distance = std::pow(10.0, random.uniform(-9.0, -0.5));
+        angle = i % 4 == 2 ? lowest + distance : highest - distance;
+    } else if (highest - lowest == std::numbers::pi) {
+        angle = random.uniform(-10.0, 10.0);
+    }
+    const double mirrored = i % 2 == 0 ? angle : std::numbers::pi - angle;
+    const double turns = std::round(p.theta20 / kTurn) + std::floor(random.uniform(-5.0, 5.0));
+    return (mirrored + kTurn * turns - p.theta20) / p.omega2;
+}
+
+/// The peak of each channel in a turn of a hundred steps and, for a rocker, in a hundred poses.
+std::array<double, kChannelCount> peaks(const Parameters &p)
+{
+    constexpr int kSteps = 100;
+    std::array<double, kChannelCount> sizes{};
+    for (int k = 0; k < 2 * kSteps; ++k) {
+        const double angle = kTurn * (k / 2 + 0.5) / kSteps;
+        const double posed = std::asin(std::clamp((p.c + p.b * std::cos(angle)) / p.a, -1.0, 1.0));
+        const ExactState<double> state = closedFormState(p, ((k % 2 == 0 ? angle : posed) - p.theta20) / p.omega2);
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            const double value = std::abs(state.values[index]);
+            sizes[index] = std::isfinite(value) ? std::max(sizes[index], value) : sizes[index];
+        }
+    }
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        const double natural = naturalSize(p, channelAt(index));
+        const bool isRounding = p.a == p.b && p.c == 0.0 && sizes[index] <= 1e-14 * natural;
+        sizes[index] = sizes[index] == 0.0 || isRounding ? natural : sizes[index];
+    }
+    return sizes;
+}
+
+} // namespace
+
+class TestNewtonRandom : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void callsNothingSolvedThatIsOffByOnePercent_data();
+    void callsNothingSolvedThatIsOffByOnePercent();
+    void givesDerivativesBesideAToggleOnlyWithTheirDigits();
+    void structuredStepsAreTheDenseOnes();
+    void aRotatedCouplerIsTheSameToRounding();
+};
+
+void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent_data()
+{
+    QTest::addColumn<int>("kind");
+    for (int i = 0; i < int(std::size(kKinds)); ++i) {
+        QTest::newRow(kKinds[i].name) << i;
+    }
+}
+
+/// With Table 2, warm started from another random time stamp.
+void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent()
+{
+    QFETCH(int, kind);
+    constexpr double kPart = 0.01;
+    RandomMechanisms random(40 + std::uint64_t(kind));
+    int poses = 0;
+    int unsolved = 0;
+    for (int i = 0; i < numericRuns(500, 5000); ++i) {
+        Parameters p = random.next();
+        const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
+        kKinds[kind].change(p, sign * std::pow(10.0, random.uniform(-16.0, -1.0)), random);
+        const Mechanism mechanism(p);
+        const std::array<double, kChannelCount> sizes = peaks(p);
+        for (int k = 0; k < 20; ++k) {
+            const double t = randomTime(p, k, random);
+            const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
+            const NewtonInstant instant = solve(mechanism, t, kReport, solve(mechanism, before, kReport));
+            const ExactState<double> exact = closedFormState(p, t);
+            const Status status = instant.state.status;
+            if (exact.status != Status::Solved) {
+                continue;
+            }
+            ++poses;
+            unsolved += status == Status::Solved ? 0 : 1;
+            if (status != Status::Solved && status != Status::Singular) {
+                continue;
+            }
+            std::array<double, kChannelCount> tolerances;
+            for (std::size_t index = 0; index < kChannelCount; ++index) {
+                tolerances[index] = kPart * std::max(sizes[index], std::abs(exact.values[index]));
+            }
+            const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
+            const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
+            QVERIFY2(deviation.accepted(), (describe(p) + "\n    " + describe(deviation)).c_str());
+        }
+    }
+    qInfo("%d of %d unsolved", unsolved, poses);
+    QVERIFY(unsolved <= kKinds[kind].unsolved * poses);
+}
+
+/// Within 0.03 rad of a toggle, of a limit, of an exact toggle and of a change point: what is called solved is right to
+/// three times twice kResolvedPart of the value, or of what it would be where nothing is steep.
+void TestNewtonRandom::givesDerivativesBesideAToggleOnlyWithTheirDigits()
+{
+    constexpr double kPart = 6.0 * kResolvedPart;
+    constexpr int kMechanisms = 600;
+    RandomMechanisms random(22);
+    int solved = 0;
+    for (int i = 0; i < kMechanisms; ++i) {
+        Parameters p = random.next();
+        const double gap = std::pow(10.0, random.uniform(-15.0, -4.0));
+        p.c = i % 4 == 0 ? 0.0 : p.c;
+        p.b = (p.a + std::abs(p.c)) * (1.0 + (i % 4 < 2 ? 0.0 : i % 4 == 2 ? gap : -gap));
+        const double square = (p.c >= 0.0 ? -0.5 : 0.5) * std::numbers::pi;
+        const double offset = std::pow(10.0, random.uniform(-8.0, -1.5)) * (random.uniform(-1.0, 1.0) < 0.0 ? -1 : 1);
+        const double t = (square + offset - p.theta20) / p.omega2;
+        const double before = t + 0.01 / p.omega2 * (offset < 0.0 ? -1.0 : 1.0);
+        const ExactState<Digits100> exact = exactState<Digits100>(p, t);
+        if (exact.status != Status::Solved) {
+            continue;
+        }
+        std::array<double, kChannelCount> tolerances;
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            const double ordinary = naturalSize(p, channelAt(index)) * p.a / (p.a + p.b + std::abs(p.c));
+            tolerances[index] = kPart * std::max(std::abs(static_cast<double>(exact.values[index])), ordinary);
+        }
+        for (const double tolerance : {0.0, 1e-12, 1e-8, 1e-4}) {
+            for (const NewtonOptions &options : everyWay(60, tolerance)) {
+                const NewtonInstant instant = run(p, {before, t}, options).back();
+                if (instant.state.status == Status::Solved) {
+                    ++solved;
+                    const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances);
+                    QVERIFY2(
+                        deviation.accepted(),
+                        qPrintable(described(options) + QString::fromStdString(describe(p) + describe(deviation))));
+                }
+            }
+        }
+    }
+    QVERIFY(solved > kMechanisms);
+}
+
+/// From any iterate, both eliminations make the step ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the 2-norm of the twelve
+/// numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
+void TestNewtonRandom::structuredStepsAreTheDenseOnes()
+{
+    using LongVector = Eigen::Matrix<long double, kCoordinateCount, 1>;
+    const std::vector<Case> cases = allCases();
+    for (const Case &which : cases) {
+        const Mechanism mechanism(which.parameters);
+        for (const double t : instantsOf(which)) {
+            const NewtonInstant answer = solve(mechanism, t);
+            if (answer.positionStatus == Status::NotAssemblable) {
+                continue;
+            }
+            Vector12 q = answer.q;
+            q[Theta3] = 0.5 * (q[Theta3] + coldStart(mechanism, t)[Theta3]);
+            StructuredSystem system(mechanism, t);
+            for (int k = 0; k < 4; ++k) {
+                const Matrix12 Cq = constraintJacobian(mechanism, q);
+                const Vector12 C = constraints(mechanism, q, t);
+                const Vector12 step = Cq.partialPivLu().solve(-C);
+                system.moveTo(StructuredSystem::read(q));
+                QVERIFY(std::abs(system.residual(1.0) - C.norm()) <= 8.0 * kUnitRoundoff * C.norm());
+                Vector12 next;
+                StructuredSystem::write(system.next(StructuredSystem::read(q)), next);
+                const LongVector difference =
+                    next.cast<long double>() - (q.cast<long double>() + step.cast<long double>());
+                const Vector12 singularValues = Eigen::JacobiSVD<Matrix12>(Cq).singularValues();
+                const double kappa = singularValues[0] / singularValues[11];
+                if (!(kappa < 0.1 / kUnitRoundoff)) {
+                    break; // no digit of the step is significant
+                }
+                const double bound = kUnitRoundoff * (kappa * step.norm() + q.norm());
+                QVERIFY2(static_cast<double>(difference.norm()) <= bound, std::string(which.name).c_str());
+                q += step;
+            }
+        }
+    }
+}
+
+/// sin θ3 and cos θ3 rotated from those of a θ3 close by are off by two roundings at most, and ‖C‖ by that and the
+/// roundings of its sums. The step from there is exactly the one without a rotation.
+void TestNewtonRandom::aRotatedCouplerIsTheSameToRounding()
+{
+    RandomMechanisms random(32);
+    for (int i = 0; i < 1000; ++i) {
+        const Parameters p = random.next();
+        const double t = random.uniform(-10.0, 10.0);
+        Vector12 q = ClosedForm{Mechanism(p)}.stateAt(t).q;
+        q[Theta3] = random.uniform(-5.0, 5.0);
+        for (const double turn : {0x1.1p-11, 0x1.ffp-12, -0x1.ffp-12, 1e-4, -3e-6, 1e-9, -1e-13, 0.0}) {
+            Vector12 near = q;
+            near[Theta3] += turn;
+            const StructuredSystem::Coordinates there = StructuredSystem::read(near);
+            StructuredSystem rotated(Mechanism(p), t);
+            rotated.moveTo(StructuredSystem::read(q));
+            rotated.moveNear(there);
+            StructuredSystem moved(Mechanism(p), t);
+            moved.moveTo(there);
+            const double rounding = kUnitRoundoff * (4.0 * p.b + 8.0 * (p.a + p.b + std::abs(p.c)));
+            QVERIFY(std::abs(rotated.residual(1.0) - moved.residual(1.0)) <= rounding);
+            Vector12 fromRotated;
+            Vector12 fromMoved;
+            StructuredSystem::write(rotated.next(there), fromRotated);
+            StructuredSystem::write(moved.next(there), fromMoved);
+            QVERIFY(fromRotated == fromMoved);
+        }
+    }
+}
+
+QTEST_APPLESS_MAIN(TestNewtonRandom)
+#include "tst_newton_random.moc"
