@@ -37,7 +37,7 @@ constexpr OptionEntry kInstantOptions[] = {
 
 constexpr OptionEntry kMethodOptions[] = {
     {"method", "newton|closed-form",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "how the motion is computed (newton)")},
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "how the motion is computed (closed-form)")},
     {"max-iterations", "N",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "most iterations of Newton-Raphson at an instant, >= 1 (10)")},
     {"tolerance", "T",

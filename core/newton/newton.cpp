@@ -121,7 +121,7 @@ struct Thresholds {
     Thresholds(const Mechanism &mechanism, const NewtonOptions &options)
     {
         constexpr double kRoundings = 32.0;
-        const double reach = reachOf(mechanism.parameters());
+        const double reach = characteristicLength(mechanism.parameters());
         perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / reach : 1.0;
         rounding = kRoundings * kEpsilon * perLength * reach;
         crank = kResolvedPart * perLength * mechanism.a();

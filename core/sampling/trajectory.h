@@ -59,6 +59,8 @@ struct SamplingSummary {
     /// Time stamps that have a position.
     std::size_t found() const { return count(Status::Solved) + count(Status::Singular); }
 
+    friend bool operator==(const SamplingSummary &, const SamplingSummary &) = default;
+
     /// Adds those of the time stamps that follow.
     void add(const SamplingSummary &next);
 };

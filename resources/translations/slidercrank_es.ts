@@ -629,10 +629,6 @@
         <translation>primer instante (0)</translation>
     </message>
     <message>
-        <source>how the motion is computed (newton)</source>
-        <translation>cómo se calcula el movimiento (newton)</translation>
-    </message>
-    <message>
         <source>residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)</source>
         <translation>residuo ‖C‖ con el que Newton-Raphson se detiene; 0: cuando deja de disminuir (1e-8)</translation>
     </message>
@@ -1405,6 +1401,10 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     <message>
         <source>, %1 approximated</source>
         <translation>, %1 aproximados</translation>
+    </message>
+    <message>
+        <source>how the motion is computed (closed-form)</source>
+        <translation>cómo se calcula el movimiento (closed-form)</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,7 @@ void IterationPlot::setHistories(const IterationHistory &fromAfar, const Iterati
 {
     const auto residualsOf = [](const IterationHistory &history) {
         std::vector<double> residuals;
-        for (const Iteration &iteration : history.iterations) {
+        for (const Iteration &iteration : history) {
             residuals.push_back(iteration.residual);
         }
         return residuals;

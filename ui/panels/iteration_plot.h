@@ -4,7 +4,7 @@
 // ‖C‖ over the iterations at one instant, on a logarithmic axis, against the tolerance: from afar and from the instant
 // before. Where each step doubles the right digits, as Newton-Raphson does near a root, the line bends down.
 
-#include "core/newton/iteration_history.h"
+#include "core/newton/newton.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/newton_panel.h"
 
-#include "core/newton/iteration_history.h"
+#include "core/newton/newton.h"
 #include "ui/widgets/named.h"
 #include "ui/panels/iteration_plot.h"
 #include "ui/panels/newton_tables.h"
@@ -267,11 +267,14 @@ void NewtonPanel::fillIterations()
     const Mechanism &mechanism = m_result->mechanism;
     const Sampling &run = m_result->sampling;
     const NewtonOptions &options = m_result->solver.newton;
-    const IterationHistory fromAfar = iterationsFromAfar(mechanism, m_time, options);
+    IterationHistory fromAfar;
+    solve(mechanism, m_time, options, {}, &fromAfar);
     const double step = run.duration / run.steps;
-    const NewtonResult before = assemble(mechanism, m_time - step, options);
-    const IterationHistory fromBefore =
-        before.status == Status::Solved ? iterationsFrom(mechanism, m_time, before.q, options) : IterationHistory();
+    const NewtonInstant before = solve(mechanism, m_time - step, options);
+    IterationHistory fromBefore;
+    if (before.positionStatus == Status::Solved) {
+        solve(mechanism, m_time, options, before, &fromBefore);
+    }
     m_plot->setHistories(fromAfar, fromBefore, options, step);
     m_iterations->setRows(iterationRows(fromAfar, fromBefore));
 }

@@ -308,16 +308,16 @@ std::vector<TableRow> iterationRows(const IterationHistory &fromAfar, const Iter
     constexpr int kDecimals = 10;
     const QLocale locale = localeWithoutGroups();
     std::vector<TableRow> rows;
-    for (std::size_t k = 0; k < std::max(fromAfar.iterations.size(), fromBefore.iterations.size()); ++k) {
+    for (std::size_t k = 0; k < std::max(fromAfar.size(), fromBefore.size()); ++k) {
         TableCell step = textCell(QString::number(k));
         step.number = static_cast<double>(k);
         TableRow row{MechanismPart::None, {step}};
         for (const IterationHistory *history : {&fromAfar, &fromBefore}) {
-            if (k >= history->iterations.size()) {
+            if (k >= history->size()) {
                 row.cells.insert(row.cells.end(), 2, TableCell());
                 continue;
             }
-            const Iteration &iteration = history->iterations[k];
+            const Iteration &iteration = (*history)[k];
             const double degrees = kDegreesPerRadian * iteration.q[Theta3];
             row.cells.push_back(numberCell(
                 iteration.residual, std::isfinite(iteration.residual) ? shortNumber(iteration.residual, 3) : dash(),

@@ -4,7 +4,7 @@
 // What the Newton-Raphson tab writes into its tables: equations, Jacobian, iterations and coordinates at one instant.
 // Numbers in the core's units (mm, rad, s), coordinates in those of the author's files (mm, °, s).
 
-#include "core/newton/iteration_history.h"
+#include "core/newton/newton.h"
 #include "core/sampling/instant_equations.h"
 #include "ui/widgets/number_table.h"
 

@@ -156,7 +156,7 @@ private slots:
         session.setSolver({Method::Newton, {}});
         NewtonPanel panel;
         panel.setResult(session.result());
-        const Trajectory &run = session.result()->trajectory;
+        const SamplingSummary &run = session.result()->summary;
         QVERIFY(child<QLabel>(panel, "iterationsLabel")->text().contains(QString::number(run.iterations)));
         QVERIFY(child<QLabel>(panel, "iterationsLabel")->text().contains(QString::number(run.mostIterations)));
         QCOMPARE(child<QLabel>(panel, "instantsLabel")->text(), QString("all 201 solved"));
@@ -175,7 +175,7 @@ private slots:
             session.setSolver({Method::Newton, {most, 1e-8}});
             NewtonPanel panel;
             panel.setResult(session.result());
-            const Trajectory &run = session.result()->trajectory;
+            const SamplingSummary &run = session.result()->summary;
             const auto failed = run.count(Status::IterationLimit);
             const QString iterations = child<QLabel>(panel, "iterationsLabel")->text();
             const QString instants = child<QLabel>(panel, "instantsLabel")->text();
@@ -280,16 +280,18 @@ private slots:
         Shown shown(Iterations, 0.6);
         const NumberTable *table = shown.table("iterationTable");
         const NewtonOptions options = shown.session.solver().newton;
-        const NewtonResult fromAfar = assemble(Mechanism(), 0.6, options);
-        const NewtonResult fromBefore = track(Mechanism(), 0.6, assemble(Mechanism(), 0.595, options).q, options);
-        QCOMPARE(table->model()->rowCount(), fromAfar.iterations + 1);
+        IterationHistory fromAfar;
+        IterationHistory fromBefore;
+        solve(Mechanism(), 0.6, options, {}, &fromAfar);
+        solve(Mechanism(), 0.6, options, solve(Mechanism(), 0.595, options), &fromBefore);
+        QCOMPARE(table->model()->rowCount(), int(fromAfar.size()));
         const QString csv = table->csv();
-        for (int k = 0; k <= fromAfar.iterations; ++k) {
-            const QStringList fields = fieldsOf(csv, k + 1);
-            QCOMPARE(fields[1].toDouble(), fromAfar.residuals[static_cast<std::size_t>(k)]);
-            QCOMPARE(fields[3].isEmpty(), k > fromBefore.iterations);
-            if (k <= fromBefore.iterations) {
-                QCOMPARE(fields[3].toDouble(), fromBefore.residuals[static_cast<std::size_t>(k)]);
+        for (std::size_t k = 0; k < fromAfar.size(); ++k) {
+            const QStringList fields = fieldsOf(csv, int(k) + 1);
+            QCOMPARE(fields[1].toDouble(), fromAfar[k].residual);
+            QCOMPARE(fields[3].isEmpty(), k >= fromBefore.size());
+            if (k < fromBefore.size()) {
+                QCOMPARE(fields[3].toDouble(), fromBefore[k].residual);
             }
         }
         const QString described = child<IterationPlot>(shown.panel, "iterationPlot")->accessibleDescription();

@@ -741,7 +741,7 @@ private slots:
         method->setCurrentIndex(1 - method->currentIndex());
         emit method->activated(method->currentIndex());
         QCOMPARE(m_window->session().solver().method, Method::Newton);
-        QVERIFY(m_window->session().result()->trajectory.iterations > 0);
+        QVERIFY(m_window->session().result()->trajectory.summary.iterations > 0);
     }
 
     void theJointOfTheEquationPointedAtLightsUp()

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Sampled motions equal those of the solvers, whatever is asked for; the constraint equations hold along them; the
+// crank is where it was asked to be.
+
+#include "core/closed_form/state_at.h"
+#include "core/mechanism/in_parallel.h"
+#include "core/newton/newton.h"
+#include "core/sampling/crank_instant.h"
+#include "core/sampling/instant_equations.h"
+#include "core/study/cases.h"
+#include "tests/support/random_mechanisms.h"
+
+#include <QTest>
+
+#include <latch>
+#include <new>
+#include <thread>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr Channel kSlider{R4x, Order::Position};
+constexpr SolverSettings kClosedForm;
+constexpr SolverSettings kNewton{Method::Newton, {}};
+
+/// The same numbers, or both NaN.
+bool isSame(const std::vector<double> &x, const std::vector<double> &y)
+{
+    return std::ranges::equal(x, y, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+}
+
+ChannelSet only(Channel channel)
+{
+    return ChannelSet().set(indexOf(channel));
+}
+
+Parameters withCoupler(double b)
+{
+    Parameters parameters;
+    parameters.b = b;
+    return parameters;
+}
+
+} // namespace
+
+class TestSampling : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void defaultsAreTable2InClosedForm()
+    {
+        const NewtonOptions newton = SolverSettings{}.newton;
+        QVERIFY(Sampling{}.steps == 200 && Sampling{}.start == 0.0 && Sampling{}.duration == 1.0);
+        QVERIFY(SolverSettings{}.method == Method::ClosedForm);
+        QVERIFY(newton.maxIterations == 10 && newton.tolerance == 1e-8);
+        QVERIFY(newton.warmStart == WarmStart::Previous && newton.elimination == Elimination::Dense);
+    }
+
+    void timeStampsIncludeBothEnds()
+    {
+        const Sampling rows[] = {
+            {}, {0.0, 1.0, 1}, {0.25, 1.0 / 3.0, 7}, {1.0, -1.0, 10}, {2.0, 0.0, 3}, {1e9, 1.0, 200}};
+        for (const Sampling &sampling : rows) {
+            const std::vector<double> times = sampling.instants();
+            QCOMPARE(times.size(), std::size_t(sampling.steps) + 1);
+            QVERIFY(times.front() == sampling.start && times.back() == sampling.start + sampling.duration);
+            for (int i = 0; i <= sampling.steps; ++i) {
+                QCOMPARE(times[std::size_t(i)], sampling.start + sampling.duration * i / sampling.steps);
+            }
+        }
+        Parameters slow;
+        slow.omega2 = -std::numbers::pi;
+        QCOMPARE(instantsPerTurn(Mechanism(slow), {}), 400.0);
+    }
+
+    /// Values, statuses and the summary, over every case and by both methods, of all channels and of any subset.
+    void samplesAreThoseOfTheSolver()
+    {
+        for (const Case &which : allCases()) {
+            const Mechanism mechanism(which.parameters);
+            const ClosedForm closedForm(mechanism);
+            const std::vector<double> times = instantsOf(which);
+            for (const SolverSettings &settings : {kClosedForm, kNewton}) {
+                const Trajectory all = sample(mechanism, times, allChannels(), settings);
+                QVERIFY(all.complete && all.time == times);
+                SamplingSummary expected{.instants = times.size()};
+                std::array<std::vector<double>, kChannelCount> values;
+                NewtonInstant instant;
+                for (std::size_t i = 0; i < times.size(); ++i) {
+                    advance(mechanism, times[i], instant);
+                    const bool isNewton = settings.method == Method::Newton;
+                    const State state = isNewton ? instant.state : closedForm.stateAt(times[i]);
+                    QCOMPARE(all.status[i], state.status);
+                    ++expected.statusCounts[std::size_t(state.status)];
+                    if (isNewton && instant.positionStatus == Status::Solved) {
+                        expected.iterations += instant.iterations;
+                        expected.mostIterations = std::max(expected.mostIterations, instant.iterations);
+                        expected.mostWarmIterations =
+                            std::max(expected.mostWarmIterations, instant.isColdStart ? 0 : instant.iterations);
+                        expected.largestResidual = std::max(expected.largestResidual, instant.residual);
+                    }
+                    for (std::size_t index = 0; index < kChannelCount; ++index) {
+                        const Channel channel = channelAt(index);
+                        const Vector12 *derivatives[] = {&state.q, &state.qDot, &state.qDDot};
+                        const double value = (*derivatives[std::size_t(channel.order)])[channel.coordinate];
+                        values[index].push_back(toFileUnit(channel, value));
+                    }
+                }
+                QVERIFY2(all.summary == expected, std::string(which.name).c_str());
+                for (const ChannelSet &channels : {ChannelSet(), only(kSlider), only({R3y, Order::Acceleration}),
+                                                   plottedChannels(), allChannels()}) {
+                    const Trajectory part = sample(mechanism, times, channels, settings);
+                    QVERIFY(part.status == all.status && part.summary == all.summary);
+                    for (std::size_t index = 0; index < kChannelCount; ++index) {
+                        QVERIFY2(
+                            isSame(part.values[index], channels.test(index) ? values[index] : std::vector<double>()),
+                            std::string(which.name).c_str());
+                    }
+                }
+            }
+        }
+    }
+
+    void takesTimeStampsInAnyOrder()
+    {
+        const std::vector<double> times = {0.9, 0.1, 0.1, kNone, -3.3, 0.55};
+        for (const SolverSettings &settings : {kClosedForm, SolverSettings{Method::Newton, {50, 0.0}}}) {
+            const Trajectory trajectory = sample(Mechanism(), times, plottedChannels(), settings);
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                const double expected = ClosedForm{Mechanism()}.motionAt(times[i]).R4x;
+                const double value = trajectory[kSlider][i];
+                QVERIFY(std::isnan(expected) ? std::isnan(value) : std::abs(value - expected) < 1e-12);
+                QCOMPARE(trajectory.status[i], std::isnan(expected) ? Status::NotFinite : Status::Solved);
+            }
+            const Trajectory none = sample(Mechanism(), {}, plottedChannels(), settings);
+            QVERIFY(none.complete && none.time.empty() && none.summary == SamplingSummary());
+        }
+    }
+
+    /// sin θ2 >= (25 - 40)/20 = -3/4; after the arc without a position Newton-Raphson finds the same branch again.
+    void aRockerHasNoValuesBeyondItsLimits()
+    {
+        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+            Parameters parameters = withCoupler(40.0);
+            parameters.branch = branch;
+            const std::vector<double> times = Sampling{0.0, 3.0, 200}.instants();
+            const Trajectory newton = sample(Mechanism(parameters), times, plottedChannels(), kNewton);
+            const Trajectory exact = sample(Mechanism(parameters), times, plottedChannels(), kClosedForm);
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                const bool exists = std::sin(2.0 * std::numbers::pi * times[i]) >= -0.75;
+                QCOMPARE(newton.status[i], exists ? Status::Solved : Status::NotAssemblable);
+                QCOMPARE(exact.status[i], newton.status[i]);
+                QVERIFY(exists ? std::abs(newton[kSlider][i] - exact[kSlider][i]) < 1e-6
+                               : std::isnan(newton[kSlider][i]) && std::isnan(exact[kSlider][i]));
+            }
+        }
+    }
+
+    void singularTimeStampsHaveAPositionOnly()
+    {
+        const Trajectory trajectory =
+            sample(Mechanism(withCoupler(45.0)), {0.75}, allChannels(), {Method::Newton, {50, 0.0}});
+        QCOMPARE(trajectory.summary.count(Status::Singular), std::size_t(1));
+        QCOMPARE(trajectory.summary.found(), std::size_t(1));
+        QVERIFY(std::abs(trajectory[Channel{Theta3, Order::Position}][0] - 90.0) < 1e-5);
+        QVERIFY(std::isnan(trajectory[Channel{R4x, Order::Acceleration}][0]));
+    }
+
+    void stopsWhenAsked()
+    {
+        std::stop_source source;
+        source.request_stop();
+        for (const SolverSettings &settings : {kClosedForm, kNewton}) {
+            for (const ChannelSet &channels : {plottedChannels(), allChannels()}) {
+                QVERIFY(!sample(Mechanism(), {0.0}, channels, settings, source.get_token()).complete);
+            }
+        }
+    }
+
+    void piecesMakeUpTheWhole()
+    {
+        const Sampling sampling{0.0, 2.0, 70000};
+        const Mechanism mechanism(withCoupler(40.0));
+        const Trajectory whole = sample(mechanism, sampling.instants(), only(kSlider), kClosedForm);
+        std::vector<double> values;
+        SamplingSummary summary;
+        int pieces = 0;
+        const auto take = [&](const Trajectory &piece) {
+            values.insert(values.end(), piece[kSlider].begin(), piece[kSlider].end());
+            summary.add(piece.summary);
+            return ++pieces != 5;
+        };
+        sampleInPieces(mechanism, sampling, only(kSlider), kClosedForm, take);
+        QCOMPARE(pieces, 3);
+        QVERIFY(isSame(values, whole[kSlider]) && summary == whole.summary);
+        sampleInPieces(mechanism, sampling, only(kSlider), kClosedForm, take); // stopped by take() in its second piece
+        QCOMPARE(pieces, 5);
+    }
+
+    void whatAThreadThrowsReachesTheCaller()
+    {
+        if (std::thread::hardware_concurrency() < 2) {
+            QSKIP("needs two processors");
+        }
+        std::latch both(2);
+        const auto work = [&both, caller = std::this_thread::get_id()](std::size_t) {
+            both.arrive_and_wait(); // one piece each
+            if (std::this_thread::get_id() != caller) {
+                throw std::bad_alloc();
+            }
+        };
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, inParallel(2, work));
+    }
+
+    void theCrankIsWhereItWasAskedToBe()
+    {
+        RandomMechanisms random(51);
+        for (int i = 0; i < 500; ++i) {
+            const Parameters p = random.next();
+            const Mechanism mechanism(p);
+            const double theta2 = random.uniform(-20.0, 20.0);
+            const double start = random.uniform(-5.0, 5.0);
+            const double period = 2.0 * std::numbers::pi / std::abs(p.omega2);
+            const auto error = [&](double t) {
+                return std::abs(std::remainder(p.omega2 * t + p.theta20 - theta2, 2.0 * std::numbers::pi));
+            };
+            const double t = instantAtCrankAngle(mechanism, theta2, start).value();
+            QVERIFY(error(t) < 1e-10 && t >= start && t < start + period * (1.0 + 1e-9));
+            QVERIFY(instantAtCrankAngle(mechanism, p.omega2 * start + p.theta20, start).value() - start < 1e-9);
+
+            const Sampling sampling{start, 1.5 * period, 10};
+            const double middle = start + random.uniform(0.0, 1.5) * period;
+            const double nearest = nearestInstantAtCrankAngle(mechanism, sampling, theta2, middle);
+            QVERIFY(error(nearest) < 1e-10 && nearest >= start && nearest <= start + 1.5 * period);
+            QVERIFY(std::abs(nearest - middle) <= period);
+            const Sampling brief{start, 1e-3 * period, 10};
+            const double end = nearestInstantAtCrankAngle(mechanism, brief, theta2, start);
+            QVERIFY(error(end) <= std::min(error(start), error(start + brief.duration)) + 1e-10);
+        }
+        Parameters still;
+        still.omega2 = 0.0;
+        still.theta20 = 1.0;
+        QCOMPARE(instantAtCrankAngle(Mechanism(still), 1.0, 3.0), 3.0);
+        QVERIFY(!instantAtCrankAngle(Mechanism(still), 1.1, 3.0));
+        QCOMPARE(nearestInstantAtCrankAngle(Mechanism(still), {}, 1.1, 0.3), 0.3);
+    }
+
+    /// The closed form knows nothing of the constraints: that they hold there is evidence for both.
+    void theConstraintEquationsHold()
+    {
+        const Mechanism mechanism;
+        constexpr double kStep = 0.005; // s
+        for (const SolverSettings &settings : {kClosedForm, kNewton}) {
+            for (const double t : {0.0, 0.2, 0.55, 0.9}) {
+                const InstantEquations equations = equationsAt(mechanism, t, kStep, settings);
+                QVERIFY(equations.hasPosition() && equations.C.norm() <= 1e-12);
+                QVERIFY((equations.Cq * equations.state.qDot + equations.Ct).norm() <= 1e-10);
+                QVERIFY((equations.Cq * equations.state.qDDot - equations.Qd).norm() <= 1e-9);
+                QVERIFY(equations.Qd.norm() > 1.0 && equations.Ct[CrankDrive] == -mechanism.omega2());
+            }
+            const InstantEquations none = equationsAt(Mechanism(withCoupler(40.0)), 0.75, kStep, settings);
+            QVERIFY(none.state.status == Status::NotAssemblable && !none.hasPosition());
+            QVERIFY(none.C.array().isNaN().all() && none.Cq.array().isNaN().all() && none.Qd.array().isNaN().all());
+        }
+        const InstantEquations last = equationsAt(mechanism, 0.2, 0.05, {Method::Newton, {1, 1e-8}});
+        QCOMPARE(last.state.status, Status::IterationLimit);
+        QVERIFY(last.hasPosition() && last.C.norm() > 1e-8 && last.Qd.array().isNaN().all());
+    }
+
+    void conditionNumberIsTheRatioOfTheSingularValues()
+    {
+        Matrix12 matrix = Matrix12::Zero();
+        for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+            matrix(i, (i + 5) % kCoordinateCount) = (i % 2 == 0 ? 1e-9 : -1e-9) * static_cast<double>(i + 1);
+        }
+        QVERIFY(std::abs(conditionNumber(matrix) - 12.0) <= 1e-12);
+        matrix.row(4).setZero();
+        QVERIFY(std::isinf(conditionNumber(matrix)));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSampling)
+#include "tst_sampling.moc"
