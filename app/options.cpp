@@ -150,7 +150,7 @@ ChannelSet readChannels(OptionReader &reader)
 /// "R4_x [m]", "time", "ignored": what --column says that a column is.
 NamedChoice readMeaning(OptionReader &reader, const QString &meaning)
 {
-    const Heading heading = headingOf(meaning.toStdString());
+    const Heading heading = parseHeading(meaning.toStdString());
     NamedChoice choice;
     choice.unit = heading.unit;
     std::optional<Unit> wanted;
@@ -177,7 +177,7 @@ NamedChoice readMeaning(OptionReader &reader, const QString &meaning)
                                      : CommandLine::tr("--column: there is no channel \"%1\"; did you mean %2?")
                                            .arg(name, alternatives(near)));
     }
-    const std::optional<Unit> unit = slidercrank::unitOf(choice.unit);
+    const std::optional<Unit> unit = parseUnit(choice.unit);
     const bool suits = unit && wanted && unit->dimension == wanted->dimension && unit->order == wanted->order;
     if (!choice.unit.empty() && !suits) {
         reader.refuse(CommandLine::tr("--column: \"%1\" is no unit of %2.")

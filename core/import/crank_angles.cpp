@@ -2,6 +2,7 @@
 #include "core/import/crank_angles.h"
 
 #include "core/import/clock.h"
+#include "core/import/quantity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +15,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::string_view kShortNames = "ca cad degca cadeg kw kurbelwinkel";
-
-/// The letters from A to Z, small.
-std::string lettersOf(std::string_view text)
-{
-    std::string letters;
-    for (const char c : text) {
-        const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        if (small >= 'a' && small <= 'z') {
-            letters += small;
-        }
-    }
-    return letters;
-}
-
 /// What is shifted keeps its decimals, but not its significant digits.
 Rounding roundingOfInstants(const CrankAngles &crank, double degreesPerSecond)
 {
@@ -39,22 +25,9 @@ Rounding roundingOfInstants(const CrankAngles &crank, double degreesPerSecond)
 
 } // namespace
 
-bool isCrankAngle(const Heading &heading)
-{
-    const NameMeaning meaning = meaningOf(heading);
-    const bool isNamed =
-        meaning.kind == NameMeaning::Kind::Channel && meaning.channel == Channel{Theta2, Order::Position};
-    const std::string letters = lettersOf(heading.name);
-    return isNamed || (!letters.empty() && isAmong(letters, kShortNames));
-}
-
 std::optional<double> unitsPerDegree(const std::string &unit)
 {
-    const std::string letters = lettersOf(unit);
-    if (unit.empty() || (!letters.empty() && isAmong(letters, kShortNames))) {
-        return 1.0;
-    }
-    const std::optional<Unit> known = unitOf(unit);
+    const std::optional<Unit> known = unit.empty() ? kDegree : parseUnit(unit);
     return known && known->dimension == Dimension::Angle && known->order == 0 ? std::optional(1.0 / known->factor)
                                                                               : std::nullopt;
 }

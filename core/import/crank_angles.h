@@ -8,9 +8,8 @@
 //
 // Positions by angle do not depend on the drive, nor does what they are compared with; derivatives by the time do.
 
-#include "core/mechanism/mechanism.h"
-#include "core/import/heading.h"
 #include "core/import/reference_data.h"
+#include "core/mechanism/mechanism.h"
 
 #include <optional>
 #include <span>
@@ -20,10 +19,7 @@
 namespace slidercrank
 {
 
-/// Whether a name says the angle of the crank: "theta2", "Crank angle", "°CA", "CAD", "Kurbelwinkel".
-bool isCrankAngle(const Heading &heading);
-
-/// "deg", "rad", "°CA", or none for degrees: how many make a degree. None for another unit.
+/// "deg", "rad", "°CA", or empty for degrees: how many make a degree. None for another unit.
 std::optional<double> unitsPerDegree(const std::string &unit);
 
 /// Without the jumps of angles that are kept within a turn: 359, 0, 1 go on as 359, 360, 361. As they are where they go

@@ -32,15 +32,15 @@ enum class ColumnReason {
     Chosen,    ///< a person chose it, for any role
 
     // Guessed: to be confirmed by a person.
-    QuantityInName,    ///< the name, with its unit, says the quantity but leaves open of which body: the usual one
-    LetterAndUnit,     ///< Inventor's P, V or A says the order, the unit angle or length
-    LetterAndValues,   ///< Inventor's P, V or A says the order; the values move as an angle, or a length, would
-    DerivativeOfOther, ///< the values are the time derivative of otherColumn
-    EvenRate,          ///< an angle that grows at an even rate is the crank's
-    RisingValues,      ///< no column is named as the time; this is the first that only rises
-    FileName,          ///< the heading says nothing ("Value"), the name of the file does
-    ModelicaName,      ///< named as Modelica names it, and so taken to be in m, rad and s
-    AngleForTime,      ///< no column is the time; this is the crank's angle, which goes one way throughout
+    QuantityInName, ///< the name, with its unit, says the quantity but leaves open of which body: the usual one
+    LetterAndUnit,  ///< Inventor's P, V or A says the order, the unit angle or length
+    OtherOfJoint,   ///< Inventor's P, V or A says the order, another column of the same joint angle or length
+    EvenRate,       ///< an angle that grows at an even rate is the crank's
+    BeyondOneTurn,  ///< an angle that spans more than a turn is the crank's; or a derivative of it, otherColumn
+    RisingValues,   ///< no column is named as the time; this is the first that only rises
+    FileName,       ///< the heading says nothing ("Value"), the name of the file does
+    ModelicaName,   ///< named as Modelica names it, and so taken to be in m, rad and s
+    AngleForTime,   ///< no column is the time; this is the crank's angle, which goes one way throughout
 
     // Ignored.
     UnknownName,   ///< the name means no channel
@@ -54,7 +54,7 @@ enum class ColumnReason {
     UnknownUnit,   ///< the name suggests a channel, but the unit is none of that quantity
     LikeOther,     ///< could be the same channel as otherColumn: which one, a person must say
     NotDerivative, ///< the values are not the derivative that the name says, of otherColumn
-    AngleOrLength  ///< neither unit nor values tell an angle from a length
+    AngleOrLength  ///< nothing tells an angle from a length
 };
 
 constexpr bool isGuess(ColumnReason reason)

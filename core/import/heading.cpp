@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/heading.h"
 
-#include "core/import/cell_scanner.h"
-#include "core/import/text_encoding.h"
+#include "core/import/cells.h"
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <utility>
 
 namespace slidercrank
 {
@@ -14,200 +13,211 @@ namespace slidercrank
 namespace
 {
 
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isUpper(char c)
-{
-    return c >= 'A' && c <= 'Z';
-}
+using Words = std::vector<std::string>;
 
 bool isLetter(char c)
 {
-    return isUpper(c) || (c >= 'a' && c <= 'z');
+    return lowerCase(c) >= 'a' && lowerCase(c) <= 'z';
 }
 
-struct Spelling {
-    std::string_view printed;
-    std::string_view plain;
-};
-
 /// What people write beyond ASCII, in plain letters.
-constexpr std::array<Spelling, 27> kSpellings{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 27> kSpellings{
     {{"á", "a"},     {"é", "e"},     {"í", "i"},     {"ó", "o"},     {"ú", "u"},     {"ü", "u"},    {"ñ", "n"},
      {"Á", "A"},     {"É", "E"},     {"Í", "I"},     {"Ó", "O"},     {"Ú", "U"},     {"Ü", "U"},    {"Ñ", "N"},
      {"θ", "theta"}, {"ω", "omega"}, {"α", "alpha"}, {"ϑ", "theta"}, {"Θ", "theta"}, {"²", "2"},    {"³", "3"},
      {"⁴", "4"},     {"₂", "2"},     {"₃", "3"},     {"₄", "4"},     {"\u0301", ""}, {"\u0303", ""}}};
 
-/// In ASCII; what has no plain spelling becomes '?', a letter that is in no word known here.
+/// In ASCII; bytes without a plain spelling become '?', a letter that is in no word known here.
 std::string plainSpelling(std::string_view name)
 {
     std::string plain;
     while (!name.empty()) {
-        if (static_cast<unsigned char>(name[0]) < 0x80) {
-            plain += name[0];
-            name.remove_prefix(1);
-            continue;
-        }
-        const auto spelling = std::find_if(kSpellings.begin(), kSpellings.end(),
-                                           [&](const Spelling &each) { return name.starts_with(each.printed); });
-        if (spelling != kSpellings.end()) {
-            plain += spelling->plain;
-            name.remove_prefix(spelling->printed.size());
-            continue;
-        }
-        plain += '?';
-        name.remove_prefix(std::max<std::size_t>(sequenceLength(name), 1));
+        const bool isAscii = static_cast<unsigned char>(name[0]) < 0x80;
+        const auto spelling = std::ranges::find_if(
+            kSpellings, [&](const auto &each) { return !isAscii && name.starts_with(each.first); });
+        const bool isSpelled = spelling != kSpellings.end();
+        plain += isSpelled ? spelling->second : isAscii ? name.substr(0, 1) : "?";
+        name.remove_prefix(isSpelled ? spelling->first.size() : 1);
     }
     return plain;
 }
 
-/// The runs of letters and the runs of digits, in lower case; "SliderPosition" are two words.
-std::vector<std::string> wordsOf(const std::string &plain)
+/// The runs of letters and the runs of digits, in lower case; "SliderPosition" is two words.
+Words wordsOf(std::string_view name)
 {
-    std::vector<std::string> words;
+    Words words;
     char before = ' ';
-    for (const char c : plain) {
-        const bool letter = isLetter(c) || c == '?';
-        if (letter || isDigit(c)) {
-            const bool goesOn =
-                letter ? (isLetter(before) || before == '?') && !(isUpper(c) && !isUpper(before)) : isDigit(before);
+    for (const char c : plainSpelling(name)) {
+        const bool isOfWord = isLetter(c) || c == '?';
+        if (isOfWord || isDigit(c)) {
+            const bool newCapital = lowerCase(c) != c && lowerCase(before) == before;
+            const bool goesOn = isOfWord ? (isLetter(before) || before == '?') && !newCapital : isDigit(before);
             if (!goesOn) {
                 words.emplace_back();
             }
-            words.back() += isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+            words.back() += lowerCase(c);
         }
         before = c;
     }
     return words;
 }
 
-constexpr std::string_view kTimeWords = "time times t tiempo timestamp zeit temps tempo instante";
-/// Beside a word for the time, these change nothing.
-constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la stamp latest";
-constexpr std::string_view kRowNumbers = "n no nr num index row id fila frame paso step sample point node nodo element elemento";
-/// In the place of a time's unit.
-constexpr std::string_view kCounted = "steps step frames frame samples sample rows points pasos muestras";
-constexpr std::string_view kFillers = "de del la el of the en component componente trans translational latest";
-
-enum class Body { Crank, Coupler, Slider };
-
-struct Vocabulary {
-    std::string_view words;
-    std::optional<Order> order;
-    std::optional<Dimension> dimension;
-    std::optional<Body> body;
-    char axis = ' ';
-};
-
-constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array<Vocabulary, 21> kVocabulary{{
-    {"position posicion pos displacement disp desplazamiento", Order::Position, kOpen, kOpen},
-    {"coordinate coordenada stroke carrera", Order::Position, Dimension::Length, kOpen},
-    {"x", kOpen, Dimension::Length, kOpen, 'x'},
-    {"y", kOpen, Dimension::Length, kOpen, 'y'},
-    {"velocity velocidad speed vel v geschwindigkeit", Order::Velocity, kOpen, kOpen},
-    {"vx", Order::Velocity, Dimension::Length, kOpen, 'x'},
-    {"vy", Order::Velocity, Dimension::Length, kOpen, 'y'},
-    {"acceleration aceleracion accel acel acc a beschleunigung", Order::Acceleration, kOpen, kOpen},
-    {"tx", kOpen, Dimension::Length, kOpen, 'x'},
-    {"ty", kOpen, Dimension::Length, kOpen, 'y'},
-    {"rz", kOpen, Dimension::Angle, kOpen},
-    {"ax", Order::Acceleration, Dimension::Length, kOpen, 'x'},
-    {"ay", Order::Acceleration, Dimension::Length, kOpen, 'y'},
-    {"angle angulo rotation rotacion giro orientation theta tita", Order::Position, Dimension::Angle, kOpen},
-    {"ang angular rotational", kOpen, Dimension::Angle, kOpen},
-    {"omega w", Order::Velocity, Dimension::Angle, kOpen},
-    {"alpha alfa", Order::Acceleration, Dimension::Angle, kOpen},
-    {"linear lineal", kOpen, Dimension::Length, kOpen},
-    {"crank manivela kurbel", kOpen, Dimension::Angle, Body::Crank},
-    {"coupler rod conrod connecting biela acoplador pleuel", kOpen, kOpen, Body::Coupler},
-    {"slider piston corredera deslizadera deslizador deslizante embolo block bloque", kOpen, kOpen, Body::Slider},
-}};
-
-std::string joined(const std::vector<std::string> &words)
+std::string joined(const Words &words)
 {
     std::string all;
     for (const std::string &word : words) {
-        all += word == "dot" ? "diff" : word == "ddot" ? "diff2" : word;
+        all += word;
     }
     return all;
 }
 
-/// nameOf() in small letters, without underscores.
-const std::array<std::string, kChannelCount> &plainChannelNames()
+constexpr std::string_view kTimeWords = "time times t tiempo timestamp zeit temps tempo instante";
+constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la stamp latest";
+constexpr std::string_view kRowNumbers =
+    "n no nr num index row id fila frame paso step sample point node nodo element elemento";
+constexpr std::string_view kCounted =
+    "steps step frames frame samples sample rows points pasos muestras"; // for a unit of time
+constexpr std::string_view kFillers = "de del la el of the en component componente comp trans translational latest";
+constexpr std::string_view kCrankAngles = "ca cad degca cadeg kw kurbelwinkel";
+
+enum class Body { Crank, Coupler, Slider };
+
+/// What a word says. Those with a dot are Modelica's variables, the capitals Inventor's.
+struct Vocabulary {
+    std::string_view words;
+    std::optional<Order> order;
+    std::optional<Dimension> dimension;
+    char axis = ' ';
+    std::optional<Body> body{};
+};
+
+constexpr std::nullopt_t kOpen = std::nullopt;
+constexpr std::array<Vocabulary, 27> kVocabulary{{
+    {"position posicion pos displacement disp desplazamiento", Order::Position, kOpen},
+    {"coordinate coordenada stroke carrera", Order::Position, Dimension::Length},
+    {"velocity velocidad speed vel v geschwindigkeit", Order::Velocity, kOpen},
+    {"acceleration aceleracion accel acel acc a beschleunigung", Order::Acceleration, kOpen},
+    {"x tx", kOpen, Dimension::Length, 'x'},
+    {"y ty", kOpen, Dimension::Length, 'y'},
+    {"vx", Order::Velocity, Dimension::Length, 'x'},
+    {"vy", Order::Velocity, Dimension::Length, 'y'},
+    {"ax", Order::Acceleration, Dimension::Length, 'x'},
+    {"ay", Order::Acceleration, Dimension::Length, 'y'},
+    {"rz psi", kOpen, Dimension::Angle},
+    {"angle angulo rotation rotacion giro orientation theta tita", Order::Position, Dimension::Angle},
+    {"ang angular rotational", kOpen, Dimension::Angle},
+    {"omega w", Order::Velocity, Dimension::Angle},
+    {"alpha alfa", Order::Acceleration, Dimension::Angle},
+    {"linear lineal", kOpen, Dimension::Length},
+    {"crank manivela kurbel", kOpen, Dimension::Angle, ' ', Body::Crank},
+    {"coupler rod conrod connecting biela acoplador pleuel", kOpen, kOpen, ' ', Body::Coupler},
+    {"slider piston corredera deslizadera deslizador deslizante embolo block bloque", kOpen, Dimension::Length, ' ',
+     Body::Slider},
+    {".s", Order::Position, Dimension::Length},
+    {".v", Order::Velocity, Dimension::Length},
+    {".a", Order::Acceleration, kOpen},
+    {".phi", Order::Position, Dimension::Angle},
+    {".w", Order::Velocity, Dimension::Angle},
+    {"P", Order::Position, kOpen},
+    {"V", Order::Velocity, kOpen},
+    {"A", Order::Acceleration, kOpen},
+}};
+
+const Vocabulary *find(std::string_view word)
 {
-    static const std::array<std::string, kChannelCount> names = [] {
-        std::array<std::string, kChannelCount> plain;
+    const auto found =
+        std::ranges::find_if(kVocabulary, [&](const Vocabulary &each) { return isAmong(word, each.words); });
+    return found == kVocabulary.end() ? nullptr : &*found;
+}
+
+/// The one body that is among the words.
+std::optional<Body> bodyAmong(std::string_view name)
+{
+    std::optional<Body> body;
+    for (const std::string &word : wordsOf(name)) {
+        const Vocabulary *const known = find(word);
+        if (known && known->body && body && body != known->body) {
+            return std::nullopt;
+        }
+        body = known && known->body ? known->body : body;
+    }
+    return body;
+}
+
+/// The channel whose name has the same letters and digits, whatever stands between them; "dot" is a derivative.
+std::optional<Channel> channelSpelled(Words words)
+{
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> plain;
         for (std::size_t index = 0; index < kChannelCount; ++index) {
-            plain[index] = nameOf(channelAt(index));
-            std::erase(plain[index], '_');
-            plain[index][0] = plain[index][0] == 'R' ? 'r' : plain[index][0];
+            plain.push_back(joined(wordsOf(nameOf(channelAt(index)))));
         }
         return plain;
     }();
-    return names;
-}
-
-/// The channel whose name has the same letters and digits, whatever stands between them.
-std::optional<Channel> channelSpelled(const std::vector<std::string> &words)
-{
-    const std::array<std::string, kChannelCount> &names = plainChannelNames();
+    for (std::string &word : words) {
+        word = word == "dot" ? "diff" : word == "ddot" ? "diff2" : word;
+    }
     const auto index = static_cast<std::size_t>(std::ranges::find(names, joined(words)) - names.begin());
     return index < kChannelCount ? std::optional(channelAt(index)) : std::nullopt;
 }
 
-bool isTime(const std::vector<std::string> &words)
+bool isTime(const Words &words)
 {
-    std::size_t count = 0;
-    for (const std::string &word : words) {
-        const bool time = isAmong(word, kTimeWords);
-        count += time ? 1 : 0;
-        if (!time && !isAmong(word, kTimeCompanions)) {
-            return false;
-        }
-    }
-    return count == 1;
+    const auto isNamed = [](const std::string &word) { return isAmong(word, kTimeWords); };
+    return std::ranges::count_if(words, isNamed) == 1 && std::ranges::all_of(words, [&](const std::string &word) {
+               return isNamed(word) || isAmong(word, kTimeCompanions);
+           });
 }
 
-bool isAxis(std::string_view text)
-{
-    return text == "X" || text == "Y" || text == "Z";
-}
+/// A name that a program makes up of a quantity and of the joint or body that it belongs to.
+struct CompoundName {
+    Words words;
+    std::string owner;
+    int derivatives = 0;
+};
 
-/// "P[3.1]", "V[3,1]", "A[1]": the Output Grapher's position, velocity and acceleration of a joint; "Trace:1 P[X]" of a
-/// point that is traced.
-std::optional<NameMeaning> outputGrapher(std::string_view name)
+/// "P[3.1]", "V[3,1]", "Trace:1 P[X]": position, velocity and acceleration in Inventor's Output Grapher.
+std::optional<CompoundName> fromInventor(std::string_view name)
 {
     const std::size_t begin = name.rfind(' ') + 1;
-    const std::string_view owner = trimmed(name.substr(0, begin));
+    const std::string owner(trimmed(name.substr(0, begin)));
     name.remove_prefix(begin);
-    if (name.size() < 4 || name[1] != '[' || name.back() != ']') {
+    if (name.size() < 4 || !isAmong(name.substr(0, 1), "P V A") || name[1] != '[' || name.back() != ']') {
         return std::nullopt;
     }
-    NameMeaning meaning;
-    meaning.kind = NameMeaning::Kind::Quantity;
-    switch (name[0]) {
-    case 'P': meaning.order = Order::Position; break;
-    case 'V': meaning.order = Order::Velocity; break;
-    case 'A': meaning.order = Order::Acceleration; break;
-    default: return std::nullopt;
+    std::string index(name.substr(2, name.size() - 3));
+    if (owner.empty()) {
+        return CompoundName{{std::string(1, name[0])}, std::move(index)};
     }
-    meaning.outputIndex = name.substr(2, name.size() - 3);
-    if (!owner.empty()) {
-        if (!isAxis(meaning.outputIndex)) {
-            return std::nullopt;
-        }
-        if (meaning.outputIndex == "Z") {
-            return NameMeaning{}; // the motion is plane
-        }
-        meaning.dimension = Dimension::Length;
-        meaning.alongY = meaning.outputIndex == "Y";
-        meaning.outputIndex += owner;
+    return CompoundName{{std::string(1, name[0]), std::string(1, lowerCase(index[0]))}, owner}; // "z" means nothing
+}
+
+/// "slider.s", "der(crank.phi)": what a joint or body does in Modelica's library.
+std::optional<CompoundName> fromModelica(std::string_view name)
+{
+    CompoundName compound;
+    for (; name.starts_with("der(") && name.ends_with(')'); name = name.substr(4, name.size() - 5)) {
+        ++compound.derivatives;
     }
-    return meaning;
+    const std::size_t dot = name.rfind('.');
+    const bool isPath = dot != name.npos && dot > 0 && isLetter(name[0]) && name.find_first_of(" ,;:(") == name.npos;
+    if (!isPath || !find(name.substr(dot)) || isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
+        return std::nullopt;
+    }
+    compound.words = {std::string(name.substr(dot))};
+    compound.owner = name.substr(0, dot);
+    return compound;
+}
+
+/// "Pos_TX@Slider", and in a pair of time and values "Y:Pos_TX-Slider@Model1": RecurDyn.
+std::optional<CompoundName> fromRecurDyn(std::string_view name)
+{
+    const bool isPair = name.starts_with("Y:");
+    name.remove_prefix(isPair ? 2 : 0);
+    const std::size_t end = name.find(isPair ? '-' : '@');
+    return end == name.npos
+               ? std::nullopt
+               : std::optional(CompoundName{wordsOf(name.substr(0, end)), std::string(name.substr(end + 1))});
 }
 
 std::optional<Coordinate> coordinateOf(Body body, std::optional<Dimension> dimension, char axis)
@@ -220,304 +230,245 @@ std::optional<Coordinate> coordinateOf(Body body, std::optional<Dimension> dimen
     return std::nullopt;
 }
 
-/// What words say together; nothing where one of them is not understood.
-NameMeaning fromWords(const std::vector<std::string> &words, const std::optional<Unit> &unit)
+/// What words say together; nothing where one of them is not understood. `derivatives`: taken of it besides.
+NameMeaning fromWords(const Words &words, std::optional<Body> body, int derivatives, const Heading &heading)
 {
     NameMeaning meaning;
-    std::optional<Body> body;
-    std::optional<int> number; // of the body, behind θ, ω or α
+    std::optional<Order> order;
     char axis = ' ';
-    bool greek = false;
-    bool contradiction = false;
+    char number = ' '; // of the body, behind θ, ω or α
+    bool isGreek = false;
+    const auto contradicts = [](const auto &known, const auto &before) { return known && before && known != before; };
     for (const std::string &word : words) {
         if (isDigit(word[0])) {
-            if (greek && word.size() == 1) {
-                number = word[0] - '0';
-            }
+            number = isGreek && word.size() == 1 ? word[0] : number;
             continue;
         }
         // A single letter is a quantity when it stands alone, not in "a1" or "v_0"; "tx" is one beside others.
-        const bool letterOfMany = word.size() == 1 && word != "x" && word != "y" && words.size() > 1;
-        const bool axisAlone = words.size() == 1 && isAmong(word, "tx ty rz");
-        const auto known = letterOfMany || axisAlone
-                               ? kVocabulary.end()
-                               : std::find_if(kVocabulary.begin(), kVocabulary.end(),
-                                              [&](const Vocabulary &each) { return isAmong(word, each.words); });
-        if (known == kVocabulary.end()) {
-            if (!isAmong(word, kFillers)) {
-                return {};
-            }
+        const bool isLetterOfMany = word.size() == 1 && isAmong(word, "v a w") && words.size() > 1;
+        const bool isAxisAlone = words.size() == 1 && isAmong(word, "tx ty rz psi");
+        const Vocabulary *const known = isLetterOfMany || isAxisAlone ? nullptr : find(word);
+        if (!known && isAmong(word, kFillers)) {
             continue;
         }
-        greek = word == "theta" || word == "omega" || word == "alpha" || word == "alfa" || word == "tita";
-        if (known->order) {
-            meaning.order = std::max(known->order, meaning.order);
+        if (!known || contradicts(known->dimension, meaning.dimension) || contradicts(known->body, body)) {
+            return {}; // "rotation about x", "linear velocity of the crank": none of the channels
         }
-        if (known->dimension) {
-            // "linear velocity of the crank", "rotation about x": nothing that is among the channels
-            contradiction = contradiction || (meaning.dimension && meaning.dimension != known->dimension);
-            meaning.dimension = known->dimension;
-        }
-        if (known->body) {
-            contradiction = contradiction || (body && body != known->body);
-            body = known->body;
-        }
+        isGreek = isAmong(word, "theta omega alpha alfa tita");
+        order = known->order ? std::max(known->order, order) : order;
+        meaning.dimension = known->dimension ? known->dimension : meaning.dimension;
+        body = known->body ? known->body : body;
         axis = known->axis != ' ' ? known->axis : axis;
     }
-    if (contradiction || (number && (*number < 2 || *number > 4))) {
+    if (number != ' ' && !body) {
+        body = number == '2' ? Body::Crank : Body::Coupler;
+    }
+    const auto bodyDimension = body == Body::Crank    ? std::optional(Dimension::Angle)
+                               : body == Body::Slider ? std::optional(Dimension::Length)
+                                                      : std::nullopt;
+    if ((number != ' ' && number != '2' && number != '3') || contradicts(bodyDimension, meaning.dimension)) {
         return {};
     }
-    if (!body && number) {
-        body = *number == 2 ? Body::Crank : Body::Coupler;
-        if (*number == 4) {
-            return {};
-        }
+    const std::optional<Unit> unit = parseUnit(heading.unit);
+    for (const std::optional<Dimension> told :
+         {bodyDimension, unit ? std::optional(unit->dimension) : std::nullopt, heading.dimension}) {
+        meaning.dimension = meaning.dimension ? meaning.dimension : told;
     }
-    if (body == Body::Slider) {
-        if (meaning.dimension == Dimension::Angle) {
-            return {};
-        }
-        meaning.dimension = Dimension::Length;
+    const bool isPositionAlone =
+        axis != ' ' ? words.size() == 1 || body : body && meaning.dimension == Dimension::Angle;
+    if (!order && isPositionAlone) {
+        order = Order::Position; // "x", "slider y", "crank"
     }
-    if (!meaning.dimension && unit) {
-        meaning.dimension = unit->dimension;
-    }
-    if (!meaning.order && !(axis != ' ' && words.size() == 1) && !body) {
+    if (!order || static_cast<int>(*order) + derivatives > 2) {
         return {};
     }
-    if (!meaning.order && (axis != ' ' || meaning.dimension == Dimension::Angle)) {
-        meaning.order = Order::Position;
-    }
-    if (!meaning.order) {
-        return {};
-    }
+    meaning.order = static_cast<Order>(static_cast<int>(*order) + derivatives);
     meaning.alongY = axis == 'y';
     meaning.kind = NameMeaning::Kind::Quantity;
     if (body) {
         const std::optional<Coordinate> coordinate = coordinateOf(*body, meaning.dimension, axis);
-        if (!coordinate) {
-            return {};
-        }
-        meaning.kind = NameMeaning::Kind::Channel;
-        meaning.channel = {*coordinate, *meaning.order};
+        meaning.kind = coordinate ? NameMeaning::Kind::Channel : NameMeaning::Kind::Nothing;
+        meaning.channel = {coordinate.value_or(R4x), meaning.order};
     }
     return meaning;
 }
 
-/// "v_x" and "v_{x}" are one word.
-std::vector<std::string> withComponentsJoined(std::vector<std::string> words)
+void findComponents(std::vector<Heading> &row)
 {
-    if (words.size() == 2 && isAmong(words[0], "v a") && isAmong(words[1], "x y")) {
-        words = {words[0] + words[1]};
-    }
-    return words;
-}
-
-/// The one body that is among the words.
-std::optional<Body> bodyAmong(const std::vector<std::string> &words)
-{
-    std::optional<Body> body;
-    for (const std::string &word : words) {
-        const auto known = std::ranges::find_if(
-            kVocabulary, [&](const Vocabulary &each) { return each.body && isAmong(word, each.words); });
-        if (known == kVocabulary.end()) {
-            continue;
+    std::optional<std::size_t> magnitude;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        Heading &heading = row[i];
+        if (heading.name != "X-comp" && heading.name != "Y-comp") {
+            magnitude = meaningOf(heading).kind == NameMeaning::Kind::Quantity ? std::optional(i) : std::nullopt;
+        } else if (magnitude) {
+            Heading &whole = row[*magnitude];
+            whole.component = whole.component.value_or(i);
+            heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
+            heading.unit = heading.unit.empty() ? whole.unit : heading.unit;
         }
-        if (body && body != known->body) {
-            return std::nullopt;
-        }
-        body = known->body;
     }
-    return body;
 }
 
-/// "slider.s", "der(crank.phi)": how Modelica's library names what a joint, or a body, does.
-std::optional<NameMeaning> fromModelica(std::string_view name, const std::optional<Unit> &unit)
+std::string perSecond(std::string_view unit, Order order)
 {
-    int order = 0;
-    while (name.starts_with("der(") && name.ends_with(')')) {
-        name = name.substr(4, name.size() - 5);
-        ++order;
-    }
-    const std::size_t dot = name.rfind('.');
-    const bool isPath = dot != name.npos && dot > 0 && isLetter(name[0]) && std::ranges::all_of(name, [](char c) {
-                            return isLetter(c) || isDigit(c) || c == '_' || c == '.' || c == '[' || c == ']';
-                        });
-    if (!isPath || isTime(wordsOf(std::string(name.substr(0, dot))))) { // "time.s" is the time in seconds
-        return std::nullopt;
-    }
-    NameMeaning meaning;
-    const std::string_view variable = name.substr(dot + 1);
-    if (variable == "s" || variable == "v") {
-        meaning.dimension = Dimension::Length;
-    } else if (variable == "phi" || variable == "w") {
-        meaning.dimension = Dimension::Angle;
-    } else if (variable != "a") {
-        return std::nullopt;
-    }
-    order += variable == "a" ? 2 : variable == "v" || variable == "w" ? 1 : 0;
-    if (order > 2) {
-        return std::nullopt;
-    }
-    meaning.isModelica = true;
-    meaning.order = static_cast<Order>(order);
-    const std::string_view component = name.substr(0, dot);
-    meaning.outputIndex = component;
-    meaning.kind = NameMeaning::Kind::Quantity;
-    if (!meaning.dimension && unit) {
-        meaning.dimension = unit->dimension;
-    }
-    const std::optional<Body> body = bodyAmong(wordsOf(std::string(component.substr(component.rfind('.') + 1))));
-    if (body) {
-        const Dimension usual = body == Body::Slider ? Dimension::Length : Dimension::Angle;
-        if (meaning.dimension.value_or(usual) != usual) {
-            return NameMeaning{};
-        }
-        meaning.dimension = usual;
-        meaning.kind = NameMeaning::Kind::Channel;
-        meaning.channel = {*coordinateOf(*body, usual, ' '), *meaning.order};
-    }
-    return meaning;
-}
-
-/// A quantity and what it is of, as RecurDyn names them: "Pos_TX" and "Slider".
-NameMeaning fromRecurDyn(std::string_view quantity, std::string_view owner, const std::optional<Unit> &unit)
-{
-    std::vector<std::string> words = wordsOf(plainSpelling(quantity));
-    std::ranges::replace(words, std::string("psi"), std::string("rz")); // the angle about z
-    if (const std::optional<Body> body = bodyAmong(wordsOf(plainSpelling(owner)))) {
-        words.emplace_back(body == Body::Crank ? "crank" : body == Body::Coupler ? "coupler" : "slider");
-    }
-    return fromWords(words, unit);
-}
-
-/// "Y:Pos_TX-Slider@Model1".
-NameMeaning fromPair(const Heading &heading)
-{
-    const std::size_t end = std::min(heading.name.find('@'), heading.name.size());
-    const std::string_view name = std::string_view(heading.name).substr(2, end - 2);
-    const std::size_t dash = std::min(name.find('-'), name.size());
-    return fromRecurDyn(name.substr(0, dash), name.substr(dash), unitOf(heading.unit));
-}
-
-/// "Pos_TX@Slider"; nothing where it is something else.
-std::optional<NameMeaning> fromRequest(const Heading &heading)
-{
-    const std::string_view name = heading.name;
-    const std::size_t at = name.find('@');
-    if (at == name.npos) {
-        return std::nullopt;
-    }
-    const NameMeaning meaning = fromRecurDyn(name.substr(0, at), name.substr(at), unitOf(heading.unit));
-    return meaning.kind == NameMeaning::Kind::Nothing ? std::nullopt : std::optional(meaning);
-}
-
-/// "3.1" of "P[3.1]" is no unit, nor is "X" of "P[X]".
-bool isIndex(std::string_view text)
-{
-    return text.find_first_not_of("0123456789.,: ") == text.npos || isAxis(text);
+    return std::string(unit) + (order == Order::Position ? "" : order == Order::Velocity ? "/s" : "/s2");
 }
 
 } // namespace
 
-Heading headingOf(std::string_view cell)
+Heading parseHeading(std::string_view cell)
 {
     Heading heading;
     for (std::size_t i = 0; i < cell.size(); ++i) {
         heading.printed += cell[i];
-        if (cell[i] == '"' && i + 1 < cell.size() && cell[i + 1] == '"') {
-            ++i; // a doubled mark stands for one
-        }
+        i += cell.substr(i).starts_with("\"\"") ? 1 : 0;
     }
     std::string_view name = heading.printed;
-    const bool isWhole = name.starts_with("der(") && name.ends_with(')') && name.find(' ') == name.npos;
-    if (isWhole) {
-        heading.name = name; // a derivative in Modelica
+    heading.name = name;
+    if (fromModelica(name)) {
         return heading;
     }
-    if (!name.empty() && (name.back() == ']' || name.back() == ')')) {
+    if (name.ends_with(']') || name.ends_with(')')) {
         const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
-        const bool index = open != name.npos && name.back() == ']' && open + 2 < name.size() &&
-                           isIndex(name.substr(open + 1, name.size() - open - 2));
-        if (open != name.npos && !index) {
-            heading.unit = trimmed(name.substr(open + 1, name.size() - open - 2));
-            name = trimmed(name.substr(0, open));
+        if (open == name.npos) {
+            return heading;
         }
-    } else {
-        for (const char separator : {',', ' ', '_'}) {
-            const std::size_t at = name.rfind(separator);
-            if (at == name.npos || at == 0) {
-                continue;
-            }
-            const std::string_view tail = trimmed(name.substr(at + 1));
-            if (tail != "in" && tail != "min" && unitOf(tail)) { // these are words as well
-                heading.unit = tail;
-                name = trimmed(name.substr(0, at));
-                break;
-            }
+        const std::string_view inside = trimmed(name.substr(open + 1, name.size() - open - 2));
+        // "3.1" of "P[3.1]" is no unit, nor is "X" of "P[X]".
+        const bool isIndex = name.back() == ']' && !inside.empty() &&
+                             (inside.find_first_not_of("0123456789.,: ") == inside.npos || isAmong(inside, "X Y Z"));
+        if (!isIndex) {
+            heading.unit = name.starts_with("X:") ? "" : inside; // in a pair of RecurDyn it is that of the values
+            heading.name = trimmed(name.substr(0, open));
+        }
+        return heading;
+    }
+    for (const char separator : {',', ' ', '_'}) {
+        const std::size_t at = name.rfind(separator);
+        const std::string_view tail = at == name.npos || at == 0 ? std::string_view() : trimmed(name.substr(at + 1));
+        if (tail != "in" && tail != "min" && parseUnit(tail)) { // these are words as well
+            heading.unit = tail;
+            heading.name = trimmed(name.substr(0, at));
+            break;
         }
     }
-    heading.name = name;
     return heading;
 }
 
 NameMeaning meaningOf(const Heading &heading)
 {
-    if (const std::optional<NameMeaning> grapher = outputGrapher(heading.name)) {
-        return *grapher;
-    }
-    if (heading.part == Heading::Part::Abscissa) {
-        return {};
-    }
-    if (heading.part == Heading::Part::Ordinate) {
-        return fromPair(heading);
-    }
-    if (const std::optional<NameMeaning> request = fromRequest(heading)) {
-        return *request;
-    }
-    if (const std::optional<NameMeaning> modelica = fromModelica(heading.name, unitOf(heading.unit))) {
-        return *modelica;
-    }
     NameMeaning meaning;
-    const std::vector<std::string> words = withComponentsJoined(wordsOf(plainSpelling(heading.name)));
+    if (heading.name.starts_with("X:")) { // of a pair of RecurDyn
+        meaning.kind = NameMeaning::Kind::Time;
+        return meaning;
+    }
+    for (const auto &splitName : {fromInventor, fromModelica, fromRecurDyn}) {
+        const std::optional<CompoundName> compound = splitName(heading.name);
+        if (!compound) {
+            continue;
+        }
+        const std::string_view component = std::string_view(compound->owner).substr(compound->owner.rfind('.') + 1);
+        meaning = fromWords(compound->words, bodyAmong(component), compound->derivatives, heading);
+        if (meaning.kind != NameMeaning::Kind::Nothing) {
+            meaning.isModelica = splitName == fromModelica;
+            meaning.owner = splitName == fromRecurDyn ? "" : compound->owner;
+            return meaning;
+        }
+    }
+    Words words = wordsOf(heading.name);
+    if (words.size() == 2 && isAmong(words[0], "v a") && isAmong(words[1], "x y")) {
+        words = {words[0] + words[1]}; // "v_x", "v_{x}"
+    }
+    meaning = NameMeaning();
     if (words.empty()) {
         return meaning;
     }
     if (isTime(words)) {
-        const bool isCounted = isAmong(plainSpelling(heading.unit), kCounted);
+        const bool isCounted = isAmong(heading.unit, kCounted);
         meaning.kind = isCounted ? NameMeaning::Kind::RowNumber : NameMeaning::Kind::Time;
     } else if (const std::optional<Channel> channel = channelSpelled(words)) {
         meaning.kind = NameMeaning::Kind::Channel;
         meaning.channel = *channel;
-        meaning.fileName = true;
+        meaning.order = channel->order;
+        meaning.isExact = true;
     } else if (words.size() == 1 && isAmong(words[0], kRowNumbers)) {
         meaning.kind = NameMeaning::Kind::RowNumber;
     } else {
-        meaning = fromWords(words, unitOf(heading.unit));
+        meaning = fromWords(words, {}, 0, heading);
     }
     return meaning;
 }
 
+bool isCrankAngle(const Heading &heading)
+{
+    const NameMeaning meaning = meaningOf(heading);
+    const bool isNamed =
+        meaning.kind == NameMeaning::Kind::Channel && meaning.channel == Channel{Theta2, Order::Position};
+    std::string letters;
+    for (const char c : heading.name) {
+        letters += isLetter(c) ? std::string(1, lowerCase(c)) : "";
+    }
+    return isNamed || isAmong(letters, kCrankAngles);
+}
+
 bool endsInQuantity(const Heading &heading)
 {
-    std::vector<std::string> words = wordsOf(plainSpelling(heading.name));
+    Words words = wordsOf(heading.name);
     std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
     if (words.size() < 2) {
         return false;
     }
-    const std::string &last = words.back();
-    return isAmong(last, "x y") || (last.size() > 1 && std::ranges::any_of(kVocabulary, [&](const Vocabulary &each) {
-                                        return !each.body && isAmong(last, each.words);
-                                    }));
+    const Vocabulary *const known = find(words.back());
+    return known && !known->body && (words.back().size() > 1 || known->axis != ' ');
 }
 
 bool saysNothing(const Heading &heading)
 {
-    const std::vector<std::string> words = wordsOf(plainSpelling(heading.name));
-    return std::ranges::all_of(words, [](const std::string &word) {
+    return std::ranges::all_of(wordsOf(heading.name), [](const std::string &word) {
         return isDigit(word[0]) || isAmong(word, "y value values data output result results plot curve series valor "
                                                  "valores datos salida resultado resultados curva serie");
     });
+}
+
+void relateHeadings(std::vector<Heading> &row)
+{
+    findComponents(row);
+    std::vector<NameMeaning> meanings(row.size());
+    std::ranges::transform(row, meanings.begin(), meaningOf);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        NameMeaning &meaning = meanings[i];
+        if (meaning.owner.empty() || meaning.kind == NameMeaning::Kind::Nothing) {
+            continue;
+        }
+        for (std::size_t j = 0; j < row.size() && !meaning.dimension; ++j) {
+            row[i].dimension = meaning.dimension =
+                meanings[j].owner == meaning.owner ? meanings[j].dimension : std::nullopt;
+        }
+        if (meaning.isModelica && meaning.dimension && row[i].unit.empty()) {
+            row[i].unit = perSecond(meaning.dimension == Dimension::Angle ? "rad" : "m", meaning.order);
+            row[i].unitOfModelica = true;
+        }
+    }
+}
+
+bool giveUnits(std::vector<Heading> &row, std::string_view ofLengths, std::string_view ofAngles)
+{
+    bool any = false;
+    for (Heading &heading : row) {
+        const NameMeaning meaning = meaningOf(heading);
+        std::optional<Dimension> dimension = meaning.dimension;
+        if (meaning.isExact) {
+            dimension = isAngle(meaning.channel.coordinate) ? Dimension::Angle : Dimension::Length;
+        }
+        const std::string_view unit = dimension == Dimension::Length  ? ofLengths
+                                      : dimension == Dimension::Angle ? ofAngles
+                                                                      : "";
+        if (heading.unit.empty() && !unit.empty()) {
+            heading.unit = perSecond(unit, meaning.order);
+            any = true;
+        }
+    }
+    return any;
 }
 
 } // namespace slidercrank

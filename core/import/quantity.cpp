@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/quantity.h"
 
-#include "core/import/number_text.h"
+#include "core/import/cells.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <regex>
 #include <string>
 #include <utility>
 
@@ -17,132 +18,63 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::string_view kMinus = "\u2212";
-constexpr std::array<std::string_view, 2> kTimes{"·", "×"};
-constexpr std::array<std::string_view, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-constexpr std::string_view kRaisedMinus = "⁻";
-constexpr std::array<std::string_view, 4> kSpaces{" ", "\u00A0", "\u2009", "\u202F"}; // also between groups of three
+constexpr std::size_t kLongestText = 200; // bytes: more is no number, and std::regex recurses
 
-bool isDecimal(char c)
+/// In ASCII: spaces, signs, and raised digits behind "^".
+std::string plainText(std::string_view text)
 {
-    return c >= '0' && c <= '9';
-}
-
-std::size_t digitsAt(std::string_view text, std::size_t at)
-{
-    const auto first = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
-    return static_cast<std::size_t>(std::find_if_not(first, text.end(), isDecimal) - first);
-}
-
-std::size_t spaceAt(std::string_view text, std::size_t at)
-{
-    const auto found = std::ranges::find_if(
-        kSpaces, [&](std::string_view space) { return text.substr(std::min(at, text.size())).starts_with(space); });
-    return found == kSpaces.end() ? 0 : found->size();
-}
-
-/// With "-" for a minus sign, and without what stands between groups of three digits.
-std::string withPlainSigns(std::string_view text)
-{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kSigns{{{"\u2212", "-"},
+                                                                                    {"\u00A0", " "},
+                                                                                    {"\u2009", " "},
+                                                                                    {"\u202F", " "},
+                                                                                    {"·", "*"},
+                                                                                    {"×", "*"},
+                                                                                    {"⁻", "^-"},
+                                                                                    {"⁰", "^0"},
+                                                                                    {"¹", "^1"},
+                                                                                    {"²", "^2"},
+                                                                                    {"³", "^3"},
+                                                                                    {"⁴", "^4"},
+                                                                                    {"⁵", "^5"},
+                                                                                    {"⁶", "^6"},
+                                                                                    {"⁷", "^7"},
+                                                                                    {"⁸", "^8"},
+                                                                                    {"⁹", "^9"}}};
     std::string plain;
     while (!text.empty()) {
-        const bool minus = text.starts_with(kMinus);
-        plain += minus ? '-' : text.front();
-        text.remove_prefix(minus ? kMinus.size() : 1);
-    }
-    std::size_t at = plain.starts_with('-') || plain.starts_with('+') ? 1 : 0;
-    const std::size_t first = digitsAt(plain, at);
-    at += first;
-    while (first >= 1 && first <= 3) {
-        const std::size_t space = spaceAt(plain, at);
-        if (space == 0 || digitsAt(plain, at + space) != 3) {
-            break;
-        }
-        plain.erase(at, space);
-        at += 3;
+        const auto sign = std::ranges::find_if(kSigns, [&](const auto &each) { return text.starts_with(each.first); });
+        plain += sign == kSigns.end() ? text.substr(0, 1) : sign->second;
+        text.remove_prefix(sign == kSigns.end() ? 1 : sign->first.size());
     }
     return plain;
 }
 
-/// "⁻⁸" or "^-8" at the beginning, as "-8", and how long it is there; empty: there is none.
-std::pair<std::string, std::size_t> exponentOf(std::string_view text)
+/// What stands behind a number.
+struct NumberAndRest {
+    std::string number; ///< with a decimal point and an exponent; empty: there is none
+    std::string rest;
+};
+
+/// "-2.5e-3 m", "1 000.5", "1.5·10⁻⁸", "10⁻⁸".
+NumberAndRest splitNumber(const std::string &plain)
 {
+    static const std::regex kPower(R"(([+-]?)10((?:\^-?\^?|\^)\d(?:\^?\d)*)( *)(.*))");
+    static const std::regex kNumber(
+        R"(([+-]?(?:\d{1,3}(?: \d{3})+(?!\d)|\d+|(?=\.\d))(?:\.\d*)?)(?:[eE]([+-]?\d+)| ?\* ?10(\^-?\^?\d(?:\^?\d)*))? *(.*))");
+    std::smatch found;
+    NumberAndRest parts;
     std::string exponent;
-    std::size_t at = 0;
-    if (text.starts_with('^')) {
-        at = text.substr(1).starts_with('-') ? 2 : 1;
-        const std::size_t digits = digitsAt(text, at);
-        return {digits > 0 ? std::string(text.substr(1, at - 1 + digits)) : "", at + digits};
+    if (std::regex_match(plain, found, kPower)) {
+        parts = {found.str(1) + '1', found.str(4)};
+        exponent = found.str(2);
+    } else if (std::regex_match(plain, found, kNumber)) {
+        parts = {found.str(1), found.str(4)};
+        exponent = found.str(2) + found.str(3);
     }
-    if (text.starts_with(kRaisedMinus)) {
-        exponent = '-';
-        at = kRaisedMinus.size();
-    }
-    const std::size_t sign = exponent.size();
-    const auto digit = [&] {
-        return std::ranges::find_if(kRaised, [&](std::string_view each) { return text.substr(at).starts_with(each); });
-    };
-    for (auto found = digit(); found != kRaised.end(); found = digit()) {
-        exponent += static_cast<char>('0' + (found - kRaised.begin()));
-        at += found->size();
-    }
-    return {exponent.size() > sign ? exponent : "", at};
-}
-
-/// "1.5·10⁻⁸" as "1.5e-8", "10⁻⁸" as "1e-8": so the program itself writes numbers. Other texts as they are.
-std::string withPlainPower(std::string text)
-{
-    constexpr std::string_view kTen = "10";
-    const std::string_view all = text;
-    const std::size_t begin = all.starts_with('-') || all.starts_with('+') ? 1 : 0;
-    std::size_t end = begin + digitsAt(all, begin);
-    const bool isTen = all.substr(begin, end - begin) == kTen;
-    if (end < all.size() && all[end] == '.') {
-        end += 1 + digitsAt(all, end + 1);
-    }
-    std::size_t at = end + spaceAt(all, end);
-    const auto times =
-        std::ranges::find_if(kTimes, [&](std::string_view each) { return all.substr(at).starts_with(each); });
-    if (times != kTimes.end() && end > begin) {
-        at += times->size();
-        at += spaceAt(all, at);
-        if (!all.substr(at).starts_with(kTen)) {
-            return text;
-        }
-        at += kTen.size();
-    } else if (isTen) {
-        at = begin + kTen.size();
-        end = begin + 1; // of 10, the 1
-    } else {
-        return text;
-    }
-    const auto [exponent, length] = exponentOf(all.substr(at));
-    return exponent.empty() ? text
-                            : std::string(all.substr(0, end)) + 'e' + exponent + std::string(all.substr(at + length));
-}
-
-/// How much of the text is a number, by its signs: "-2.5e-3" of "-2.5e-3 m".
-std::size_t numberLength(std::string_view text)
-{
-    std::size_t at = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
-    const std::size_t whole = digitsAt(text, at);
-    at += whole;
-    std::size_t decimals = 0;
-    if (at < text.size() && text[at] == '.') {
-        decimals = digitsAt(text, at + 1);
-        at += 1 + decimals;
-    }
-    if (whole + decimals == 0) {
-        return 0;
-    }
-    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-        std::size_t exponent = at + 1;
-        exponent += exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+') ? 1 : 0;
-        if (const std::size_t digits = digitsAt(text, exponent); digits > 0) {
-            at = exponent + digits;
-        }
-    }
-    return at;
+    std::erase(parts.number, ' ');
+    std::erase(exponent, '^');
+    parts.number += exponent.empty() ? "" : 'e' + exponent;
+    return parts;
 }
 
 /// Without the tail that 4.35 · 100 has: what was written has no more digits than these.
@@ -181,30 +113,23 @@ double converted(double value, const Unit &from, const Unit &to)
 Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
 {
     const auto refused = [](QuantityFault fault) { return Quantity{.fault = fault}; };
-    const std::string plain = withPlainPower(withPlainSigns(text));
-    const std::size_t length = numberLength(plain);
-    const CellNumber number = readNumber(std::string_view(plain).substr(0, length), DecimalSign::Point);
-    if (length == 0 || number.fault) {
-        return refused(length > 0 && *number.fault == RowFault::TooLarge ? QuantityFault::TooLarge
-                                                                         : QuantityFault::NotANumber);
+    const std::string plain = text.size() <= kLongestText ? plainText(text) : std::string();
+    const auto [digits, rest] = splitNumber(plain);
+    const CellNumber number = parseNumber(digits, DecimalSign::Point);
+    if (digits.empty() || number.fault) {
+        return refused(number.fault == RowFault::TooLarge ? QuantityFault::TooLarge : QuantityFault::NotANumber);
     }
-    std::string_view rest = std::string_view(plain).substr(length);
-    if (rest.starts_with(',') && digitsAt(rest, 1) > 0 && rest.find(',', 1) == rest.npos &&
-        plain.find('.') == plain.npos) {
+    const bool hasDecimalComma = rest.size() > 1 && rest[0] == ',' && isDigit(rest[1]) && rest.rfind(',') == 0;
+    if (hasDecimalComma && plain.find('.') == plain.npos) {
         return refused(QuantityFault::CommaForPoint);
-    }
-    while (const std::size_t space = spaceAt(rest, 0)) {
-        rest.remove_prefix(space);
     }
     if (rest.empty()) {
         return {number.value, {}};
     }
-    const auto begins = [&](std::string_view each) { return rest.starts_with(each); };
-    if (rest.find_first_of("0123456789+-*/.,^") == 0 || begins(kRaisedMinus) || std::ranges::any_of(kTimes, begins) ||
-        std::ranges::any_of(kRaised, begins)) {
+    if (rest.find_first_of("0123456789+-*/.,^") == 0) {
         return refused(QuantityFault::NotANumber); // more than one, or a sum
     }
-    const std::optional<Unit> unit = unitOf(rest);
+    const std::optional<Unit> unit = parseUnit(rest);
     if (!unit) {
         return refused(QuantityFault::UnknownUnit);
     }

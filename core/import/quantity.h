@@ -4,8 +4,8 @@
 // A number as a person writes it, alone or with a unit behind it: "25", "2.5cm", "1 in", "60 rpm", "−30°",
 // "1 000 mm", "1.5·10⁻⁸". With a decimal point; who reads in a locale brings its signs to these first.
 
-#include "core/mechanism/channel.h"
 #include "core/import/unit_text.h"
+#include "core/mechanism/channel.h"
 
 #include <limits>
 #include <optional>

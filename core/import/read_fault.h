@@ -21,7 +21,8 @@ enum class RowFault {
     TooManyCells,
     TooFewCells,
     NoTime,
-    NotListed ///< any of these: so many rows were left out that the others are only counted
+    RepeatedTime, ///< a later row has the same time: the last one counts, as after an event of a simulation
+    NotListed     ///< any of these: so many rows were left out that the others are only counted
 };
 
 /// Why nothing sensible could be read.
@@ -58,8 +59,9 @@ struct ReadFault {
         CountsOtherwise, ///< by the crank's angle and not the time, or the reverse
         ChannelInBoth,
 
-        Stopped,    ///< whoever wanted it wants it no longer
-        Unreadable, ///< there is less of it than there was
+        TooLarge,   ///< the file: kLargestReferenceFile
+        Stopped,    ///< by the caller
+        Unreadable, ///< the file has become shorter
         NoMemory
     };
     Kind kind = Kind::Empty;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A simulation's exported motion: a file's bytes → named series in the author's units (mm, °, s), with what each column
-// was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
+// The exported motion of a simulation: the bytes of a file → named series in the author's units (mm, °, s), with what
+// each column was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
 //
-// A table by the crank's angle instead of the time is read as the motion of a crank that turns once a second, until
+// Reading has three stages: text (file_text.h), table of numbers (raw_table.h), meaning of the columns
+// (column_assignment.h).
+//
+// A table by the crank angle instead of the time is read as the motion of a crank that turns once a second, until
 // somebody says otherwise.
 //
 // Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
@@ -12,19 +15,18 @@
 // Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us,
 // min. Cells are separated by commas, semicolons, tabs, or, where none of these does it, by runs of spaces; they may be
 // quoted; a cell never spans lines. The names may stand behind a comment's mark (#, %, //), a unit in every cell of a
-// column. Numbers hold a decimal point or a decimal comma, the same throughout a file; separators of thousands are not
-// read. An empty cell or "nan" is a gap.
+// column. Numbers hold a decimal point or a decimal comma, the same throughout a file, and separators of thousands
+// where they cannot be mistaken. An empty cell or "nan" is a gap. Of rows with the same time the last one counts.
 //
-// In a file of two columns, a plot, the heading beside the instants may say nothing ("Value", "y"): then the name of
+// In a file of two columns, a plot, the heading beside the time stamps may say nothing ("Value", "y"): then the name of
 // the file may ("slider_velocity.csv").
 //
-// A name that leaves open which channel it is, is guessed at only where unit and values bear that out, and the guess is
-// marked in the layout; otherwise the column is left out.
+// A name that leaves open which channel it is, is guessed at only where unit and values do not contradict it, and the
+// guess is marked in the layout; otherwise the column is left out.
 
-#include "core/mechanism/channel.h"
-#include "core/import/byte_source.h"
 #include "core/import/read_fault.h"
 #include "core/import/rounding.h"
+#include "core/mechanism/channel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -123,15 +125,33 @@ struct ReadOptions {
     std::vector<NamedChoice> named{}; ///< as `columns`, and over those
 };
 
-/// Reads any bytes, in pieces: a large file is never in memory. What it is, its beginning tells; where that is no table
-/// nothing else is read. A channel or time that stands there twice under its own name, an unknown unit of either and a
-/// time that does not increase are refused rather than guessed at; a row that cannot be read is left out and reported.
-/// Watches `stop`.
-std::variant<ReferenceData, ReadError> readReferenceData(const ByteSource &source, std::stop_token stop = {},
-                                                         const ReadOptions &options = {});
+/// A file in memory.
+struct FileBytes {
+    std::string_view bytes;
+    std::string name{};       ///< "slider_velocity.csv"; empty: none
+    bool isBeginning = false; ///< of a file that goes on
+};
 
-/// The same of bytes in memory.
+/// What the beginning of a file shows; larger files are refused.
+inline constexpr std::size_t kFileBeginning = std::size_t{1} << 16U;
+inline constexpr std::size_t kLargestReferenceFile = std::size_t{1} << 31U;
+
+/// Why a file that begins like this is no table of text: a spreadsheet, PDF, markup, JSON or binary data. Asked with
+/// kFileBeginning bytes before a large file is read.
+std::optional<ReadError> findForeignFormat(std::string_view beginning);
+
+/// A channel or time that stands there twice under its own name, an unknown unit of either and a time that decreases
+/// are refused rather than guessed at; a row that cannot be read is left out and reported. Watches `stop`.
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
                                                          const ReadOptions &options = {});
+
+/// The same of a named file, or of several files of one motion, a plot each, as programs write them that export one
+/// plot at a time. Their rows are those of one table, whose columns are those of all files: their time stamps (or crank
+/// angles) have to be the same as far as they are printed, and a row left out of one file is left out of all. A channel
+/// comes from one file only. In `options`, columns count on from file to file; what is chosen as the time, or the
+/// angle, of the first file holds for a column of that heading in the others, too. An error has the columns of all
+/// files.
+std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, std::stop_token stop = {},
+                                                 const ReadOptions &options = {});
 
 } // namespace slidercrank

@@ -2,7 +2,6 @@
 #include "core/import/rounding.h"
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -50,23 +49,14 @@ double powerOfTen(const Powers &powers, int exponent)
 /// A unit's conversion there and back may leave 9.99…9 of a printed 10: this part of a value decides no decade.
 constexpr double kConversionSlack = 1e-12;
 
-/// e such that 2^e <= magnitude < 2^(e + 1), of a positive number.
-int binaryExponent(double magnitude)
-{
-    if (magnitude >= std::numeric_limits<double>::min()) { // as it stands in the number's bits
-        return static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52U) - 1023;
-    }
-    return std::ilogb(magnitude);
-}
-
 /// Power of ten of the first digit of a positive number.
 int decadeOf(const Powers &powers, double magnitude)
 {
     const double nudged = magnitude * (1.0 + kConversionSlack);
-    // log10 2 in units of 2^-18, rounded down: exact to the whole number over all exponents of a double.
-    constexpr int kLog10Of2 = 78913;
-    const int decade = (binaryExponent(nudged) * kLog10Of2) >> 18; // or the one after
-    return nudged >= powerOfTen(powers, decade + 1) ? decade + 1 : decade;
+    const int decade = static_cast<int>(std::floor(std::log10(nudged))); // or one beside it
+    return nudged >= powerOfTen(powers, decade + 1) ? decade + 1
+           : nudged < powerOfTen(powers, decade)    ? decade - 1
+                                                    : decade;
 }
 
 /// A number of at most so many digits may be one that somebody chose (25, 360, 12.75), and then says nothing about how
@@ -94,7 +84,7 @@ bool isNearlyAll(double some, double all)
 }
 
 /// What a decade tells: the place where its values were rounded, and how many values say so.
-struct Decade {
+struct RoundedDecade {
     int exponent;
     int place;
     double weight;
@@ -105,11 +95,20 @@ struct Fit {
     double coarseness; ///< breaks ties: the larger is the more careful promise
 };
 
+/// First and last digit of the shortest text that reads as `value`, which is printed at `places`.
+PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
+{
+    std::array<char, 32> text{};
+    const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
+    const PrintedPlaces found = placesOf({text.data(), static_cast<std::size_t>(shortest.ptr - text.data())});
+    return {found.zero, found.first, found.last, places.printed};
+}
+
 template <typename PlaceOf>
-Fit fitOf(const std::vector<Decade> &decades, PlaceOf placeOf)
+Fit fitOf(const std::vector<RoundedDecade> &decades, PlaceOf placeOf)
 {
     Fit fit{0.0, 0.0};
-    for (const Decade &decade : decades) {
+    for (const RoundedDecade &decade : decades) {
         const int place = placeOf(decade.exponent);
         fit.distance += decade.weight * std::abs(decade.place - place);
         fit.coarseness += decade.weight * place;
@@ -130,6 +129,7 @@ double Rounding::stepAt(double value) const
     switch (rule) {
     case Rule::Unknown: return 0.0;
     case Rule::Decimals: return unitFactor * powerOfTen(powers, -digits);
+    case Rule::Multiples: return unitFactor * quantum;
     case Rule::SignificantDigits: {
         const double printed = std::abs(value) / unitFactor;
         const int exponent = printed > 0.0 && std::isfinite(printed) ? decadeOf(powers, printed) : smallestExponent;
@@ -220,45 +220,45 @@ PrintedPlaces placesOf(std::string_view digits)
     return places;
 }
 
-PrintedPlaces shortestPlaces(PrintedPlaces places, std::string_view digits)
+void RoundingObserver::observe(PrintedPlaces places, double value)
 {
-    std::array<char, 128> text; // no number needs more
-    digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
-    if (digits.size() > text.size()) {
-        return places;
+    constexpr int kDigitsOfADouble = 16;
+    constexpr int kLargestExponent = 48; // decades beyond teach nothing
+    if (!places.zero && places.first - places.last + 1 >= kDigitsOfADouble) {
+        // To find the shortest text takes as long as to read the number: of very many, some tell enough.
+        constexpr std::uint32_t kEnough = 256;
+        constexpr std::uint32_t kEvery = 16;
+        if (m_long++ >= kEnough && m_long % kEvery != 0) {
+            return;
+        }
+        places = shortestPlaces(places, value);
     }
-    char *const end = std::replace_copy(digits.begin(), digits.end(), text.data(), ',', '.');
-    double value = 0.0;
-    if (std::from_chars(text.data(), end, value).ec != std::errc()) {
-        return places; // beyond what a double holds
+    m_finestPlace = std::min(m_finestPlace, places.printed);
+    if (places.zero) {
+        return;
     }
-    const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
-    const PrintedPlaces found = placesOf({text.data(), static_cast<std::size_t>(shortest.ptr - text.data())});
-    places.zero = found.zero;
-    places.first = found.first;
-    places.last = found.last;
-    return places;
-}
-
-void RoundingObserver::add(const RoundingObserver &later)
-{
-    for (std::size_t decade = 0; decade < kDecades; ++decade) {
-        for (std::size_t length = 0; length < kMostDigits; ++length) {
-            m_counts[decade][length] += later.m_counts[decade][length];
+    const double magnitude = std::abs(value);
+    if (m_values == 0) {
+        m_firstPlaces = places;
+        m_firstMagnitude = magnitude;
+    }
+    m_varies = m_varies || magnitude != m_firstMagnitude;
+    ++m_values;
+    m_zerosBehind += static_cast<std::uint64_t>(std::max(std::min(places.last, 0) - places.printed, 0));
+    m_coarsestPlace = std::max(m_coarsestPlace, places.printed);
+    m_smallestExponent = std::min(m_smallestExponent, places.first);
+    if (std::abs(places.first) > kLargestExponent) {
+        return;
+    }
+    if (m_latest >= m_decades.size() || m_decades[m_latest].exponent != places.first) {
+        const auto found = std::ranges::find(m_decades, places.first, &Decade::exponent);
+        m_latest = static_cast<std::size_t>(found - m_decades.begin());
+        if (found == m_decades.end()) {
+            m_decades.push_back({places.first});
         }
     }
-    m_long += later.m_long;
-    m_values += later.m_values;
-    m_zerosBehind += later.m_zerosBehind;
-    m_coarsestPlace = std::max(m_coarsestPlace, later.m_coarsestPlace);
-    m_finestPlace = std::min(m_finestPlace, later.m_finestPlace);
-    m_smallestExponent = std::min(m_smallestExponent, later.m_smallestExponent);
-    const bool differ =
-        !m_onlyMagnitude.empty() && !later.m_onlyMagnitude.empty() && m_onlyMagnitude != later.m_onlyMagnitude;
-    m_varies = m_varies || later.m_varies || differ;
-    if (m_onlyMagnitude.empty()) {
-        m_onlyMagnitude = later.m_onlyMagnitude;
-    }
+    const auto length = static_cast<std::size_t>(places.first - places.last);
+    ++m_decades[m_latest].counts[std::min(length, kMostDigits - 1)];
 }
 
 Rounding RoundingObserver::infer(double unitFactor) const
@@ -275,31 +275,30 @@ Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), 
 {
     Rounding rounding;
     rounding.unitFactor = unitFactor;
-    if (m_onlyMagnitude.empty()) {
+    if (m_values == 0) {
         return rounding;
     }
     rounding.smallestExponent = m_smallestExponent;
     rounding.finestPlace = m_finestPlace;
     if (!m_varies) {
         rounding.rule = Rounding::Rule::Decimals;
-        rounding.digits = -placeOfOneValue(shortestPlaces(placesOf(m_onlyMagnitude), m_onlyMagnitude));
+        rounding.digits = -placeOfOneValue(shortestPlaces(m_firstPlaces, m_firstMagnitude));
         return rounding;
     }
 
-    std::vector<Decade> decades;
-    for (std::size_t row = 0; row < kDecades; ++row) {
-        const auto &counts = m_counts[row];
-        const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
+    std::vector<RoundedDecade> decades;
+    for (const Decade &decade : m_decades) {
+        const double total = std::accumulate(decade.counts.begin(), decade.counts.end(), 0.0);
         double reached = 0.0;
-        for (std::size_t length = 0; length < kMostDigits && total > 0.0; ++length) {
-            reached += counts[length];
+        for (std::size_t length = 0; length < kMostDigits; ++length) {
+            reached += decade.counts[length];
             if (reached == total || hasEnded(reached, total)) {
-                const int exponent = static_cast<int>(row) - kLargestExponent;
-                decades.push_back({exponent, exponent - static_cast<int>(length), total});
+                decades.push_back({decade.exponent, decade.exponent - static_cast<int>(length), total});
                 break;
             }
         }
     }
+    std::ranges::sort(decades, {}, &RoundedDecade::exponent);
     if (decades.empty()) {
         return rounding;
     }
@@ -313,7 +312,7 @@ Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), 
             rounding.digits = digits;
         }
     }
-    for (const Decade &candidate : decades) { // the best single place is one of theirs: a weighted median
+    for (const RoundedDecade &candidate : decades) { // the best single place is one of theirs: a weighted median
         const Fit fit = fitOf(decades, [&candidate](int) { return candidate.place; });
         if (isBetter(fit, best)) {
             best = fit;
@@ -338,6 +337,65 @@ int RoundingObserver::coarsestPlace(const Rounding &rounding) const
     }
     const bool isLong = rounding.rule == Rounding::Rule::SignificantDigits && rounding.digits > kDigitsOfAChosenNumber;
     return isLong ? std::numeric_limits<int>::max() : 0;
+}
+
+std::optional<double> findQuantum(std::span<const double> values, double printedStep)
+{
+    constexpr std::size_t kFewestValues = 12; // distinct ones
+    constexpr double kCoarser = 8.0;          // than what is printed
+    constexpr double kOfItself = 1e-9;        // of the value: what computing leaves
+    constexpr double kPowerOfTen = 1e-3;      // of the exponent: decimals
+    std::vector<double> levels;
+    std::vector<double> differences; // of neighbours
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::isfinite(values[i])) {
+            levels.push_back(values[i]);
+        }
+        if (i > 0 && std::isfinite(values[i] - values[i - 1])) {
+            differences.push_back(std::abs(values[i] - values[i - 1]));
+        }
+    }
+    std::ranges::sort(levels);
+    std::ranges::sort(differences);
+    if (levels.empty()) {
+        return std::nullopt;
+    }
+    const double noise = 2.0 * printedStep + kOfItself * std::max(std::abs(levels.front()), std::abs(levels.back()));
+    double quantum = std::numeric_limits<double>::infinity();
+    std::size_t distinct = 1;
+    std::size_t teeth = 1;
+    const auto takeGaps = [&](const std::vector<double> &sorted, std::size_t &count) {
+        for (std::size_t i = 1; i < sorted.size(); ++i) {
+            if (const double gap = sorted[i] - sorted[i - 1]; gap > 2.0 * noise) {
+                quantum = std::min(quantum, gap);
+                ++count;
+            }
+        }
+    };
+    takeGaps(levels, distinct);
+    takeGaps(differences, teeth);
+    if (distinct < kFewestValues || teeth < 2 || !(quantum >= kCoarser * noise)) {
+        return std::nullopt;
+    }
+    double seen = 1.0; // steps of the longest distance that has refined the quantum
+    for (const double level : levels) {
+        const double distance = level - levels.front();
+        const double steps = std::round(distance / quantum);
+        const double uncertainty = noise * (1.0 + steps / seen);
+        if (uncertainty > 0.5 * quantum || std::abs(distance - steps * quantum) > uncertainty) {
+            return std::nullopt;
+        }
+        if (steps > seen) {
+            quantum = distance / steps;
+            seen = steps;
+        }
+    }
+    const bool fits = std::ranges::all_of(levels, [&](double level) {
+        const double distance = level - levels.front();
+        return std::abs(distance - std::round(distance / quantum) * quantum) <= noise;
+    });
+    const double power = std::log10(quantum);
+    return fits && std::abs(power - std::round(power)) > kPowerOfTen ? std::optional(quantum) : std::nullopt;
 }
 
 } // namespace slidercrank

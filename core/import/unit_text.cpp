@@ -23,7 +23,7 @@ constexpr std::array<NamedUnit, 11> kUnits{{
     {"cm centimeter centimetre centimeters centimetres centimetros", {Dimension::Length, 0, 10.0}},
     {"m meter metre meters metres metros", {Dimension::Length, 0, 1e3}},
     {"in inch inches", {Dimension::Length, 0, 25.4}},
-    {"deg degree degrees grado grados", {Dimension::Angle, 0, 1.0}},
+    {"deg degree degrees grado grados ca cad degca cadeg", {Dimension::Angle, 0, 1.0}},
     {"rad radian radians radianes", {Dimension::Angle, 0, kDegreesPerRadian}},
     {"rpm", {Dimension::Angle, 1, 6.0}},
     {"s sec secs second seconds seg segundo segundos", {Dimension::Time, 0, 1.0}},
@@ -83,7 +83,7 @@ bool isAmong(std::string_view word, std::string_view words)
     return false;
 }
 
-std::optional<Unit> unitOf(std::string_view text)
+std::optional<Unit> parseUnit(std::string_view text)
 {
     const std::string plain = plainUnit(text);
     std::string_view rest = plain;

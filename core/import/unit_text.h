@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Units as programs write them: "mm", "°/s", "deg/sec", "rad/s²", "m/s^2", "mm/sec**2", "rpm", "ms", "min", "grados".
+// Units as programs write them: "mm", "°/s", "deg/sec", "rad/s²", "m/s^2", "mm/sec**2", "rpm", "ms", "min", "grados",
+// "°CA" (degrees of crank angle).
 
 #include <optional>
 #include <string_view>
@@ -22,7 +23,7 @@ struct Unit {
     friend bool operator==(const Unit &, const Unit &) = default;
 };
 
-std::optional<Unit> unitOf(std::string_view text);
+std::optional<Unit> parseUnit(std::string_view text);
 
 /// Whether the word is one of these, which spaces separate.
 bool isAmong(std::string_view word, std::string_view words);

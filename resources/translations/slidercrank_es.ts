@@ -266,10 +266,6 @@
         <translation>deducido: P, V o A indica el orden; su unidad, si es ángulo o longitud</translation>
     </message>
     <message>
-        <source>guessed: P, V or A says the order, its values tell an angle from a length</source>
-        <translation>deducido: P, V o A indica el orden; sus valores distinguen un ángulo de una longitud</translation>
-    </message>
-    <message>
         <source>guessed: its values are the derivative of “%1”</source>
         <translation>deducido: sus valores son la derivada de «%1»</translation>
     </message>
@@ -348,10 +344,6 @@
     <message>
         <source>guessed by its unit</source>
         <translation>deducido por la unidad</translation>
-    </message>
-    <message>
-        <source>guessed by its values</source>
-        <translation>deducido por los valores</translation>
     </message>
     <message>
         <source>guessed: derivative of %1</source>
@@ -524,6 +516,26 @@
     <message>
         <source>same in all files</source>
         <translation>los mismos en todos</translation>
+    </message>
+    <message>
+        <source>guessed: P, V or A says the order, another column of the joint says angle or length</source>
+        <translation>supuesto: P, V o A indica el orden; otra columna de la misma unión, si es ángulo o longitud</translation>
+    </message>
+    <message>
+        <source>guessed: an angle beyond one turn is the crank&apos;s</source>
+        <translation>supuesto: un ángulo de más de una vuelta es el de la manivela</translation>
+    </message>
+    <message>
+        <source>guessed by its joint</source>
+        <translation>supuesto por su unión</translation>
+    </message>
+    <message>
+        <source>guessed: beyond one turn</source>
+        <translation>supuesto: más de una vuelta</translation>
+    </message>
+    <message>
+        <source>multiples of %1</source>
+        <translation>múltiplos de %1</translation>
     </message>
 </context>
 <context>
@@ -4789,6 +4801,14 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>there is no time column: name the column of the instants &quot;time&quot;, or that of the crank&apos;s angle &quot;theta2&quot;.</source>
         <translation>no hay columna de tiempo: llame &quot;time&quot; a la columna de los instantes, o &quot;theta2&quot; a la del ángulo de la manivela.</translation>
+    </message>
+    <message>
+        <source>the next row has the same time, and the last of such rows counts</source>
+        <translation>la fila siguiente tiene el mismo tiempo, y cuenta la última de esas filas</translation>
+    </message>
+    <message>
+        <source>The file is larger than 2 GB: export fewer rows or columns.</source>
+        <translation>El archivo ocupa más de 2 GB: exporte menos filas o columnas.</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,6 @@
 
 // Writes what the fuzz targets begin with into a folder for each subject: make_fuzz_corpus FOLDER
 
-#include "tests/support/file_variants.h"
 #include "tests/support/simulation_files.h"
 #include "ui/document/scene.h"
 
@@ -36,12 +35,6 @@ bool writeAll(const std::filesystem::path &folder, const std::vector<std::string
 std::vector<std::string> tables()
 {
     std::vector<std::string> texts;
-    for (const GoodFile &file : goodFiles()) {
-        texts.push_back(file.bytes.substr(0, 1500));
-    }
-    for (const BadFile &file : badFiles()) {
-        texts.push_back(file.bytes.substr(0, 1500));
-    }
     for (const SimulationFile &file : simulationFiles()) {
         texts.push_back(file.bytes.substr(0, 1500));
     }

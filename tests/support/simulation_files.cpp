@@ -152,9 +152,12 @@ std::vector<SimulationFile> simulationFiles()
           {"\"A[3,1] ( mm/s^2 )\"", A},
           {"\"P[2,1] ( deg )\"", Theta3}},
          {}, "time[s] R4_x?[mm] R4_x_diff?[mm/s] R4_x_diff2?[mm/s^2] theta3?[deg]");
-    read("Inventor, Output Grapher, text", kInventor,
-         {{"Time", Time}, {"P[3.1]", X}, {"V[3.1]", V}, {"A[3.1]", A}, {"P[1.1]", Theta2}, {"V[1.1]", Omega2}},
-         {.cell = "\t"}, "time[] R4_x?[] R4_x_diff?[] R4_x_diff2?[] theta2?[] theta2_diff?[]");
+    refused("Inventor, Output Grapher, without units", kInventor,
+            {{"Time", Time}, {"P[3.1]", X}, {"V[3.1]", V}, {"A[3.1]", A}, {"P[1.1]", Theta2}, {"V[1.1]", Omega2}},
+            {.cell = "\t"}, "neither its unit nor its values tell an angle from a length");
+    read("Inventor, Output Grapher, units for the positions only", kInventor,
+         {{"Time", Time}, {"P[3.1] (mm)", X}, {"V[3.1]", V}, {"P[1.1] (deg)", Theta2}, {"V[1.1]", Omega2}},
+         {.cell = "\t"}, "time[] R4_x?[mm] R4_x_diff?[] theta2?[deg] theta2_diff?[]");
     read("Inventor, a trace", kTrace,
          {{"Time ( s )", Time},
           {"Trace:1 P[X] ( mm )", X},
@@ -418,7 +421,7 @@ std::vector<SimulationFile> simulationFiles()
             {{"No", RowNumber}, {"TIME", Time}, {"Pos_TX@Body1", X}, {"Pos_TX@Body2", Theta3}},
             {.before = "\xEF\xBB\xBF", .format = "%.9g"}, "another column could be the same quantity");
     read("RecurDyn", kRecurDyn, {{"X:Pos_TX-Slider@Model1(mm)", Time}, {"Y:Pos_TX-Slider@Model1(mm)", X}}, {},
-         "time?[] R4_x[mm]");
+         "time[] R4_x[mm]");
     read("RecurDyn, a body that tells nothing", kRecurDyn,
          {{"X:Pos_TX-Body2(m)", Time},
           {"X:Vel_TX-Body2(m/s)", Time},
@@ -426,13 +429,13 @@ std::vector<SimulationFile> simulationFiles()
           {"Y:Pos_TX-Body2(m)", X, kMetre},
           {"Y:Vel_TX-Body2(m/s)", V, kMetre},
           {"Y:Acc_TX-Body2(m/s^2)", A, kMetre}},
-         {.format = "%.9f"}, "time?[] - - R4_x?[m] R4_x_diff?[m/s] R4_x_diff2?[m/s^2]");
-    read("RecurDyn, curves with instants of their own", kRecurDyn,
-         {{"X:Pos_TX-Slider(mm)", Time},
-          {"Y:Pos_TX-Slider(mm)", X},
-          {"X:Vel_TX-Slider(mm/s)", Time, 0.5},
-          {"Y:Vel_TX-Slider(mm/s)", V}},
-         {}, "time?[] R4_x[mm] - -");
+         {.format = "%.9f"}, "time[] - - R4_x?[m] R4_x_diff?[m/s] R4_x_diff2?[m/s^2]");
+    refused("RecurDyn, curves with instants of their own", kRecurDyn,
+            {{"X:Pos_TX-Slider(mm)", Time},
+             {"Y:Pos_TX-Slider(mm)", X},
+             {"X:Vel_TX-Slider(mm/s)", Time, 0.5},
+             {"Y:Vel_TX-Slider(mm/s)", V}},
+            {}, "keep one of the two");
     read("Chrono, joint data",
          "older unit tests of Project Chrono: \"timeElapsed(s)\\tX_Pos\\tY_Pos\\tZ_Pos\\tLength_Pos\\t…\"",
          {{"timeElapsed(s)", Time}, {"X_Pos", X}, {"Y_Pos", Offset}, {"Z_Pos", Zero}, {"X_Vel", V}, {"X_Accel", A}},

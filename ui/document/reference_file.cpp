@@ -2,7 +2,7 @@
 #include "ui/document/reference_file.h"
 
 #include "core/import/crank_angles.h"
-#include "core/import/joined_files.h"
+#include "core/import/unit_text.h"
 #include "ui/document/byte_stream.h"
 #include "ui/document/whole_file.h"
 #include "ui/text/column_text.h"
@@ -18,8 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <list>
-#include <mutex>
+#include <new>
 #include <optional>
 #include <set>
 #include <span>
@@ -33,18 +32,6 @@ namespace
 std::string_view viewOf(const QByteArray &bytes)
 {
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
-}
-
-/// The file, for several threads. It outlives what is returned.
-ByteSource piecesOf(QFile &file)
-{
-    const auto mutex = std::make_shared<std::mutex>();
-    const auto read = [&file, mutex](std::size_t offset, std::span<char> room) {
-        const std::lock_guard lock(*mutex);
-        const auto wanted = static_cast<qint64>(room.size());
-        return file.seek(static_cast<qint64>(offset)) && file.read(room.data(), wanted) == wanted;
-    };
-    return {static_cast<std::size_t>(std::max<qint64>(file.size(), 0)), read};
 }
 
 /// Gaps, which are NaN, are the same.
@@ -101,36 +88,58 @@ QString nameOf(const QStringList &paths)
                              : ReferenceFileText::tr("%1 + %2 more").arg(name, QString::number(paths.size() - 1));
 }
 
-/// A file while it is read; what can be read once only is read already.
+/// The bytes of a file.
 struct OpenedFile {
-    QFile file;
     QByteArray bytes;
-    ByteSource source;
+    std::string name; ///< without its folder
 };
 
-/// Where it cannot be opened, a sentence. `goesOn`: whether a stream that begins so is worth reading to its end.
+/// Why the file cannot be read, as a sentence; its beginning and its size are looked at first.
+std::optional<QString> readFile(const QString &path, QByteArray &bytes)
+{
+    const QString shown = shownNameOf(path);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
+    }
+    const qint64 size = std::max<qint64>(file.size(), 0);
+    const bool isTooLarge = static_cast<std::size_t>(size) > kLargestReferenceFile;
+    bytes = file.read(std::min(size, static_cast<qint64>(kFileBeginning)));
+    if (isTooLarge) {
+        const std::optional<ReadError> foreign = findForeignFormat(viewOf(bytes));
+        return sentenceOf(foreign.value_or(ReadError{0, 0, {}, {ReadFault::Kind::TooLarge}}), {shown});
+    }
+    const qint64 beginning = bytes.size();
+    bytes.resize(size);
+    qint64 done = beginning;
+    for (qint64 more = 1; done < size && more > 0; done += std::max<qint64>(more, 0)) {
+        more = file.read(bytes.data() + done, size - done);
+    }
+    if (file.error() != QFileDevice::NoError) {
+        return cannotBeRead(shown, withoutFullStop(file.errorString()));
+    }
+    return done < size ? std::optional(sentenceOf(ReadError{0, 0, {}, {ReadFault::Kind::Unreadable}}, {shown}))
+                       : std::nullopt;
+}
+
+/// Where it cannot be read, a sentence. `goesOn`: whether a stream that begins so is worth reading to its end.
 std::optional<QString> open(const QString &path, const std::stop_token &stop,
                             const std::function<bool(const QByteArray &beginning)> &goesOn, OpenedFile &opened)
 {
     const QString shown = shownNameOf(path);
     const QFileInfo info(path);
-    opened.file.setFileName(path);
+    opened.name = info.fileName().toStdString();
     if (info.isDir()) {
         return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
     }
-    if (isStandardInput(path) || isStream(info)) {
-        std::variant<QByteArray, QString> bytes = readStream(path, stop, goesOn);
-        if (const QString *reason = std::get_if<QString>(&bytes)) {
-            return cannotBeRead(shown, *reason);
-        }
-        opened.bytes = std::get<QByteArray>(bytes);
-        opened.source = sourceOf(viewOf(opened.bytes));
-    } else if (opened.file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
-        opened.source = piecesOf(opened.file);
-    } else {
-        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(opened.file.errorString()));
+    if (!isStandardInput(path) && !isStream(info)) {
+        return readFile(path, opened.bytes);
     }
-    opened.source.name = info.fileName().toStdString();
+    std::variant<QByteArray, QString> bytes = readStream(path, stop, goesOn);
+    if (const QString *reason = std::get_if<QString>(&bytes)) {
+        return cannotBeRead(shown, *reason);
+    }
+    opened.bytes = std::get<QByteArray>(std::move(bytes));
     return std::nullopt;
 }
 
@@ -205,21 +214,22 @@ std::variant<std::shared_ptr<const Reference>, QString> readReference(const Refe
                          readReferenceData(viewOf(beginning), {}, {options.columns, {}, options.named}));
     };
     auto reference = std::make_shared<Reference>();
-    std::list<OpenedFile> files; // which stay where they are
-    std::vector<ByteSource> sources;
-    for (const QString &path : source.paths) {
-        if (const std::optional<QString> sentence = open(path, stop, goesOn, files.emplace_back())) {
-            return *sentence;
+    std::vector<OpenedFile> files(static_cast<std::size_t>(source.paths.size()));
+    std::vector<FileBytes> sources;
+    for (OpenedFile &file : files) {
+        const QString &path = source.paths[static_cast<qsizetype>(sources.size())];
+        try {
+            if (const std::optional<QString> sentence = open(path, stop, goesOn, file)) {
+                return *sentence;
+            }
+        } catch (const std::bad_alloc &) {
+            return sentenceOf(ReadError{0, 0, {}, {ReadFault::Kind::NoMemory}}, {shownNameOf(path)});
         }
         reference->states.push_back(stateOf(QFileInfo(path)));
-        sources.push_back(files.back().source);
+        sources.push_back({viewOf(file.bytes), file.name});
     }
-    std::variant<ReferenceData, ReadError> outcome = readJoined(sources, stop, options);
-    for (const OpenedFile &opened : files) {
-        if (opened.file.error() != QFileDevice::NoError) {
-            return cannotBeRead(shownNameOf(opened.file.fileName()), withoutFullStop(opened.file.errorString()));
-        }
-    }
+    std::variant<ReferenceData, ReadError> outcome = readFiles(sources, stop, options);
+    files.clear();
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         return sentenceOf(*error, shownNamesOf(source.paths));
     }
@@ -259,7 +269,7 @@ std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &refer
     });
     const auto abscissa = static_cast<std::size_t>(found - columns.begin());
     const std::string &printed = columns[abscissa].unit;
-    const std::optional<Unit> unit = unitOf(printed);
+    const std::optional<Unit> unit = parseUnit(printed);
     const bool suits = printed.empty() || (role == ColumnRole::CrankAngle ? unitsPerDegree(printed).has_value()
                                                                           : unit && unit->dimension == Dimension::Time);
     std::vector<ColumnChoice> choices = reference.columns;
@@ -345,13 +355,12 @@ QByteArrayList beginningsOf(const QStringList &paths)
 std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const QByteArrayList &bytes,
                                                  const ReadOptions &options)
 {
-    std::vector<ByteSource> sources;
+    std::vector<FileBytes> files;
     for (qsizetype i = 0; i < paths.size(); ++i) {
-        sources.push_back(sourceOf(viewOf(bytes[i])));
-        sources.back().name = QFileInfo(paths[i]).fileName().toStdString();
-        sources.back().isBeginning = bytes[i].size() < QFileInfo(paths[i]).size();
+        const QFileInfo info(paths[i]);
+        files.push_back({viewOf(bytes[i]), info.fileName().toStdString(), bytes[i].size() < info.size()});
     }
-    return readJoined(sources, {}, options);
+    return readFiles(files, {}, options);
 }
 
 FileLayout layoutOf(const QByteArray &bytes)

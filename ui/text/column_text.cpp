@@ -134,12 +134,13 @@ QString roleReason(const FileLayout &layout, std::size_t column)
         return ColumnText::tr("guessed: its name says the quantity, and this is the body usually exported");
     case ColumnReason::LetterAndUnit:
         return ColumnText::tr("guessed: P, V or A says the order, its unit says angle or length");
-    case ColumnReason::LetterAndValues:
-        return ColumnText::tr("guessed: P, V or A says the order, its values tell an angle from a length");
-    case ColumnReason::DerivativeOfOther:
-        return ColumnText::tr("guessed: its values are the derivative of “%1”").arg(other);
+    case ColumnReason::OtherOfJoint:
+        return ColumnText::tr("guessed: P, V or A says the order, another column of the joint says angle or length");
     case ColumnReason::EvenRate:
         return ColumnText::tr("guessed: an angle that grows at an even rate, as the crank's does");
+    case ColumnReason::BeyondOneTurn:
+        return other.isEmpty() ? ColumnText::tr("guessed: an angle beyond one turn is the crank's")
+                               : ColumnText::tr("guessed: its values are the derivative of “%1”").arg(other);
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: the first column whose values only rise");
     case ColumnReason::FileName: return ColumnText::tr("guessed: the file's name says so");
     case ColumnReason::ModelicaName:
@@ -197,9 +198,11 @@ QString shortReasonText(const FileLayout &layout, std::size_t column)
     case ColumnReason::Chosen: return ColumnText::tr("chosen by hand");
     case ColumnReason::QuantityInName: return ColumnText::tr("guessed by its name");
     case ColumnReason::LetterAndUnit: return ColumnText::tr("guessed by its unit");
-    case ColumnReason::LetterAndValues: return ColumnText::tr("guessed by its values");
-    case ColumnReason::DerivativeOfOther: return ColumnText::tr("guessed: derivative of %1").arg(other);
+    case ColumnReason::OtherOfJoint: return ColumnText::tr("guessed by its joint");
     case ColumnReason::EvenRate: return ColumnText::tr("guessed: even rate");
+    case ColumnReason::BeyondOneTurn:
+        return other.isEmpty() ? ColumnText::tr("guessed: beyond one turn")
+                               : ColumnText::tr("guessed: derivative of %1").arg(other);
     case ColumnReason::RisingValues: return ColumnText::tr("guessed: only rises");
     case ColumnReason::FileName: return ColumnText::tr("guessed: file's name");
     case ColumnReason::ModelicaName: return ColumnText::tr("guessed: named as in Modelica");
@@ -234,6 +237,8 @@ QString roundingText(const Rounding &rounding)
             return ColumnText::tr("whole multiples of 1e%1").arg(-rounding.digits);
         }
         return rounding.digits == 1 ? ColumnText::tr("1 decimal") : ColumnText::tr("%1 decimals").arg(rounding.digits);
+    case Rounding::Rule::Multiples:
+        return ColumnText::tr("multiples of %1").arg(numberText(rounding.quantum * rounding.unitFactor));
     }
     return {};
 }

@@ -43,6 +43,8 @@ QString reasonOf(const SkippedRow &row)
     case RowFault::TooManyCells: return ReadFaultText::tr("too many cells");
     case RowFault::TooFewCells: return ReadFaultText::tr("too few cells");
     case RowFault::NoTime: return ReadFaultText::tr("no time");
+    case RowFault::RepeatedTime:
+        return ReadFaultText::tr("the next row has the same time, and the last of such rows counts");
     case RowFault::NotListed:
         return ReadFaultText::tr("this line and %1 more below it cannot be read either").arg(row.rows - 1);
     }
@@ -125,6 +127,7 @@ QString sentenceOf(const ReadFault &fault)
         return ReadFaultText::tr("it holds %1, and %2 does, too: leave one of the two out, or choose what their "
                                  "columns are.")
             .arg(QString::fromUtf8(nameOf(fault.channel)), QString::fromUtf8(fault.heading));
+    case Kind::TooLarge: return ReadFaultText::tr("The file is larger than 2 GB: export fewer rows or columns.");
     case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
     case Kind::Unreadable: return ReadFaultText::tr("The file became shorter while it was read: open it again.");
     case Kind::NoMemory:

@@ -47,7 +47,8 @@ Rounding inferred(const QStringList &cells, double unitFactor = 1.0)
     RoundingObserver observer;
     for (const QString &cell : cells) {
         const QByteArray text = cell.toLatin1();
-        observer.observe({text.constData(), static_cast<std::size_t>(text.size())});
+        observer.observe(placesOf({text.constData(), static_cast<std::size_t>(text.size())}),
+                         QByteArray(text).replace(',', '.').toDouble());
     }
     return observer.infer(unitFactor);
 }
@@ -59,33 +60,24 @@ class TestRounding : public QObject
     Q_OBJECT
 
 private slots:
-    void findsWhereTheDigitsStand_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<bool>("zero");
-        QTest::addColumn<int>("first");
-        QTest::addColumn<int>("last");
-        QTest::addColumn<int>("printed");
-        QTest::newRow("trailing zeros") << QByteArray("139.397000") << false << 2 << -3 << -6;
-        QTest::newRow("leading zeros") << QByteArray("0.0120") << false << -2 << -3 << -4;
-        QTest::newRow("negative") << QByteArray("-7.5") << false << 0 << -1 << -1;
-        QTest::newRow("decimal comma") << QByteArray("74,5436") << false << 1 << -4 << -4;
-        QTest::newRow("integer") << QByteArray("1200") << false << 3 << 2 << 0;
-        QTest::newRow("no digit before the point") << QByteArray(".25") << false << -1 << -2 << -2;
-        QTest::newRow("no digit behind the point") << QByteArray("25.") << false << 1 << 0 << 0;
-        QTest::newRow("exponent") << QByteArray("1.250e+03") << false << 3 << 1 << 0;
-        QTest::newRow("negative exponent") << QByteArray("-1.5E-7") << false << -7 << -8 << -8;
-        QTest::newRow("zero") << QByteArray("-0.000") << true << 0 << 0 << -3;
-    }
-
     void findsWhereTheDigitsStand()
     {
-        QFETCH(const QByteArray, text);
-        const PrintedPlaces places = placesOf({text.constData(), static_cast<std::size_t>(text.size())});
-        QTEST(places.zero, "zero");
-        QTEST(places.first, "first");
-        QTEST(places.last, "last");
-        QTEST(places.printed, "printed");
+        struct Row {
+            const char *text;
+            bool zero;
+            int first;
+            int last;
+            int printed;
+        };
+        for (const Row &row :
+             {Row{"139.397000", false, 2, -3, -6}, Row{"0.0120", false, -2, -3, -4}, Row{"-7.5", false, 0, -1, -1},
+              Row{"1200", false, 3, 2, 0}, Row{".25", false, -1, -2, -2}, Row{"25.", false, 1, 0, 0},
+              Row{"1.250e+03", false, 3, 1, 0}, Row{"-1.5E-7", false, -7, -8, -8}, Row{"-0.000", true, 0, 0, -3}}) {
+            const PrintedPlaces places = placesOf(row.text);
+            QVERIFY2(places.zero == row.zero && places.first == row.first && places.last == row.last &&
+                         places.printed == row.printed,
+                     row.text);
+        }
     }
 
     void infersTheRule_data()
@@ -165,70 +157,56 @@ private slots:
         QTEST(rounding.digits, "digits");
     }
 
-    void isNoCoarserThanWhatIsPrinted_data()
-    {
-        QTest::addColumn<QStringList>("cells");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("step");
-        QTest::newRow("two whole numbers") << QStringList{"70", "40"} << 70.0 << 1.0;
-        QTest::newRow("and one of them beyond a decade") << QStringList{"7", "40"} << 40.0 << 1.0;
-        QTest::newRow("two with a decimal") << QStringList{"70.0", "40.0"} << 70.0 << 0.1;
-        QTest::newRow("two with two decimals, of which one ends early") << QStringList{"8.53", "12.30"} << 12.3 << 0.01;
-        QTest::newRow("two whole ones with six decimals") << QStringList{"70.000000", "40.000000"} << 70.0 << 1.0;
-        QTest::newRow("two of six digits with six decimals")
-            << QStringList{"74.543600", "-1139.910000"} << 1139.91 << 0.01;
-        QTest::newRow("one of four that ends early by chance")
-            << QStringList{"12.34", "45.67", "78.9", "23.45"} << 78.9 << 0.01;
-        QTest::newRow("chosen angles") << QStringList{"30", "60", "90", "120", "150", "180"} << 90.0 << 1.0;
-        QTest::newRow("chosen angles with a decimal")
-            << QStringList{"30.0", "60.0", "90.0", "120.0", "150.0", "180.0", "210.0", "240.0"} << 90.0 << 1.0;
-    }
-
     void isNoCoarserThanWhatIsPrinted()
     {
-        QFETCH(const QStringList, cells);
-        QFETCH(const double, value);
-        QFETCH(const double, step);
-        const double found = inferred(cells).stepAt(value);
-        QVERIFY2(std::abs(found - step) <= 1e-12 * step, qPrintable(QString::number(found, 'g', 17)));
-    }
-
-    void stepsAsTheRuleSays_data()
-    {
-        QTest::addColumn<Rounding>("rounding");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("step");
-        const Rounding six{Rule::SignificantDigits, 6, 1.0, -2};
-        QTest::newRow("6 digits at 99.9999") << six << 99.9999 << 1e-4;
-        QTest::newRow("6 digits at 100") << six << 100.0 << 1e-3;
-        QTest::newRow("6 digits at -1139.91") << six << -1139.91 << 1e-2;
-        QTest::newRow("6 digits at 0.001") << six << 0.001 << 1e-8;
-        QTest::newRow("6 digits at 1e300") << six << 1e300 << 1e295;
-        QTest::newRow("6 digits at 0: as at the smallest value") << six << 0.0 << 1e-7;
-        const Rounding printed{Rule::SignificantDigits, 6, 1.0, -2, -6};
-        QTest::newRow("6 digits printed with 6 decimals, at 12") << printed << 12.0 << 1e-4;
-        QTest::newRow("6 digits printed with 6 decimals, at 0.001") << printed << 0.001 << 1e-6;
-        QTest::newRow("6 digits printed with 6 decimals, at 0") << printed << 0.0 << 1e-6;
-        const Rounding radians{Rule::SignificantDigits, 6, 57.29577951308232, 0};
-        QTest::newRow("6 digits in rad, at 9.99999 rad")
-            << radians << 9.99999 * 57.29577951308232 << 1e-5 * 57.29577951308232;
-        QTest::newRow("6 digits in rad, at 10 rad") << radians << 10.0 * 57.29577951308232 << 1e-4 * 57.29577951308232;
-        const Rounding decimals{Rule::Decimals, 3, 10.0, 0};
-        QTest::newRow("3 decimals in cm") << decimals << 74.5 << 1e-2;
-        QTest::newRow("3 decimals at 0") << decimals << 0.0 << 1e-2;
-        QTest::newRow("hundreds") << Rounding{Rule::Decimals, -2} << 1200.0 << 100.0;
-        const Rounding whole{Rule::SignificantDigits, 2, 1.0, 0, 0, 0};
-        QTest::newRow("2 digits of whole numbers, at 1234") << whole << 1234.0 << 1.0;
-        QTest::newRow("unknown") << Rounding() << 12.0 << 0.0;
+        struct Row {
+            QStringList cells;
+            double value;
+            double step;
+        };
+        const std::vector<Row> rows{{{"70", "40"}, 70.0, 1.0},
+                                    {{"7", "40"}, 40.0, 1.0},
+                                    {{"70.0", "40.0"}, 70.0, 0.1},
+                                    {{"8.53", "12.30"}, 12.3, 0.01},
+                                    {{"70.000000", "40.000000"}, 70.0, 1.0},
+                                    {{"74.543600", "-1139.910000"}, 1139.91, 0.01},
+                                    {{"12.34", "45.67", "78.9", "23.45"}, 78.9, 0.01},
+                                    {{"30", "60", "90", "120", "150", "180"}, 90.0, 1.0},
+                                    {{"30.0", "60.0", "90.0", "120.0", "150.0", "180.0", "210.0", "240.0"}, 90.0, 1.0}};
+        for (const Row &row : rows) {
+            const double found = inferred(row.cells).stepAt(row.value);
+            QVERIFY2(std::abs(found - row.step) <= 1e-12 * row.step, qPrintable(row.cells.join(' ')));
+        }
     }
 
     void stepsAsTheRuleSays()
     {
-        QFETCH(const Rounding, rounding);
-        QFETCH(const double, value);
-        QFETCH(const double, step);
-        const double found = rounding.stepAt(value);
-        QVERIFY2(std::abs(found - step) <= 1e-12 * step, qPrintable(QString::number(found, 'g', 17)));
+        struct Row {
+            Rounding rounding;
+            double value;
+            double step;
+        };
+        constexpr double kRadian = 57.29577951308232;
+        const Rounding six{Rule::SignificantDigits, 6, 1.0, -3};
+        const Rounding padded{Rule::SignificantDigits, 6, 1.0, -3, -6};
+        const Rounding radians{Rule::SignificantDigits, 6, kRadian, 0};
+        const Rounding encoder{Rule::Multiples, 0, kRadian, 0, -4, 3, 0.25};
+        const std::vector<Row> rows{{six, 139.397, 1e-3},
+                                    {six, -1139.91, 1e-2},
+                                    {six, 0.0, 1e-8},
+                                    {padded, 12.0, 1e-4},
+                                    {padded, 0.001, 1e-6},
+                                    {radians, 9.99999 * kRadian, 1e-5 * kRadian},
+                                    {radians, 10.0 * kRadian, 1e-4 * kRadian},
+                                    {encoder, 7.0, 0.25 * kRadian},
+                                    {{Rule::Decimals, 3, 10.0, 0}, 74.5, 1e-2},
+                                    {{Rule::Decimals, -2}, 1200.0, 100.0},
+                                    {{Rule::SignificantDigits, 2, 1.0, 0, 0, 0}, 1234.0, 1.0},
+                                    {Rounding(), 12.0, 0.0}};
+        for (const Row &row : rows) {
+            const double found = row.rounding.stepAt(row.value);
+            QVERIFY2(std::abs(found - row.step) <= 1e-12 * row.step, qPrintable(QString::number(found, 'g', 17)));
+        }
     }
 
     void keepsTheDecadeThroughAConversion()
@@ -245,27 +223,19 @@ private slots:
         }
     }
 
-    void stepsInARowAreThoseOfEachValue_data()
-    {
-        QTest::addColumn<int>("rule");
-        QTest::newRow("significant digits") << int(Rule::SignificantDigits);
-        QTest::newRow("decimals") << int(Rule::Decimals);
-        QTest::newRow("unknown") << int(Rule::Unknown);
-    }
-
     void stepsInARowAreThoseOfEachValue()
     {
-        QFETCH(const int, rule);
-        Rounding rounding{static_cast<Rule>(rule), 6, 57.29577951308232, -4};
-        rounding.finestPlace = -7;
-        RoundingSteps steps(rounding);
-        std::mt19937 random(20240918); // fixed: a failure can be repeated
-        double value = 1.0;
-        for (int i = 0; i < 100000; ++i) {
-            value *= random() % 8 == 0 ? -1.9 : 1.01; // neighbours alike, through all decades
-            value = std::abs(value) > 1e8 ? 1e-7 : value;
-            const double next = i % 1000 == 0 ? 0.0 : i % 777 == 0 ? rounding.unitFactor * 100.0 : value;
-            QCOMPARE(steps.at(next), rounding.stepAt(next));
+        for (const Rule rule : {Rule::SignificantDigits, Rule::Decimals, Rule::Multiples, Rule::Unknown}) {
+            Rounding rounding{rule, 6, 57.29577951308232, -4, -7};
+            RoundingSteps steps(rounding);
+            std::mt19937 random(20240918); // fixed: a failure can be repeated
+            double value = 1.0;
+            for (int i = 0; i < 30'000; ++i) {
+                value *= random() % 8 == 0 ? -1.9 : 1.01; // neighbours alike, through all decades
+                value = std::abs(value) > 1e8 ? 1e-7 : value;
+                const double next = i % 1000 == 0 ? 0.0 : i % 777 == 0 ? rounding.unitFactor * 100.0 : value;
+                QCOMPARE(steps.at(next), rounding.stepAt(next));
+            }
         }
     }
 

@@ -86,6 +86,7 @@ const std::vector<Said> &allFaults()
         {{.kind = Kind::ChannelInBoth, .channel = {R4x, Order::Velocity}, .heading = "a.csv"},
          "it holds R4_x_diff, and a.csv does, too: leave one of the two out, or choose what their columns are."},
         {{Kind::LineTooLong}, "the line has more than a million characters: export the table as CSV, a row a line."},
+        {{Kind::TooLarge}, "The file is larger than 2 GB: export fewer rows or columns."},
         {{Kind::Stopped}, "Reading was stopped."},
         {{Kind::Unreadable}, "The file became shorter while it was read: open it again."},
         {{Kind::NoMemory}, "There is not enough memory for a file of that size: leave out rows or columns."},
@@ -102,6 +103,7 @@ const std::vector<std::pair<RowFault, const char *>> kRows{
     {RowFault::TooManyCells, "too many cells"},
     {RowFault::TooFewCells, "too few cells"},
     {RowFault::NoTime, "no time"},
+    {RowFault::RepeatedTime, "the next row has the same time, and the last of such rows counts"},
     {RowFault::NotListed, "this line and 1499 more below it cannot be read either"},
 };
 

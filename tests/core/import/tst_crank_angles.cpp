@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/crank_angles.h"
+
+#include "tests/support/described_reading.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace slidercrank;
+
+class TestCrankAngles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void countsByTheCrankAngleWhereThereIsNoTime()
+    {
+        struct Row {
+            QByteArray bytes;
+            const char *roles;
+            const char *degrees;
+        };
+        const auto over = [](const char *heading) { return QByteArray(heading) + ",R4_x\n0,3\n15,4\n30,5\n"; };
+        const std::vector<Row> rows{
+            {over("Crank angle (deg)"), "angle? R4_x", " 0 15 30"},
+            {over("θ₂ [°]"), "angle? R4_x", " 0 15 30"},
+            {over("Ángulo de la manivela (grados)"), "angle? R4_x", " 0 15 30"},
+            {over("Kurbelwinkel"), "angle? R4_x", " 0 15 30"},
+            {over("°CA"), "angle? R4_x", " 0 15 30"},
+            {over("Crank angle [CAD]"), "angle? R4_x", " 0 15 30"},
+            {"R4_x,CAD\n3,0\n4,15\n5,30\n", "R4_x angle?", " 0 15 30"},
+            {"theta2 (rad),R4_x\n0,3\n3.141592653589793,4\n6.283185307179586,5\n", "angle? R4_x", " 0 180 360"},
+            {"theta2,R4_x\n350,3\n359,4\n0,5\n1,5\n", "angle? R4_x", " 350 359 360 361"},
+            {"theta2,R4_x\n170,3\n180,4\n-170,5\n", "angle? R4_x", " 170 180 190"},
+            {"theta2,R4_x\n10,5\n0,4\n350,3\n", "angle? R4_x", " -10 0 10"},
+            {"theta2,R4_x,t\n0,3,0\n15,4,1\n30,5,2\n", "theta2 R4_x time", ""},
+            {"clock,theta2,R4_x\n0,0,3\n1,15,4\n2,30,5\n", "time? theta2 R4_x", ""},
+        };
+        for (const Row &row : rows) {
+            const Outcome outcome = read(row.bytes);
+            const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data, described(outcome).c_str());
+            QCOMPARE(rolesOf(data->layout), std::string(row.roles));
+            QCOMPARE(data->crank ? described(data->crank->degrees) : std::string(), std::string(row.degrees));
+        }
+    }
+
+    void makesTheInstantsOfACrank_data()
+    {
+        QTest::addColumn<double>("omega2");
+        QTest::addColumn<double>("theta20");
+        QTest::addColumn<QString>("is");
+        const double turn = 2.0 * std::numbers::pi;
+        QTest::newRow("once a second") << turn << 0.0 << "time 0 0.25 1; R4_x 3 4 5";
+        QTest::newRow("twice a second") << 2.0 * turn << 0.0 << "time 0 0.125 0.5; R4_x 3 4 5";
+        QTest::newRow("from 90 degrees on") << turn << 0.25 * turn << "time -0.25 0 0.75; R4_x 3 4 5";
+        QTest::newRow("the other way") << -turn << 0.0 << "time -1 -0.25 -0; R4_x 5 4 3";
+        QTest::newRow("standing still") << 0.0 << 0.0 << "none";
+        QTest::newRow("too slow for doubles") << 1e-320 << 0.0 << "none";
+    }
+
+    void makesTheInstantsOfACrank()
+    {
+        QFETCH(const double, omega2);
+        QFETCH(const double, theta20);
+        QFETCH(const QString, is);
+        Parameters parameters;
+        parameters.omega2 = omega2;
+        parameters.theta20 = theta20;
+        const ReferenceData data = std::get<ReferenceData>(read("theta2,R4_x\n0,3\n90,4\n360,5\n"));
+        const std::optional<ReferenceData> timed = timedBy(Mechanism(parameters), data);
+        QCOMPARE(QString::fromStdString(timed ? described(*timed) : "none"), is);
+        if (timed) { // whatever was in between
+            QCOMPARE(described(*timedBy(Mechanism(), *timed)), described(data));
+            const std::vector<double> angles = timed->crank->degrees;
+            for (std::size_t i = 0; i < angles.size(); ++i) {
+                const double angle = kDegreesPerRadian * (omega2 * timed->time[i] + theta20);
+                QVERIFY(std::abs(angle - angles[i]) < 1e-12 * 360.0);
+            }
+            // A degree is as long as it takes the crank.
+            const double step = 1.0 / (kDegreesPerRadian * std::abs(omega2));
+            QVERIFY(std::abs(timed->timeRounding.finestStep() - step) < 1e-12 * step);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCrankAngles)
+#include "tst_crank_angles.moc"

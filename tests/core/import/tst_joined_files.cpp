@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Several files of one motion, read as one table.
+
+#include "tests/support/described_reading.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace slidercrank;
+
+using Kind = ReadFault::Kind;
+
+class TestJoinedFiles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aPlotAFileIsReadAsTheWholeTable()
+    {
+        const QByteArray table = sampleTable();
+        const QByteArray position = columnsOf(table, {0, 1});
+        const QByteArray velocity = columnsOf(table, {0, 2, 3});
+        const QByteArray coupler = columnsOf(table, {0, 4, 5, 6});
+        QByteArray coarse = position; // of 201 time stamps every other needs the third decimal
+        for (int i = 0; i <= 200; ++i) {
+            coarse.replace('\n' + QByteArray::number(0.005 * i, 'f', 6) + ',',
+                           '\n' + QByteArray::number(0.005 * i, 'f', 3) + ',');
+        }
+        const std::vector<QByteArrayList> splits{
+            {coupler, position, velocity},
+            {position, "plot 2\n\n" + QByteArray(velocity).replace(',', ';').replace('.', ','),
+             utf16Of(QByteArray(coupler).replace(',', '\t'), true, false)},
+            {position, columnsOf(table, {2, 3, 0}), coupler},
+            {coarse, velocity, coupler}};
+        const Outcome expected = read(table);
+        const ReferenceData &whole = std::get<ReferenceData>(expected);
+        for (const QByteArrayList &files : splits) {
+            const Outcome outcome = readJoined(files);
+            QVERIFY2(std::holds_alternative<ReferenceData>(outcome), described(outcome).c_str());
+            const ReferenceData &data = std::get<ReferenceData>(outcome);
+            QCOMPARE(data.time, whole.time);
+            QVERIFY(data.timeRounding == whole.timeRounding);
+            QCOMPARE(data.series.size(), whole.series.size());
+            for (const ReferenceSeries &series : whole.series) {
+                QCOMPARE(data.find(series.channel)->values, series.values);
+                QVERIFY(data.find(series.channel)->rounding == series.rounding);
+            }
+            QCOMPARE(data.layout.files.size(), static_cast<std::size_t>(files.size()));
+            QCOMPARE(std::ranges::count(data.layout.columns, ColumnReason::SameInstants, &FileColumn::reason),
+                     files.size() - 1);
+        }
+    }
+
+    void joinsPlots()
+    {
+        struct Row {
+            QByteArrayList files;
+            const char *expected;
+            bool areBeginnings = false;
+        };
+        const std::vector<Row> rows{
+            {{"time,R4_x\n0,1\n1,2\n2,?\n3,4\n", "time,theta3\n0,5\n1,\n2,7\n3,oh\n"},
+             "time 0 1; R4_x 1 2; theta3 5 gap; skipped 4:2 ? (not a number); skipped file 1 5:2 oh (not a number)"},
+            {{"time,R4_x\n0,1\n0.033,2\n0.067,3\n0.1,4\n", "time,theta3\n0,5\n0.03333,6\n0.06667,7\n0.1,8\n"},
+             "time 0 0.03333 0.06667 0.1; R4_x 1 2 3 4; theta3 5 6 7 8"},
+            {{"theta2,R4_x\n0,1\n90,2\n180,3\n", "theta2,theta3\n0.0,4\n90.0,5\n180.0,6\n"},
+             "time 0 0.25 0.5; R4_x 1 2 3; theta3 4 5 6"},
+            {{"time,R4_x\n0,1\n1,2\n2,3\n", "time,theta3\n0,5\n1,6\n"}, "time 0 1; R4_x 1 2; theta3 5 6", true},
+        };
+        for (const Row &row : rows) {
+            QCOMPARE(described(readJoined(row.files, {}, row.areBeginnings)), std::string(row.expected));
+        }
+    }
+
+    void choicesCountTheColumnsOfAllPlots()
+    {
+        const QByteArrayList files{"T,Value\n0,1\n1,2\n", "T,Value\n0,3\n1,4\n"};
+        QCOMPARE(
+            described(readJoined(files, {{{1, ColumnRole::Channel, kX, {}}, {3, ColumnRole::Channel, kV, "m/s"}}, {}})),
+            std::string("time 0 1; R4_x 1 2; R4_x_diff 3000 4000"));
+        QCOMPARE(described(readJoined(
+                     files, {{}, {}, {{"#2", ColumnRole::Channel, kX, {}}, {"#4", ColumnRole::Channel, kV, {}}}})),
+                 std::string("time 0 1; R4_x 1 2; R4_x_diff 3 4"));
+        // What the first column is, it is in all.
+        QCOMPARE(described(readJoined({"q,R4_x\n0,1\n90,2\n", "q,theta3\n0,3\n90,4\n"},
+                                      {{{0, ColumnRole::CrankAngle, {}, {}}}, {}})),
+                 std::string("time 0 0.25; R4_x 1 2; theta3 3 4"));
+        const Outcome several = readJoined(files, {{}, {}, {{"Value", ColumnRole::Channel, kX, {}}}});
+        QCOMPARE(std::get<ReadError>(several).fault.kind, Kind::SeveralColumns);
+        QCOMPARE(std::get<ReadError>(several).layout.columns.size(), std::size_t(4));
+    }
+
+    void refusesPlotsThatAreNotOfOneMotion()
+    {
+        struct Row {
+            const char *name;
+            QByteArrayList files;
+            ReadFault fault;
+            std::size_t file = 1;
+        };
+        const QByteArray a = "time,R4_x\n0,1\n1,2\n2,3\n";
+        const ReadFault otherInstants{Kind::OtherInstants, {}, "a"};
+        const std::vector<Row> rows{
+            {"twice the step", {a, "time,theta3\n0,1\n2,2\n4,3\n"}, otherInstants},
+            {"a little later", {a, "time,theta3\n0.1,1\n1.1,2\n2.1,3\n"}, otherInstants},
+            {"one row less", {a, "time,theta3\n0,1\n1,2\n"}, otherInstants},
+            {"another unit of time", {a, "time [ms],theta3\n0,1\n1,2\n2,3\n"}, otherInstants},
+            {"the third", {a, "time,theta3\n0,1\n1,2\n2,3\n", "time,theta2\n0,1\n1.5,2\n2,3\n"}, otherInstants, 2},
+            {"a channel twice", {a, "time,x_slider\n0,1\n1,2\n2,3\n"}, {Kind::ChannelInBoth, kX, "a"}},
+            {"angles beside time stamps", {a, "theta2,theta3\n0,1\n1,2\n2,3\n"}, {Kind::CountsOtherwise, {}, "a"}},
+            {"one that is no table", {a, "%PDF-1.7\n"}, {Kind::Pdf}},
+            {"the first that is none", {"", a}, {Kind::Empty}, 0},
+            {"a column that means nothing", {a, "time,humidity\n0,1\n1,2\n2,3\n"}, {Kind::NoChannel}},
+        };
+        for (const Row &row : rows) {
+            const Outcome outcome = readJoined(row.files);
+            const ReadError *error = std::get_if<ReadError>(&outcome);
+            QVERIFY2(error && error->fault == row.fault && error->file == row.file, row.name);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestJoinedFiles)
+#include "tst_joined_files.moc"
