@@ -10,7 +10,7 @@
 #include "core/study/cases.h"
 #include "ui/document/reference_file.h"
 #include "ui/export/motion_csv.h"
-#include "ui/mechanism/mechanism_drawing.h"
+#include "ui/mechanism/mechanism_scene.h"
 #include "ui/plots/plot_figure.h"
 #include "ui/text/theme.h"
 

@@ -209,11 +209,11 @@ ExitStatus render(const RenderOptions &options)
         content.diagnosis = diagnose(reference->data, options.mechanism);
         ghost = ghostOf(content.diagnosis, options);
         if (ghost) {
-            mechanism.setGhostReach(characteristicLength(reference->data, *ghost));
+            mechanism.setGhostBounds(motionBounds(reference->data, *ghost));
         }
     } else if (session.result()->difference && options.kept.back() != options.mechanism.parameters()) {
         ghost = Mechanism(options.kept.back());
-        mechanism.setGhostReach(characteristicLength(*ghost, motionLimits(*ghost)));
+        mechanism.setGhostBounds(motionBounds(*ghost, motionLimits(*ghost)));
     }
     showGhost(options.poseInstant);
     content.hasGhost = mechanism.hasGhost();

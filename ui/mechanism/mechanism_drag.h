@@ -1,73 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A part of the mechanism in somebody's hand: from where the pointer goes, to what that asks for. The part stays under
-// the pointer as it was taken hold of.
+// A part of the mechanism while it is dragged: converts positions of the pointer to crank angles or lengths. The part
+// stays under the pointer as it was grasped. Lengths and points in mm, angles in rad.
 
 #include "core/limits/slider_stroke.h"
 #include "ui/mechanism/mechanism_drawing.h"
+#include "ui/mechanism/mechanism_scene.h"
 
 #include <optional>
-#include <variant>
 
 namespace slidercrank
 {
 
-/// The crank is to stand there, rad, whole turns apart.
-struct CrankAngleRequest {
-    double theta2 = 0.0;
-};
+/// The length that dragging the part changes.
+std::optional<Parameter> draggedLength(DrawnPart part, bool withShift);
 
-/// A length is to be that, mm.
-struct LengthRequest {
-    Parameter parameter = Parameter::A;
-    double length = 0.0;
-};
-
-using DragRequest = std::variant<std::monostate, CrankAngleRequest, LengthRequest>;
-
-/// The length that a drag of the part changes; with Shift, that of the joints A and B too.
-std::optional<Parameter> lengthDraggedBy(DrawnPart part, bool withShift);
-
-/// What a pointer over the part looks like; none: as usual.
-std::optional<Qt::CursorShape> cursorOver(const MechanismDrawing &drawing, DrawnPart part, bool withShift);
+/// The pointer's shape over the part; nullopt: the usual one.
+std::optional<Qt::CursorShape> cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift);
 
 class MechanismDrag
 {
 public:
-    /// Taken hold of at that point (mm). None where the part cannot be dragged.
-    static std::optional<MechanismDrag> begin(const MechanismDrawing &drawing, DrawnPart part, bool withShift,
-                                              QPointF at);
+    /// Nullopt if the part cannot be dragged. `pointer`: where it is grasped.
+    static std::optional<MechanismDrag> begin(const MechanismScene &scene, DrawnPart part, bool withShift,
+                                              QPointF pointer);
 
-    DrawnPart part() const { return m_part; }
-
-    /// Whether it edits, and does not only move the mechanism.
+    /// The length that changes; nullopt: the crank moves.
     std::optional<Parameter> length() const { return m_length; }
-    double lengthBefore() const; ///< mm, when it was taken hold of
+    double lengthBefore() const; ///< when it was grasped
 
-    /// What the pointer asks for there (mm); lengths come in multiples of `grid` (mm, a round number).
-    DragRequest moveTo(QPointF pointer, double grid);
+    /// The length for that position of the pointer, a multiple of `grid` (a round number). Requires length().
+    double lengthAt(QPointF pointer, double grid) const;
+
+    /// The crank angle for that position, whole turns apart. Requires !length().
+    double crankAngleAt(QPointF pointer);
 
 private:
     MechanismDrag() = default;
-    DragRequest turnTo(QPointF pointer) const;
-    DragRequest slideTo(double R4x);
-    DragRequest lengthAt(QPointF pointer, double grid) const;
+    double crankAngleOfSlider(double R4x);
 
-    DrawnPart m_part = DrawnPart::Background;
     std::optional<Parameter> m_length;
-    Mechanism m_mechanism; ///< as it was taken hold of
+    Mechanism m_mechanism; ///< when it was grasped
     MotionLimits m_limits;
-    QPointF m_start;              ///< where the pointer was
-    QPointF m_grip;               ///< of it, from the part's point
-    QPointF m_along;              ///< where to a pull makes the length longer, of length 1
-    QPointF m_crankPin;           ///< A
-    bool m_followsSlider = false; ///< b such that B is under the pointer
+    QPointF m_start;     ///< where it was grasped
+    QPointF m_direction; ///< pulling this way makes the length longer; of length 1
 
-    // Of B: between two dead centres the crank follows the slider; pushed against one, the crank goes on through it
-    // when the slider comes back, as a flywheel would.
-    SliderStroke m_stroke;
-    int m_pushedAgainst = 0; ///< the end of the stroke: +1 its `to`, -1 its `from`, 0 none
+    // Of the slider. Between two dead centres the crank angle follows from the slider's position. Pushed against a dead
+    // centre, the crank goes on through it when the slider comes back, as with a flywheel.
+    std::optional<SliderStroke> m_stroke;
+    int m_pushedAgainst = 0; ///< the end of the stroke: +1 `to`, -1 `from`, 0 none
+    QPointF m_grip;          ///< from the part's point to where it was grasped
 };
 
 } // namespace slidercrank

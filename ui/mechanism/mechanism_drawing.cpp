@@ -1,43 +1,198 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_drawing.h"
 
-#include "ui/mechanism/mechanism_frame.h"
+#include <QFontInfo>
+#include <QFontMetricsF>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace slidercrank
 {
 
-QPointF MechanismDrawing::crankPin() const
+MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const QPalette &palette, const QFont &font)
+    : MechanismProjection(projection)
+    , m_colours(seriesColours(palette))
+    , m_ink(m_colours.text)
+    , m_paper(m_colours.background)
+    , m_muted(faded(m_ink, 0.6))
+    , m_highlight(palette.color(QPalette::Highlight))
+    , m_font(font)
+    , m_smallFont(font)
 {
-    const double a = mechanism().a();
-    return {a * std::cos(pose.theta2), a * std::sin(pose.theta2)};
+    const int pixels = QFontInfo(font).pixelSize();
+    m_font.setPixelSize(pixels);
+    m_smallFont.setPixelSize(std::max(9, pixels - 2));
 }
 
-LinkageMotion MechanismDrawing::motion() const
+void MechanismDrawing::paint(QPainter &painter) const
 {
-    return linkageMotion(mechanism(), pose.time);
-}
-
-bool MechanismDrawing::hasCentre() const
-{
-    const bool wanted = settings.velocity || settings.acceleration || settings.path || settings.names;
-    return wanted && pins && pose.exists();
-}
-
-void MechanismDrawing::refreshCycle(const QRectF &frame)
-{
-    cycle.clear();
-    if (!result || !(settings.showsVelocity() || settings.acceleration || settings.path)) {
-        return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Shape &shape : m_shapes) {
+        painter.setPen(shape.pen);
+        painter.setBrush(shape.brush);
+        painter.drawPath(shape.path);
     }
-    constexpr double kLongest = 0.4; // of the mechanism's extent
-    const QRectF reach = characteristicLength(mechanism(), result->limits);
-    const double longest = kLongest * std::max(reach.width(), reach.height());
-    cycle = cycleOf(mechanism(), result->limits);
-    velocity = arrowScale(cycle, MotionKind::Velocity, mechanism(), frame, longest);
-    acceleration = arrowScale(cycle, MotionKind::Acceleration, mechanism(), frame, longest);
+    for (const Label &label : m_labels) {
+        painter.fillRect(label.box, label.paper);
+        painter.setPen(label.ink);
+        painter.setFont(label.isSmall ? m_smallFont : m_font);
+        painter.drawText(label.box, label.alignment, label.text);
+    }
+}
+
+void MechanismDrawing::paintHighlight(QPainter &painter, const std::set<DrawnPart> &parts, const QColor &colour) const
+{
+    constexpr double kBeyondOutline = 5.0;
+    for (const Shape &shape : m_shapes) {
+        if (parts.contains(shape.part) && shape.pen.style() != Qt::NoPen) {
+            painter.strokePath(shape.path, QPen(withAlpha(colour, 0.45), shape.pen.widthF() + kBeyondOutline,
+                                                Qt::SolidLine, Qt::RoundCap));
+        }
+    }
+}
+
+DrawnPart MechanismDrawing::partAt(QPointF pixel) const
+{
+    constexpr double kToSpare = 3.5;
+    const auto isUnderPointer = [pixel](const Shape &shape) {
+        QPainterPathStroker stroker;
+        stroker.setWidth(shape.pen.widthF() + 2.0 * kToSpare);
+        return shape.part != DrawnPart::Background && (stroker.createStroke(shape.path).contains(pixel) ||
+                                                       (shape.brush != Qt::NoBrush && shape.path.contains(pixel)));
+    };
+    const auto shape = std::find_if(m_shapes.rbegin(), m_shapes.rend(), isUnderPointer);
+    return shape == m_shapes.rend() ? DrawnPart::Background : shape->part;
+}
+
+std::set<DrawnPart> MechanismDrawing::parts() const
+{
+    std::set<DrawnPart> parts;
+    for (const Shape &shape : m_shapes) {
+        parts.insert(shape.part);
+    }
+    parts.erase(DrawnPart::Background);
+    return parts;
+}
+
+void MechanismDrawing::add(const QPainterPath &path, const QPen &pen, const QBrush &brush, DrawnPart part)
+{
+    m_shapes.push_back({part, path, pen, brush});
+}
+
+void MechanismDrawing::addLine(QPointF from, QPointF to, const QPen &pen, DrawnPart part)
+{
+    QPainterPath path(from);
+    path.lineTo(to);
+    add(path, pen, Qt::NoBrush, part);
+}
+
+void MechanismDrawing::addCircle(QPointF centre, double radius, const QPen &pen, const QBrush &brush, DrawnPart part)
+{
+    QPainterPath path;
+    path.addEllipse(centre, radius, radius);
+    add(path, pen, brush, part);
+}
+
+void MechanismDrawing::addArrowHead(QPointF tip, QPointF direction, double length, const QColor &colour)
+{
+    const QPointF back = tip - length * direction;
+    const QPointF across = 0.36 * length * QPointF(-direction.y(), direction.x());
+    QPainterPath path;
+    path.addPolygon(QPolygonF{tip, back + across, back - across, tip});
+    add(path, Qt::NoPen, colour);
+}
+
+void MechanismDrawing::addDimension(QPointF from, QPointF to, const QColor &colour)
+{
+    const QPointF direction = unitVector(to - from);
+    const double head = std::min(8.0, 0.4 * QLineF(from, to).length());
+    addLine(from, to, QPen(colour, 1.0));
+    addArrowHead(to, direction, head, colour);
+    addArrowHead(from, -direction, head, colour);
+}
+
+QSizeF MechanismDrawing::textSize(const QString &text, bool isSmall) const
+{
+    const QFontMetricsF metrics(isSmall ? m_smallFont : m_font);
+    return {metrics.horizontalAdvance(text) + 4.0, metrics.height()};
+}
+
+void MechanismDrawing::addLabel(QPointF centre, const QString &text)
+{
+    QRectF box(QPointF(), textSize(text));
+    box.moveCenter(centre);
+    m_labels.push_back({text, box, m_ink, withAlpha(m_paper, 0.85)});
+}
+
+void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text,
+                                      const QColor &ink, bool isSmall)
+{
+    constexpr double kEighth = std::numbers::pi / 4.0;
+    const double ahead = std::atan2(direction.y(), direction.x());
+    const QRectF inside(QPointF(), size);
+    QRectF box(QPointF(), textSize(text, isSmall));
+    box.adjust(0.0, 2.0, 0.0, -2.0); // letters leave some of their line empty
+    QRectF best;
+    double lowestCost = 1e9;
+    for (int attempt = 0; attempt < 24 && lowestCost > 0.0; ++attempt) {
+        const int turn = (attempt % 8 + 1) / 2 * (attempt % 2 == 0 ? -1 : 1); // 0, 1, -1, 2, -2 …
+        const QPointF away(std::cos(ahead + turn * kEighth), std::sin(ahead + turn * kEighth));
+        // The whole label lies beyond the gap, in the direction of the larger component.
+        const double larger = std::max(std::abs(away.x()), std::abs(away.y()));
+        box.moveCenter(point + (gap + attempt / 8 * box.height()) * away +
+                       QPointF(0.5 * box.width() * away.x(), 0.5 * box.height() * away.y()) / larger);
+        const auto crossed = std::ranges::count_if(m_occupied, [&](const QRectF &it) { return it.intersects(box); });
+        const double cost = static_cast<double>(crossed) + (inside.contains(box) ? 0.0 : 10.0);
+        if (cost < lowestCost) {
+            lowestCost = cost;
+            best = box;
+        }
+    }
+    avoid(best);
+    m_labels.push_back({text, best.adjusted(0.0, -2.0, 0.0, 2.0), ink, withAlpha(m_paper, 0.6), isSmall});
+}
+
+void MechanismDrawing::addCornerLabel(int line, double indent, const QString &text)
+{
+    const QRectF box(QPointF(3.0 + indent, cornerLineTop(line)), textSize(text, true));
+    m_labels.push_back({text, box, m_ink, m_paper, true});
+}
+
+double MechanismDrawing::cornerLineTop(int line) const
+{
+    return 6.0 + line * (textSize({}, true).height() + 2.0);
+}
+
+void MechanismDrawing::avoid(const QLineF &line, double width)
+{
+    const int pieces = 1 + static_cast<int>(line.length() / std::max(3.0, width));
+    for (int i = 0; i <= pieces; ++i) {
+        QRectF box(0.0, 0.0, width, width);
+        box.moveCenter(line.pointAt(static_cast<double>(i) / pieces));
+        avoid(box);
+    }
+}
+
+QColor MechanismDrawing::faded(const QColor &colour, double share) const
+{
+    const auto blend = [share](int x, int y) { return static_cast<int>(std::lround(share * x + (1.0 - share) * y)); };
+    return QColor(blend(colour.red(), m_paper.red()), blend(colour.green(), m_paper.green()),
+                  blend(colour.blue(), m_paper.blue()));
+}
+
+QColor withAlpha(QColor colour, double alpha)
+{
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
+}
+
+QPointF unitVector(QPointF vector)
+{
+    const double length = std::hypot(vector.x(), vector.y());
+    return length > 0.0 ? vector / length : QPointF(0.0, -1.0);
 }
 
 } // namespace slidercrank

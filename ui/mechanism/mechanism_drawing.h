@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All that a drawing of the mechanism shows, as plain data.
+// A drawing as a list of shapes and labels, in pixels. Painting is a loop over the list, the hit test finds the last
+// shape under the pointer, and highlighting strokes the outlines of a part.
 
-#include "core/comparison/reference_pose.h"
-#include "ui/document/result.h"
-#include "ui/document/view_settings.h"
-#include "ui/mechanism/mechanism_arrows.h"
+#include "ui/mechanism/mechanism_frame.h"
+#include "ui/text/theme.h"
 
-#include <QPointF>
+#include <QBrush>
+#include <QFont>
+#include <QLineF>
+#include <QPainterPath>
+#include <QPen>
+#include <QString>
 
-#include <memory>
-#include <optional>
+#include <set>
+#include <vector>
+
+class QPainter;
 
 namespace slidercrank
 {
@@ -19,49 +25,102 @@ namespace slidercrank
 /// What can be pointed at.
 enum class DrawnPart {
     Background,
-    O2,
     A,
     B,
-    G3,
     Crank,
     Coupler,
+    Slider,
     Guide, ///< the slider's line
+    O2,
+    Ground,
+    G3,
     OuterDeadCentre,
     InnerDeadCentre,
     ForbiddenArc
 };
 
-struct MechanismDrawing {
-    /// The two pins, mm: what is left to draw when there is no pose any more.
-    struct Pins {
-        QPointF A;
-        QPointF B;
-    };
-
-    std::shared_ptr<const Result> result; ///< null: nothing is drawn
-    Pose pose;
-    std::optional<Pins> pins; ///< of the last pose that existed
-    ReferencePose ghost;      ///< the reference's linkage; one that does not exist is not drawn
-    MechanismSettings settings;
-
-    // What of a whole turn is on show; empty where nothing of it is.
-    Cycle cycle;
-    ArrowScale velocity;
-    ArrowScale acceleration;
-
-    const Mechanism &mechanism() const { return result->mechanism; }
-
-    /// Where A is, or would be, mm.
-    QPointF crankPin() const;
-
-    /// At the instant of the pose.
-    LinkageMotion motion() const;
-
-    /// After another mechanism, other settings; `frame`: what arrows are to be within, mm.
-    void refreshCycle(const QRectF &frame);
-
-    /// Whether G3 is on show.
-    bool hasCentre() const;
+struct Shape {
+    DrawnPart part = DrawnPart::Background;
+    QPainterPath path;
+    QPen pen;
+    QBrush brush;
 };
+
+struct Label {
+    QString text;
+    QRectF box;
+    QColor ink;
+    QColor paper; ///< behind the text
+    bool isSmall = false;
+    int alignment = Qt::AlignCenter;
+};
+
+/// Colours and fonts are those of a palette and a font; `paper` is the background.
+class MechanismDrawing : public MechanismProjection
+{
+public:
+    MechanismDrawing(const MechanismProjection &projection, const QPalette &palette, const QFont &font);
+
+    void paint(QPainter &painter) const;
+    void paintHighlight(QPainter &painter, const std::set<DrawnPart> &parts, const QColor &colour) const;
+
+    /// The part of the last shape under the pointer, with a few pixels to spare.
+    DrawnPart partAt(QPointF pixel) const;
+
+    std::set<DrawnPart> parts() const;
+
+    const std::vector<Shape> &shapes() const { return m_shapes; }
+    const std::vector<Label> &labels() const { return m_labels; }
+    const SeriesColours &colours() const { return m_colours; }
+    const QColor &highlightColour() const { return m_highlight; }
+
+protected:
+    void add(const QPainterPath &path, const QPen &pen, const QBrush &brush = Qt::NoBrush,
+             DrawnPart part = DrawnPart::Background);
+    void addLine(QPointF from, QPointF to, const QPen &pen, DrawnPart part = DrawnPart::Background);
+    void addCircle(QPointF centre, double radius, const QPen &pen, const QBrush &brush = Qt::NoBrush,
+                   DrawnPart part = DrawnPart::Background);
+    void addArrowHead(QPointF tip, QPointF direction, double length, const QColor &colour);
+    void addDimension(QPointF from, QPointF to, const QColor &colour); ///< a line with an arrow head at both ends
+
+    QSizeF textSize(const QString &text, bool isSmall = false) const;
+
+    /// Text centred at that point.
+    void addLabel(QPointF centre, const QString &text);
+
+    /// Text beside the point, at the first free place: in that direction, then to either side of it, then farther away.
+    /// `gap` is its distance. The place depends on the current pose alone, so that a motion looks the same forwards and
+    /// backwards. In extreme poses labels may overlap.
+    void addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text, const QColor &ink,
+                        bool isSmall = false);
+
+    /// Small text in that line of the upper left corner.
+    void addCornerLabel(int line, double indent, const QString &text);
+    double cornerLineTop(int line) const;
+
+    /// Labels that are added beside points keep clear of it.
+    void avoid(const QRectF &box) { m_occupied.push_back(box); }
+    void avoid(const QLineF &line, double width);
+
+    QColor faded(const QColor &colour, double share) const; ///< mixed with the paper
+
+    SeriesColours m_colours;
+    QColor m_ink;
+    QColor m_paper;
+    QColor m_muted; ///< text and lines of less importance
+    QColor m_highlight;
+    QFont m_font; ///< in pixels, so that text has the same size relative to the drawing on every device
+    QFont m_smallFont;
+    std::vector<Shape> m_shapes;
+    std::vector<Label> m_labels;
+
+private:
+    std::vector<QRectF> m_occupied;
+};
+
+QColor withAlpha(QColor colour, double alpha);
+
+/// The vector with length 1; upwards on the screen for a vector of length 0.
+QPointF unitVector(QPointF vector);
 
 } // namespace slidercrank

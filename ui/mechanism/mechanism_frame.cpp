@@ -15,32 +15,27 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kClosest =
-    100.0; ///< times the fitted frame's scale; closer, a circle no longer fits a drawing's numbers
-constexpr double kFarthest = 0.05;
+// Margins around the bounds, as parts of their extent.
+constexpr double kMargin = 0.08;       // room for the slider and the names
+constexpr double kLeastMargin = 0.03;  // with less the frame is widened
+constexpr double kMarginToGrow = 0.22; // bounds that have outgrown the frame usually keep growing
 
-/// The reach with room around it, its edges on round numbers.
-QRectF frameAround(const QRectF &reach, double room)
+QRectF withMargin(const QRectF &bounds, double share)
 {
-    const double extent = std::max(reach.width(), reach.height());
-    const double step = nextRoundNumber(extent / 20.0);
-    const double margin = room * extent;
-    const auto down = [step](double x) { return std::floor(x / step) * step; };
-    const auto up = [step](double x) { return std::ceil(x / step) * step; };
-    return QRectF(QPointF(down(reach.left() - margin), down(reach.top() - margin)),
-                  QPointF(up(reach.right() + margin), up(reach.bottom() + margin)));
+    const double margin = share * std::max(bounds.width(), bounds.height());
+    return bounds.adjusted(-margin, -margin, margin, margin);
 }
 
-constexpr double kRoom = 0.08;      ///< beside what moves, for slider and names; of its extent
-constexpr double kLeastRoom = 0.03; ///< with less of it, the view is widened
-
-QRectF withLeastRoom(const QRectF &reach)
+/// The bounds with a margin, rounded outwards to round numbers.
+QRectF frameAround(const QRectF &bounds, double share)
 {
-    const double least = kLeastRoom * std::max(reach.width(), reach.height());
-    return reach.adjusted(-least, -least, least, least);
+    const double step = nextRoundNumber(std::max(bounds.width(), bounds.height()) / 20.0);
+    const QRectF wide = withMargin(bounds, share);
+    return QRectF(QPointF(std::floor(wide.left() / step) * step, std::floor(wide.top() / step) * step),
+                  QPointF(std::ceil(wide.right() / step) * step, std::ceil(wide.bottom() / step) * step));
 }
 
-MechanismProjection projectionOf(const QRectF &frame, const QSizeF &size)
+MechanismProjection projectionOnto(const QRectF &frame, const QSizeF &size)
 {
     MechanismProjection projection;
     projection.size = size;
@@ -58,13 +53,13 @@ QRectF MechanismProjection::visible() const
     return QRectF(toModel({0.0, size.height()}), toModel({size.width(), 0.0}));
 }
 
-QRectF characteristicLength(const Mechanism &mechanism, const MotionLimits &limits)
+QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
 {
     const double a = mechanism.a();
     const double c = mechanism.c();
     double left = -a;
     double right = a;
-    // At the ends of a rocker's arc the slider is at a cos θ2, so within the crank circle's width.
+    // Where an oscillating crank turns back, the slider is at a cos θ2, within the width of the crank's circle.
     for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
         if (centre) {
             left = std::min(left, centre->R4x);
@@ -74,13 +69,12 @@ QRectF characteristicLength(const Mechanism &mechanism, const MotionLimits &limi
     return QRectF(QPointF(left, std::min(-a, c)), QPointF(right, std::max(a, c)));
 }
 
-QRectF characteristicLength(const ReferenceData &data, const Mechanism &lengths)
+QRectF motionBounds(const ReferenceData &data, const Mechanism &lengths)
 {
-    constexpr std::size_t kInstants = 400; // enough for tens of turns, in a moment
+    constexpr std::size_t kSamples = 400; // enough for tens of revolutions
     QPolygonF pins;
-    const std::size_t rows = data.time.size();
-    const std::size_t step = std::max<std::size_t>(1, rows / kInstants);
-    for (std::size_t i = 0; i < rows; i += step) {
+    const std::size_t step = std::max<std::size_t>(1, data.time.size() / kSamples);
+    for (std::size_t i = 0; i < data.time.size(); i += step) {
         const ReferencePose pose = referencePoseAt(data, lengths, data.time[i]);
         if (pose.exists) {
             pins << QPointF(pose.pinX, pose.pinY) << QPointF(pose.sliderX, pose.sliderY);
@@ -89,57 +83,40 @@ QRectF characteristicLength(const ReferenceData &data, const Mechanism &lengths)
     return pins.boundingRect();
 }
 
-void MechanismFrame::follow(const QRectF &reach)
+void MechanismFrame::follow(const QRectF &bounds)
 {
-    constexpr double kRoomToGrow = 0.22; // where the reach has just outgrown the frame: it will grow on
-    constexpr double kMuchTooLarge = 0.65;
-    const QRectF needed = withLeastRoom(reach);
-    const QRectF wanted = frameAround(reach, kRoom);
-    if (m_fitted.isNull() || wanted.width() < kMuchTooLarge * m_fitted.width() ||
-        wanted.height() < kMuchTooLarge * m_fitted.height()) {
+    constexpr double kFarTooLarge = 0.65; // the share of the frame that is still used
+    const QRectF wanted = frameAround(bounds, kMargin);
+    if (m_fitted.isNull() || wanted.width() < kFarTooLarge * m_fitted.width() ||
+        wanted.height() < kFarTooLarge * m_fitted.height()) {
         m_fitted = wanted;
-    } else if (!m_fitted.contains(needed)) {
-        const QRectF grown = frameAround(reach, kRoomToGrow);
-        m_fitted = QRectF(QPointF(needed.left() < m_fitted.left() ? grown.left() : m_fitted.left(),
-                                  needed.top() < m_fitted.top() ? grown.top() : m_fitted.top()),
-                          QPointF(needed.right() > m_fitted.right() ? grown.right() : m_fitted.right(),
-                                  needed.bottom() > m_fitted.bottom() ? grown.bottom() : m_fitted.bottom()));
+    } else if (!m_fitted.contains(withMargin(bounds, kLeastMargin))) {
+        m_fitted = m_fitted.united(frameAround(bounds, kMarginToGrow));
     }
 }
 
-void MechanismFrame::include(const QRectF &reach)
+void MechanismFrame::fit(const QRectF &bounds)
 {
-    if (!reach.isNull() && !m_fitted.contains(withLeastRoom(reach))) {
-        m_fitted = m_fitted.united(frameAround(reach, kRoom));
-    }
-}
-
-void MechanismFrame::refit(const QRectF &reach)
-{
-    m_fitted = frameAround(reach, kRoom);
-}
-
-void MechanismFrame::fit(const QRectF &reach)
-{
-    refit(reach);
-    m_zoomed.reset();
+    m_fitted = frameAround(bounds, kMargin);
 }
 
 MechanismProjection MechanismFrame::projection(const QSizeF &size) const
 {
     const QRectF nothing(-1.0, -1.0, 2.0, 2.0);
-    return projectionOf(m_zoomed.value_or(m_fitted.isNull() ? nothing : m_fitted), size);
+    return projectionOnto(m_zoomed.value_or(m_fitted.isNull() ? nothing : m_fitted), size);
 }
 
-void MechanismFrame::zoom(double factor, QPointF about, const QSizeF &size)
+void MechanismFrame::zoom(double factor, QPointF pixel, const QSizeF &size)
 {
+    // Relative to the scale of the fitted frame; closer, a circle exceeds the numbers of a painter.
+    constexpr double kFarthest = 0.05;
+    constexpr double kClosest = 100.0;
     const MechanismProjection now = projection(size);
-    const double whole = m_fitted.isNull() ? now.scale : projectionOf(m_fitted, size).scale;
-    const double scale = std::clamp(factor * now.scale, kFarthest * whole, kClosest * whole);
-    const double shrunk = now.scale / scale;
-    const QPointF still = now.toModel(about);
+    const double whole = m_fitted.isNull() ? now.scale : projectionOnto(m_fitted, size).scale;
+    const double shrunk = now.scale / std::clamp(factor * now.scale, kFarthest * whole, kClosest * whole);
+    const QPointF fixed = now.toModel(pixel);
     const QRectF visible = now.visible();
-    m_zoomed = QRectF(still + shrunk * (visible.topLeft() - still), still + shrunk * (visible.bottomRight() - still));
+    m_zoomed = QRectF(fixed + shrunk * (visible.topLeft() - fixed), fixed + shrunk * (visible.bottomRight() - fixed));
 }
 
 void MechanismFrame::pan(QPointF pixels, const QSizeF &size)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What part of the plane a drawing of the mechanism shows, and where its points are then. The frame stands still while
-// the mechanism moves, follows its lengths in coarse steps while they change, and fits them once they rest; where a
-// person has zoomed, it stays as they left it.
+// The part of the plane that a drawing of the mechanism shows. The frame stands still while the mechanism moves. While
+// lengths change it follows in coarse steps, and it fits them once they rest. Where the user has zoomed, it stays.
 //
-// Model coordinates: mm, x to the right, y upwards, O2 in the origin. A rectangle of the model has its least y at
+// Model coordinates: mm, x to the right, y upwards, O2 at the origin. A rectangle of the model has its smallest y at
 // top().
 
 #include "core/import/reference_data.h"
@@ -20,53 +19,45 @@
 namespace slidercrank
 {
 
-/// Where points of the model are in a drawing.
+/// Maps points of the model to pixels of a drawing.
 struct MechanismProjection {
     QSizeF size;        ///< pixels
-    double scale = 1.0; ///< pixels a mm
-    QPointF origin;     ///< pixels, of O2
+    double scale = 1.0; ///< pixels per mm
+    QPointF origin;     ///< O2, pixels
 
     QPointF toPixels(QPointF model) const { return {origin.x() + scale * model.x(), origin.y() - scale * model.y()}; }
     QPointF toModel(QPointF pixel) const
     {
         return {(pixel.x() - origin.x()) / scale, (origin.y() - pixel.y()) / scale};
     }
-    QRectF visible() const; ///< mm, all of the drawing
-
-    friend bool operator==(const MechanismProjection &, const MechanismProjection &) = default;
+    QRectF visible() const; ///< mm, the whole drawing
 };
 
-/// Everywhere that the pins A and B can be, mm. Empty rectangles do not occur: the crank has a length.
-QRectF characteristicLength(const Mechanism &mechanism, const MotionLimits &limits);
+/// The rectangle (mm) in which the pins A and B of the mechanism move. It is never empty, since the crank has a length.
+QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits);
 
-/// Everywhere that they are in the data, which tell nothing of those lengths, mm; null where the data have no pose.
-QRectF characteristicLength(const ReferenceData &data, const Mechanism &lengths);
+/// The same for reference data, with the lengths that they do not contain; null if the data have no pose.
+QRectF motionBounds(const ReferenceData &data, const Mechanism &lengths);
 
 class MechanismFrame
 {
 public:
-    /// Puts the reach into view, at once where it is out of it, and closer where it has become small.
-    void follow(const QRectF &reach);
+    /// Widens the frame with room to spare where the bounds have outgrown it; replaces it where it is far too large.
+    void follow(const QRectF &bounds);
 
-    /// Widens the view where the reach is beyond it, and never brings it closer.
-    void include(const QRectF &reach);
+    /// Fits the frame to the bounds with a margin.
+    void fit(const QRectF &bounds);
 
-    /// The reach with room around it, whatever was in view.
-    void refit(const QRectF &reach);
-
-    /// The same, no longer zoomed.
-    void fit(const QRectF &reach);
-
-    /// With all of the frame in the drawing, in the middle.
+    /// Shows the whole frame, centred, in a drawing of that size (pixels).
     MechanismProjection projection(const QSizeF &size) const;
 
-    /// In a drawing of that size; the point under the pixel stays there.
-    void zoom(double factor, QPointF about, const QSizeF &size);
+    /// In a drawing of that size; the point under the pixel stays where it is.
+    void zoom(double factor, QPointF pixel, const QSizeF &size);
     void pan(QPointF pixels, const QSizeF &size);
 
-    const QRectF &fitted() const { return m_fitted; } ///< null before the first reach
+    const QRectF &fitted() const { return m_fitted; } ///< null before the first bounds
 
-    /// What somebody zoomed to; none: all.
+    /// The rectangle that the user zoomed to; nullopt: the fitted one.
     const std::optional<QRectF> &zoomed() const { return m_zoomed; }
     void setZoomed(const std::optional<QRectF> &zoomed) { m_zoomed = zoomed; }
 

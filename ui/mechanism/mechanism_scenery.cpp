@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/mechanism/mechanism_scenery.h"
+#include "ui/mechanism/mechanism_sketch.h"
 
-#include "ui/mechanism/mechanism_labels.h"
+#include "ui/mechanism/mechanism_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
-#include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -22,223 +19,196 @@ struct MechanismScenery {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismScenery)
 };
 
-constexpr double kHatchSpacing = 7.0; ///< px
-
-/// In the upper left corner.
-int valueLineCount(const MechanismCanvas &on, const MechanismDrawing &drawing)
-{
-    return drawing.settings.dimensions ? static_cast<int>(valueLines(on, drawing.mechanism()).size()) : 0;
-}
-
-/// A line of ground with short strokes below it.
-void paintGround(QPainter &painter, QPointF from, QPointF to)
-{
-    painter.drawLine(from, to);
-    const double length = to.x() - from.x();
-    const int strokes = static_cast<int>(std::floor(length / kHatchSpacing));
-    for (int i = 0; i < strokes; ++i) {
-        const QPointF top(from.x() + (i + 1) * kHatchSpacing, from.y());
-        painter.drawLine(top, top + QPointF(-kHatchLength, kHatchLength));
-    }
-}
-
-QRectF circleOf(const MechanismCanvas &on, double radius)
-{
-    const QPointF pivot = on.toPixels({0.0, 0.0});
-    const double pixels = on.scale * radius;
-    return QRectF(pivot.x() - pixels, pivot.y() - pixels, 2.0 * pixels, 2.0 * pixels);
-}
-
-void paintForbidden(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing, double width)
-{
-    const QRectF circle = circleOf(on, drawing.mechanism().a());
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(on.colours.warning, width, Qt::SolidLine, Qt::FlatCap));
-    for (const CrankRange &range : forbiddenRanges(drawing.result->limits)) {
-        QPainterPath arc;
-        arc.arcMoveTo(circle, range.from * kDegreesPerRadian);
-        arc.arcTo(circle, range.from * kDegreesPerRadian, (range.to - range.from) * kDegreesPerRadian);
-        painter.drawPath(arc);
-    }
-}
-
-void paintCircle(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
-{
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(mixed(on.colours.text, on.colours.background, 0.35), 1.0, Qt::DashLine));
-    painter.drawEllipse(circleOf(on, drawing.mechanism().a()));
-    paintForbidden(painter, on, drawing, 3.0);
-}
-
-void paintDeadCentre(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing,
-                     const std::optional<DeadCentre> &centre)
-{
-    if (centre) {
-        const QPointF at = on.toPixels({centre->R4x, drawing.mechanism().c()});
-        painter.drawLine(at + QPointF(0.0, -kDeadCentreMark), at + QPointF(0.0, kRailBelowLine));
-    }
-}
-
-/// The slider's line, its rail as far as the slider goes, and the dead centres.
-void paintGuide(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
-{
-    const double line = on.toPixels({0.0, drawing.mechanism().c()}).y();
-    painter.setPen(QPen(on.muted, 1.0, Qt::DashDotLine));
-    painter.drawLine(QPointF(0.0, line), QPointF(on.size.width(), line));
-    painter.setPen(QPen(on.muted, 1.2));
-    const Rail rail = railOf(drawing);
-    double left = on.toPixels({rail.left, 0.0}).x() - kRailOverhang;
-    const double right = std::min(on.toPixels({rail.right, 0.0}).x() + kRailOverhang, on.size.width() + kHatchSpacing);
-    if (left < -kHatchSpacing) { // out of sight: not to be hatched, and the strokes in sight stay where they are
-        left += kHatchSpacing * std::floor(-left / kHatchSpacing - 1.0);
-    }
-    if (left < right) {
-        paintGround(painter, {left, line + kRailBelowLine}, {right, line + kRailBelowLine});
-    }
-    paintDeadCentre(painter, on, drawing, drawing.result->limits.outer);
-    paintDeadCentre(painter, on, drawing, drawing.result->limits.inner);
-}
-
-/// O₂: a pivot on the ground.
-void paintPivot(QPainter &painter, const MechanismCanvas &on)
-{
-    const QPointF pivot = on.toPixels({0.0, 0.0});
-    const QPointF foot = pivot + QPointF(0.0, kGroundDepth - kHatchLength);
-    painter.setPen(QPen(on.muted, 1.2));
-    paintGround(painter, foot + QPointF(-kGroundHalfWidth, 0.0), foot + QPointF(kGroundHalfWidth, 0.0));
-    painter.setPen(QPen(on.colours.text, 1.4));
-    painter.setBrush(mixed(on.colours.text, on.colours.background, 0.15));
-    painter.drawPolygon(QPolygonF{pivot, foot + QPointF(-11.0, 0.0), foot + QPointF(11.0, 0.0)});
-    paintJoint(painter, pivot, on.colours.text, on.colours.background);
-}
-
-void paintPath(QPainter &painter, const MechanismCanvas &on, const Cycle &cycle)
-{
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(mixed(on.colours.model, on.colours.background, 0.75), 1.4));
-    for (const std::vector<LinkageMotion> &arc : cycle) {
-        QPolygonF path;
-        for (const LinkageMotion &instant : arc) {
-            const PlaneVector &centre = instant[static_cast<std::size_t>(LinkagePoint::G3)].position;
-            path << on.toPixels({centre.x, centre.y});
-        }
-        painter.drawPolyline(path);
-    }
-}
+constexpr double kBelowLine = 13.0; // from the slider's line to the rail
 
 } // namespace
 
-int cornerLineCount(const MechanismCanvas &on, const MechanismDrawing &drawing)
+MechanismSketch::MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection,
+                                 const QPalette &palette, const QFont &font)
+    : MechanismDrawing(projection, palette, font)
+    , m_scene(scene)
+    , m_O2(toPixels({0.0, 0.0}))
 {
-    const MechanismSettings &settings = drawing.settings;
-    return valueLineCount(on, drawing) + (settings.showsVelocity() ? 1 : 0) + (settings.acceleration ? 1 : 0);
+    if (scene.result) {
+        m_A = toPixels(scene.crankPin());
+        m_B = toPixels(scene.wristPin());
+        m_exists = scene.pose.exists();
+    }
 }
 
-Rail railOf(const MechanismDrawing &drawing)
+void MechanismSketch::addScenery()
 {
-    const MotionLimits &limits = drawing.result->limits;
-    if (limits.mobility == Mobility::FullTurn && limits.inner && limits.outer) {
-        return {std::min(limits.inner->R4x, limits.outer->R4x), std::max(limits.inner->R4x, limits.outer->R4x)};
+    QPainterPath paper;
+    paper.addRect(QRectF(QPointF(), size));
+    add(paper, Qt::NoPen, m_paper);
+    if (m_scene.result) {
+        addGrid();
+        addCrankCircle();
+        addGuide();
+        addPath();
+        addPivot();
+        addDimensionsAndScales();
     }
-    const QRectF reach = characteristicLength(drawing.mechanism(), limits);
-    return {reach.left(), reach.right()};
 }
 
-void paintGrid(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
+/// With its numbers along the lower and the left edge.
+void MechanismSketch::addGrid()
 {
-    painter.fillRect(QRectF(QPointF(0.0, 0.0), on.size), on.colours.background);
-    if (!drawing.result) {
-        return;
-    }
     constexpr double kLeastSpacing = 50.0; // px
-    const double step = nextRoundNumber(kLeastSpacing / on.scale);
-    const QRectF visible = on.visible();
-    painter.setFont(on.smallFont);
-    const QFontMetricsF metrics(on.smallFont);
-    const double textHeight = metrics.height();
-    const double cornerWidth = metrics.horizontalAdvance(MechanismScenery::tr("mm")) + 10.0;
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QPen(on.colours.grid, on.hairline));
-    const auto forEachLine = [step](double from, double to, const auto &paint) {
-        for (double i = std::ceil(from / step); i <= std::floor(to / step); i += 1.0) {
-            paint(i * step);
+    const double step = nextRoundNumber(kLeastSpacing / scale);
+    const QRectF shown = visible();
+    const auto addNumber = [this](QPointF lowerLeft, const QString &text) {
+        const QSizeF extent = textSize(text, true);
+        const QRectF box(lowerLeft - QPointF(-1.0, extent.height()), extent);
+        m_labels.push_back({text, box, m_muted, Qt::transparent, true});
+        return box;
+    };
+    const QRectF corner = addNumber({1.0, size.height()}, MechanismScenery::tr("mm"));
+    QPainterPath grid;
+    for (double i = std::ceil(shown.left() / step); i <= std::floor(shown.right() / step); i += 1.0) {
+        const double x = std::floor(toPixels({i * step, 0.0}).x()) + 0.5; // in the middle of a pixel
+        grid.moveTo(x, 0.0);
+        grid.lineTo(x, size.height());
+        const QString text = numberText(i * step);
+        if (x > corner.right() && x + textSize(text, true).width() < size.width()) {
+            addNumber({x, size.height()}, text);
+        }
+    }
+    const double top = cornerLineCount() > 0 ? cornerLineTop(cornerLineCount()) : 0.0;
+    for (double i = std::ceil(shown.top() / step); i <= std::floor(shown.bottom() / step); i += 1.0) {
+        const double y = std::floor(toPixels({0.0, i * step}).y()) + 0.5;
+        grid.moveTo(0.0, y);
+        grid.lineTo(size.width(), y);
+        if (y - corner.height() > top && y < corner.top()) {
+            addNumber({1.0, y}, numberText(i * step));
+        }
+    }
+    add(grid, QPen(m_colours.grid, 1.0));
+}
+
+/// A line of ground with short strokes below it.
+void MechanismSketch::addGround(QPointF from, double to, DrawnPart part)
+{
+    constexpr double kSpacing = 7.0;
+    QPainterPath path(from);
+    path.lineTo(to, from.y());
+    for (double x = from.x() + kSpacing; x <= to; x += kSpacing) {
+        path.moveTo(x, from.y());
+        path.lineTo(x - kSpacing, from.y() + kSpacing);
+    }
+    add(path, QPen(m_muted, 1.2), Qt::NoBrush, part);
+}
+
+/// The circle of the crank pin, marked where the mechanism cannot be assembled.
+void MechanismSketch::addCrankCircle()
+{
+    const double radius = scale * mechanism().a();
+    addCircle(m_O2, radius, QPen(faded(m_ink, 0.35), 1.0, Qt::DashLine));
+    const QRectF circle = m_shapes.back().path.boundingRect();
+    for (const CrankRange &range : forbiddenRanges(limits())) {
+        QPainterPath arc;
+        arc.arcMoveTo(circle, range.from * kDegreesPerRadian);
+        arc.arcTo(circle, range.from * kDegreesPerRadian, (range.to - range.from) * kDegreesPerRadian);
+        add(arc, QPen(m_colours.warning, 3.0, Qt::SolidLine, Qt::FlatCap), Qt::NoBrush, DrawnPart::ForbiddenArc);
+    }
+}
+
+/// The slider's line, the rail as far as the slider travels, and the dead centres.
+void MechanismSketch::addGuide()
+{
+    constexpr double kOverhang = 23.0;   // px that the rail is longer than the stroke, at either end
+    constexpr double kOutOfSight = 20.0; // px
+    constexpr double kMark = 20.0;       // px that a dead centre's mark rises above the line
+    const double y = toPixels({0.0, mechanism().c()}).y();
+    addLine({0.0, y}, {size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), DrawnPart::Guide);
+    const QRectF bounds = motionBounds(mechanism(), limits());
+    double left = bounds.left();
+    double right = bounds.right();
+    if (limits().mobility == Mobility::FullTurn && limits().inner && limits().outer) {
+        std::tie(left, right) = std::minmax(limits().inner->R4x, limits().outer->R4x);
+    }
+    addGround({std::max(toPixels({left, 0.0}).x() - kOverhang, -kOutOfSight), y + kBelowLine},
+              std::min(toPixels({right, 0.0}).x() + kOverhang, size.width() + kOutOfSight), DrawnPart::Guide);
+    const auto addDeadCentre = [&](const std::optional<DeadCentre> &centre, DrawnPart part) {
+        if (centre) {
+            const double x = toPixels({centre->R4x, 0.0}).x();
+            addLine({x, y - kMark}, {x, y + kBelowLine}, QPen(m_muted, 1.2), part);
         }
     };
-    forEachLine(visible.left(), visible.right(), [&](double x) {
-        const double pixel = on.toPixels({x, 0.0}).x();
-        painter.drawLine(QPointF(pixel, 0.0), QPointF(pixel, on.size.height()));
-    });
-    forEachLine(visible.top(), visible.bottom(), [&](double y) {
-        const double pixel = on.toPixels({0.0, y}).y();
-        painter.drawLine(QPointF(0.0, pixel), QPointF(on.size.width(), pixel));
-    });
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(on.muted);
-    painter.drawText(QPointF(4.0, on.size.height() - 4.0), MechanismScenery::tr("mm"));
-    forEachLine(visible.left(), visible.right(), [&](double x) {
-        const QString text = numberText(x);
-        const double left = on.toPixels({x, 0.0}).x() + 3.0;
-        if (left > cornerWidth && left + metrics.horizontalAdvance(text) < on.size.width()) {
-            painter.drawText(QPointF(left, on.size.height() - 4.0), text);
-        }
-    });
-    const int lines = cornerLineCount(on, drawing);
-    const double highest = lines > 0 ? cornerLine(on, lines, 0.0).top() : 0.0;
-    forEachLine(visible.top(), visible.bottom(), [&](double y) {
-        const double baseline = on.toPixels({0.0, y}).y() - 3.0;
-        if (baseline > highest + textHeight && baseline < on.size.height() - 1.5 * textHeight) {
-            painter.drawText(QPointF(4.0, baseline), numberText(y));
-        }
-    });
+    addDeadCentre(limits().outer, DrawnPart::OuterDeadCentre);
+    addDeadCentre(limits().inner, DrawnPart::InnerDeadCentre);
 }
 
-void paintScenery(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing)
+/// The path of G3.
+void MechanismSketch::addPath()
 {
-    if (!drawing.result) {
+    if (!m_scene.settings.path) {
         return;
     }
-    const MechanismSettings &settings = drawing.settings;
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintCircle(painter, on, drawing);
-    paintGuide(painter, on, drawing);
-    if (settings.path) {
-        paintPath(painter, on, drawing.cycle);
+    QPainterPath path;
+    for (const std::vector<LinkageMotion> &arc : m_scene.cycle) {
+        QPolygonF points;
+        for (const LinkageMotion &sample : arc) {
+            const PlaneVector &centre = sample[static_cast<std::size_t>(LinkagePoint::G3)].position;
+            points << toPixels({centre.x, centre.y});
+        }
+        path.addPolygon(points);
     }
-    paintPivot(painter, on);
-    int line = valueLineCount(on, drawing);
-    if (settings.dimensions) {
-        paintOffset(painter, on, drawing.mechanism());
-        paintValues(painter, on, drawing.mechanism());
-    }
-    if (settings.showsVelocity()) {
-        paintScale(painter, on, drawing.velocity, MotionKind::Velocity, line++);
-    }
-    if (settings.acceleration) {
-        paintScale(painter, on, drawing.acceleration, MotionKind::Acceleration, line);
-    }
+    add(path, QPen(faded(m_colours.model, 0.75), 1.4));
 }
 
-void paintSceneryHighlight(QPainter &painter, const MechanismCanvas &on, const MechanismDrawing &drawing,
-                           DrawnPart part)
+/// O2 on the ground.
+void MechanismSketch::addPivot()
 {
-    painter.setPen(QPen(on.highlight, 2.5));
-    switch (part) {
-    case DrawnPart::Guide: {
-        const double line = on.toPixels({0.0, drawing.mechanism().c()}).y();
-        painter.drawLine(QPointF(0.0, line), QPointF(on.size.width(), line));
-        break;
+    const QPointF foot = m_O2 + QPointF(0.0, 17.0);
+    addGround(foot - QPointF(17.0, 0.0), foot.x() + 17.0, DrawnPart::Ground);
+    QPainterPath bracket;
+    bracket.addPolygon(QPolygonF{m_O2, foot - QPointF(11.0, 0.0), foot + QPointF(11.0, 0.0), m_O2});
+    add(bracket, QPen(m_ink, 1.4), faded(m_ink, 0.15), DrawnPart::Ground);
+}
+
+void MechanismSketch::addDimensionsAndScales()
+{
+    const MechanismSettings &settings = m_scene.settings;
+    int line = 0;
+    if (settings.dimensions) {
+        const QLineF offset = offsetDimension();
+        addLine(offset.p1(), m_O2, QPen(m_muted, 1.0));
+        addDimension(offset.p1(), offset.p2(), m_muted);
+        addLabel(offset.center(), QStringLiteral("c"));
+        addCornerLabel(line++, 0.0,
+                       QStringList{lengthText(QStringLiteral("a"), mechanism().a()),
+                                   lengthText(QStringLiteral("b"), mechanism().b()),
+                                   lengthText(QStringLiteral("c"), mechanism().c())}
+                           .join(QStringLiteral("   ")));
     }
-    case DrawnPart::OuterDeadCentre: paintDeadCentre(painter, on, drawing, drawing.result->limits.outer); break;
-    case DrawnPart::InnerDeadCentre: paintDeadCentre(painter, on, drawing, drawing.result->limits.inner); break;
-    case DrawnPart::ForbiddenArc: paintForbidden(painter, on, drawing, 6.0); break;
-    case DrawnPart::Background:
-    case DrawnPart::O2:
-    case DrawnPart::A:
-    case DrawnPart::B:
-    case DrawnPart::G3:
-    case DrawnPart::Crank:
-    case DrawnPart::Coupler: break;
-    }
+    const auto addScale = [&](bool isShown, const ArrowScale &arrows, MotionKind kind) {
+        constexpr double kSample = 26.0;
+        if (isShown) {
+            const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, true).height());
+            addArrow(left, left + QPointF(kSample, 0.0), kind, false);
+            addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows, kind));
+        }
+    };
+    addScale(settings.showsVelocity(), m_scene.velocity, MotionKind::Velocity);
+    addScale(settings.acceleration, m_scene.acceleration, MotionKind::Acceleration);
+}
+
+/// Upright, from the height of O2 to that of the slider's line, beside the crank's circle where the coupler does not
+/// come.
+QLineF MechanismSketch::offsetDimension() const
+{
+    constexpr double kBesideCircle = 14.0;
+    const double side = mechanism().branch() == Branch::Open ? -1.0 : 1.0;
+    const double x = toPixels({side * mechanism().a(), 0.0}).x() + side * kBesideCircle;
+    return {x, m_O2.y(), x, toPixels({0.0, mechanism().c()}).y()};
+}
+
+/// The number of text lines in the upper left corner.
+int MechanismSketch::cornerLineCount() const
+{
+    const MechanismSettings &settings = m_scene.settings;
+    return int(settings.dimensions) + int(settings.showsVelocity()) + int(settings.acceleration);
 }
 
 } // namespace slidercrank

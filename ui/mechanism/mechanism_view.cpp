@@ -3,20 +3,18 @@
 
 #include "core/sampling/crank_instant.h"
 #include "ui/document/with.h"
-#include "ui/mechanism/drawn_part.h"
-#include "ui/mechanism/mechanism_linkage.h"
-#include "ui/mechanism/mechanism_note.h"
-#include "ui/mechanism/mechanism_scenery.h"
-#include "ui/mechanism/mechanism_words.h"
+#include "ui/mechanism/mechanism_text.h"
 #include "ui/text/written_number.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QFontInfo>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -31,33 +29,77 @@ namespace
 {
 
 constexpr double kZoomStep = 1.25;
-constexpr double kPanStep = 40.0;    // px
-constexpr double kStillAClick = 3.0; // px that a hand shakes
-constexpr int kNoteDelay = 250;      // ms: a pointer that only passes by is told nothing
-constexpr int kRest = 400;           // ms without a change: then lengths and pose are at rest
+constexpr double kPanStep = 40.0;   // px
+constexpr double kClickMoves = 3.0; // px that a hand moves during a click
+constexpr int kNoteDelay = 250;     // ms: a pointer that only passes by gets no note
+constexpr int kRest = 400;          // ms without a change
+
+QTimer *makeTimer(QObject *parent, int milliseconds)
+{
+    auto *timer = new QTimer(parent);
+    timer->setSingleShot(true);
+    timer->setInterval(milliseconds);
+    return timer;
+}
+
+QLabel *makeNote(QWidget *parent)
+{
+    auto *note = new QLabel(parent);
+    note->setObjectName(QStringLiteral("mechanismNote"));
+    note->setAttribute(Qt::WA_TransparentForMouseEvents);
+    note->setTextFormat(Qt::PlainText);
+    note->setWordWrap(true);
+    note->setMargin(5);
+    note->setFrameShape(QFrame::Box);
+    note->setAutoFillBackground(true);
+    note->setBackgroundRole(QPalette::Base);
+    note->setForegroundRole(QPalette::Text);
+    note->hide();
+    return note;
+}
+
+std::set<DrawnPart> drawnParts(MechanismPart part)
+{
+    switch (part) {
+    case MechanismPart::None: return {};
+    case MechanismPart::Ground: return {DrawnPart::Ground};
+    case MechanismPart::Crank: return {DrawnPart::Crank};
+    case MechanismPart::Coupler: return {DrawnPart::Coupler};
+    case MechanismPart::Slider: return {DrawnPart::Slider};
+    case MechanismPart::Pivot: return {DrawnPart::O2};
+    case MechanismPart::PinA: return {DrawnPart::A};
+    case MechanismPart::PinB: return {DrawnPart::B};
+    case MechanismPart::Guide: return {DrawnPart::Guide, DrawnPart::Slider};
+    case MechanismPart::Drive: return {DrawnPart::O2, DrawnPart::Crank};
+    }
+    return {};
+}
 
 } // namespace
 
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
-    , m_note(new MechanismNote(this))
-    , m_noteDelay(new QTimer(this))
-    , m_refitDelay(new QTimer(this))
+    , m_flip(new QToolButton(this))
+    , m_note(makeNote(this))
+    , m_noteDelay(makeTimer(this, kNoteDelay))
+    , m_refitDelay(makeTimer(this, kRest))
 {
     setObjectName(QStringLiteral("mechanismView"));
     setAccessibleName(tr("Mechanism"));
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setMouseTracking(true); // for what is pointed at
+    setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_noteDelay->setSingleShot(true);
-    m_noteDelay->setInterval(kNoteDelay);
-    connect(m_noteDelay, &QTimer::timeout, this, &MechanismView::updateNote);
     m_refitDelay->setObjectName(QStringLiteral("refitDelay"));
-    m_refitDelay->setSingleShot(true);
-    m_refitDelay->setInterval(kRest);
-    connect(m_refitDelay, &QTimer::timeout, this, &MechanismView::refitAtRest);
+    connect(m_noteDelay, &QTimer::timeout, this, &MechanismView::showNote);
+    connect(m_refitDelay, &QTimer::timeout, this, &MechanismView::fitFrame);
+    m_flip->setObjectName(QStringLiteral("flipButton"));
+    m_flip->setFocusPolicy(Qt::TabFocus);
+    m_flip->hide();
+    connect(m_flip, &QToolButton::clicked, this, [this] {
+        emit branchRequested(m_scene.mechanism().branch() == Branch::Open ? Branch::Crossed : Branch::Open);
+    });
     makeChoices();
 }
 
@@ -68,18 +110,15 @@ void MechanismView::makeChoices()
         action->setObjectName(name);
         action->setCheckable(true);
         connect(action, &QAction::triggered, this,
-                [this, setting](bool on) { setSettings(with(m_drawing.settings, setting, on)); });
+                [this, setting](bool on) { setSettings(with(m_scene.settings, setting, on)); });
         m_choices << action;
     };
     const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
         auto *action = new QAction(text, this);
         action->setShortcuts(keys);
-        action->setShortcutContext(Qt::WidgetShortcut); // elsewhere they are characters that one types
+        action->setShortcutContext(Qt::WidgetShortcut); // elsewhere they are characters to type
         connect(action, &QAction::triggered, this, change);
         m_choices << action;
-    };
-    const auto zoomBy = [this](double factor) {
-        changeFrame([this, factor] { m_frame.zoom(factor, QRectF(rect()).center(), size()); });
     };
     addSwitch(tr("&Velocity arrows"), QStringLiteral("showVelocity"), &MechanismSettings::velocity);
     addSwitch(tr("&Acceleration arrows"), QStringLiteral("showAcceleration"), &MechanismSettings::acceleration);
@@ -91,292 +130,268 @@ void MechanismView::makeChoices()
               &MechanismSettings::instantCentre);
     m_choices << new QAction(this);
     m_choices.back()->setSeparator(true);
-    addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [zoomBy] { zoomBy(kZoomStep); });
-    addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [zoomBy] { zoomBy(1.0 / kZoomStep); });
+    addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { zoomBy(kZoomStep, QRectF(rect()).center()); });
+    addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [this] { zoomBy(1.0 / kZoomStep, QRectF(rect()).center()); });
     addZoom(tr("&Fit"), {Qt::Key_0}, [this] { fit(); });
     addActions(m_choices);
 }
 
-QSize MechanismView::sizeHint() const
-{
-    return {440, 340};
-}
-
-QSize MechanismView::minimumSizeHint() const
-{
-    return {200, 140};
-}
-
 void MechanismView::setSettings(const MechanismSettings &settings)
 {
-    if (settings == m_drawing.settings) {
+    if (settings == m_scene.settings) {
         return;
     }
-    m_drawing.settings = settings;
+    m_scene.settings = settings;
     const std::array<bool, 7> on{settings.velocity,   settings.acceleration, settings.path,         settings.names,
                                  settings.dimensions, settings.angles,       settings.instantCentre};
     for (std::size_t i = 0; i < on.size(); ++i) {
         m_choices[static_cast<qsizetype>(i)]->setChecked(on[i]);
     }
-    m_drawing.refreshCycle(m_frame.fitted());
-    refreshScenery();
+    refresh();
 }
 
 void MechanismView::setLook(const Look &look)
 {
     setSettings(look.settings);
-    m_drawing.pins = look.pins;
-    changeFrame([this, &look] { m_frame = look.frame; });
-    update();
+    setFrame(look.frame);
 }
 
 void MechanismView::setZoom(const std::optional<QRectF> &zoom)
 {
-    changeFrame([this, &zoom] { m_frame.setZoomed(zoom); });
+    MechanismFrame frame = m_frame;
+    frame.setZoomed(zoom);
+    setFrame(frame);
 }
 
 void MechanismView::fit()
 {
-    if (m_drawing.result) {
-        changeFrame([this] { m_frame.fit(reach()); });
+    if (m_scene.result) {
+        setZoom({});
+        fitFrame();
     }
+}
+
+void MechanismView::zoomBy(double factor, QPointF pixel)
+{
+    MechanismFrame frame = m_frame;
+    frame.zoom(factor, pixel, size());
+    setFrame(frame);
+}
+
+void MechanismView::setFrame(const MechanismFrame &frame)
+{
+    m_frame = frame;
+    refresh();
+}
+
+/// Fits the frame to the mechanism, once nothing is dragged any more, here or on a slider.
+void MechanismView::fitFrame()
+{
+    if (m_hold || QApplication::mouseButtons() != Qt::NoButton) {
+        m_refitDelay->start();
+    } else if (m_scene.result) {
+        MechanismFrame frame = m_frame;
+        frame.fit(bounds());
+        setFrame(frame);
+    }
+}
+
+/// Everything that stands still is out of date.
+void MechanismView::refresh()
+{
+    constexpr int kInset = 4;
+    m_scene.updateCycle();
+    m_scenery = QPixmap();
+    m_flip->resize(m_flip->sizeHint());
+    m_flip->move(width() - m_flip->width() - kInset, kInset);
+    update();
 }
 
 void MechanismView::setResult(const std::shared_ptr<const Result> &result)
 {
-    const bool sameScene = m_drawing.result && result && m_drawing.result->mechanism == result->mechanism;
-    m_drawing.result = result;
-    if (sameScene || !result) {
-        return; // only sampling, solver or reference changed: none of it is drawn here
+    const bool isSame = m_scene.result && result && m_scene.result->mechanism == result->mechanism;
+    m_scene.result = result;
+    if (isSame || !result) {
+        return; // sampling, solver and reference are not drawn here
     }
-    const bool isPulled = m_hold && m_hold->drag && m_hold->drag->length();
-    if (m_hold && m_hold->drag && !isPulled) {
-        release(); // it was another mechanism that was taken hold of
+    const bool pullsLength = m_hold && m_hold->drag && m_hold->drag->length();
+    if (m_hold && m_hold->drag && !pullsLength) {
+        release(); // another mechanism was grasped
     }
-    if (!isPulled) { // else what is under the hand would move away from it
-        changeFrame([this] { m_frame.follow(reach()); });
+    if (!pullsLength) { // otherwise the part would move away from the pointer
+        m_frame.follow(bounds());
     }
     m_refitDelay->start();
-    m_drawing.refreshCycle(m_frame.fitted());
-    m_scenery = QPixmap();
-    update();
-    const Mechanism &mechanism = m_drawing.mechanism();
+    describe();
+    refresh();
+}
+
+void MechanismView::describe()
+{
+    const Mechanism &mechanism = m_scene.mechanism();
+    const bool isOpen = mechanism.branch() == Branch::Open;
+    m_flip->setText(isOpen ? tr("Assembly: open") : tr("Assembly: crossed"));
+    m_flip->setToolTip(isOpen ? tr("Flip to the crossed assembly: the same links, with B to the left of A")
+                              : tr("Flip to the open assembly: the same links, with B to the right of A"));
+    m_flip->show();
     setAccessibleDescription(
         tr("Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move "
            "it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves "
-           "the drawing, Page Down and Page Up tell about its parts one after the other.")
+           "the drawing, Page Down and Page Up describe its parts one after the other.")
             .arg(numberText(mechanism.a()), numberText(mechanism.b()), numberText(mechanism.c())));
 }
 
 void MechanismView::setPose(const Pose &pose)
 {
-    const bool existed = m_drawing.pose.exists();
-    const QRectF before = movingArea();
-    m_drawing.pose = pose;
+    m_scene.pose = pose;
     if (m_refitDelay->isActive()) {
         m_refitDelay->start();
     }
-    if (pose.exists() && m_drawing.result) {
-        m_drawing.pins = MechanismDrawing::Pins{{pose.pinX, pose.pinY}, {pose.sliderX, m_drawing.mechanism().c()}};
-    }
-    if (existed && pose.exists()) {
-        updateArea(before.united(movingArea()));
-    } else {
-        update();
-    }
     if (m_note->isVisible()) {
-        updateNote();
+        showNote();
     }
+    update();
 }
 
 void MechanismView::setGhost(const ReferencePose &ghost)
 {
-    if (!ghost.exists && !m_drawing.ghost.exists) {
-        return; // without a reference it costs nothing
+    if (ghost.exists || m_scene.ghost.exists) {
+        m_scene.ghost = ghost;
+        update();
     }
-    const MechanismCanvas on = canvas(size(), palette());
-    updateArea(ghostArea(on, m_drawing));
-    m_drawing.ghost = ghost;
-    updateArea(ghostArea(on, m_drawing));
 }
 
-void MechanismView::setGhostReach(const QRectF &reach)
+void MechanismView::setGhostBounds(const QRectF &ghostBounds)
 {
-    if (reach != m_ghostReach) {
-        m_ghostReach = reach;
-        changeFrame([this] { m_frame.include(visibleGhostReach()); });
+    if (ghostBounds != m_ghostBounds) {
+        m_ghostBounds = ghostBounds;
+        if (m_scene.result) {
+            m_frame.follow(bounds());
+            refresh();
+        }
     }
+}
+
+void MechanismView::highlight(MechanismPart part)
+{
+    m_highlighted = drawnParts(part);
+    update();
+}
+
+/// Of the mechanism, and of the ghost unless that would make the mechanism too small.
+QRectF MechanismView::bounds() const
+{
+    constexpr double kLargest = 3.0; // times the mechanism
+    const QRectF own = motionBounds(m_scene.mechanism(), m_scene.result->limits);
+    const QRectF both = own.united(m_ghostBounds);
+    const bool fits = std::max(both.width(), both.height()) <= kLargest * std::max(own.width(), own.height());
+    return fits ? both : own; // own, too, if the ghost's bounds are not finite
+}
+
+QSize MechanismView::pictureSize() const
+{
+    constexpr int kWidth = 900;
+    const QRectF shown = m_frame.zoomed().value_or(m_frame.fitted());
+    const double height = shown.isNull() ? 0.5 : shown.height() / shown.width();
+    return {kWidth, static_cast<int>(kWidth * std::clamp(height, 0.4, 0.75))};
 }
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    const MechanismCanvas on = canvas(size, palette);
+    MechanismSketch whole = sketch(size, palette);
+    whole.addScenery();
+    whole.addLinkage();
     painter.save();
     painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
     painter.scale(magnification(), magnification());
-    paintGrid(painter, on, m_drawing);
-    paintScenery(painter, on, m_drawing);
-    paintLinkage(painter, on, m_drawing);
+    whole.paint(painter);
     painter.restore();
 }
 
-QPointF MechanismView::toPixels(QPointF model) const
-{
-    return projection().toPixels(model);
-}
-
-/// How many pixels one of the canvas is: links, joints and arrows grow with letters that are larger than usual, as they
-/// are in front of a class.
+/// Links, joints and arrows grow with letters that are larger than usual, as in presentation mode.
 double MechanismView::magnification() const
 {
     const int usual = QFontInfo(QApplication::font(this)).pixelSize();
     return std::max(1.0, static_cast<double>(QFontInfo(font()).pixelSize()) / usual);
 }
 
-MechanismCanvas MechanismView::canvas(const QSizeF &size, const QPalette &palette) const
+MechanismSketch MechanismView::sketch(const QSizeF &size, const QPalette &palette) const
 {
     const double magnified = magnification();
     QFont letters = font();
     letters.setPixelSize(static_cast<int>(std::lround(QFontInfo(letters).pixelSize() / magnified)));
-    MechanismCanvas canvas = canvasOf(m_frame.projection(size / magnified), palette, letters);
-    canvas.hairline = 1.0 / magnified;
-    return canvas;
+    return {m_scene, m_frame.projection(size / magnified), palette, letters};
+}
+
+MechanismSketch MechanismView::wholeSketch() const
+{
+    MechanismSketch whole = sketch(size(), palette());
+    whole.addScenery();
+    whole.addLinkage();
+    return whole;
 }
 
 DrawnPart MechanismView::partUnder(QPointF pixel) const
 {
-    const double magnified = magnification();
-    return partAt(m_drawing, m_frame.projection(QSizeF(size()) / magnified), pixel / magnified);
+    return wholeSketch().partAt(pixel / magnification());
 }
 
-/// Of the mechanism and of what is compared with it.
-QRectF MechanismView::reach() const
+void MechanismView::paintEvent(QPaintEvent *)
 {
-    return characteristicLength(m_drawing.mechanism(), m_drawing.result->limits).united(visibleGhostReach());
-}
-
-/// As far as the drawing follows it; null where that would leave too little of the model to be seen.
-QRectF MechanismView::visibleGhostReach() const
-{
-    if (!m_drawing.result) {
-        return {};
-    }
-    constexpr double kMost = 3.0; // times the model's
-    const QRectF own = characteristicLength(m_drawing.mechanism(), m_drawing.result->limits);
-    const QRectF both = own.united(m_ghostReach);
-    const double extent = std::max(own.width(), own.height());
-    const bool fits = std::max(both.width(), both.height()) <= kMost * extent; // not so, too, where it is not finite
-    return fits ? m_ghostReach : QRectF();
-}
-
-void MechanismView::changeFrame(const std::function<void()> &change)
-{
-    const MechanismProjection before = projection();
-    const QRectF fitted = m_frame.fitted();
-    change();
-    if (m_frame.fitted() != fitted) {
-        m_drawing.refreshCycle(m_frame.fitted());
-        refreshScenery();
-    }
-    if (projection() != before) {
-        refreshScenery();
-    }
-}
-
-void MechanismView::refitAtRest()
-{
-    if (m_hold || QApplication::mouseButtons() != Qt::NoButton) { // maybe on a slider, between two pulls
-        m_refitDelay->start();
-    } else if (m_drawing.result) {
-        changeFrame([this] { m_frame.refit(reach()); });
-    }
-}
-
-void MechanismView::refreshScenery()
-{
-    m_grid = QPixmap();
-    m_scenery = QPixmap();
-    update();
-}
-
-void MechanismView::updateArea(const QRectF &area)
-{
-    const double magnified = magnification();
-    update(QRectF(magnified * area.topLeft(), magnified * area.size()).toAlignedRect().intersected(rect()));
-}
-
-QRectF MechanismView::movingArea() const
-{
-    return linkageArea(canvas(size(), palette()), m_drawing);
-}
-
-void MechanismView::paintEvent(QPaintEvent *event)
-{
-    const MechanismCanvas on = canvas(size(), palette());
     const double magnified = magnification();
     const double ratio = devicePixelRatioF();
-    if (m_grid.isNull() || m_grid.devicePixelRatio() != ratio) {
-        // Rounded up: at a ratio of 1.5 the last half pixel has to be painted too.
-        m_grid = QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
-        m_grid.setDevicePixelRatio(ratio);
-        QPainter painter(&m_grid);
-        painter.scale(magnified, magnified);
-        paintGrid(painter, on, m_drawing);
-        m_scenery = QPixmap();
-    }
-    if (m_scenery.isNull()) {
-        m_scenery = m_grid;
+    if (m_scenery.isNull() || m_scenery.devicePixelRatio() != ratio) {
+        // Rounded up: at a ratio of 1.5 the last half pixel has to be painted, too.
+        m_scenery =
+            QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
+        m_scenery.setDevicePixelRatio(ratio);
         QPainter painter(&m_scenery);
         painter.scale(magnified, magnified);
-        paintScenery(painter, on, m_drawing);
+        MechanismSketch scenery = sketch(size(), palette());
+        scenery.addScenery();
+        scenery.paint(painter);
     }
     QPainter painter(this);
-    painter.setClipRegion(event->region());
     painter.drawPixmap(0, 0, m_scenery);
     painter.scale(magnified, magnified);
-    paintLinkage(painter, on, m_drawing);
-    if (m_drawing.result && m_pointed != DrawnPart::Background) {
-        paintSceneryHighlight(painter, on, m_drawing, m_pointed);
-        paintLinkageHighlight(painter, on, m_drawing, m_pointed);
+    MechanismSketch linkage = sketch(size(), palette());
+    linkage.addLinkage();
+    linkage.paint(painter);
+    if (m_pointed != DrawnPart::Background || !m_highlighted.empty()) {
+        const MechanismSketch whole = wholeSketch();
+        whole.paintHighlight(painter, {m_pointed}, linkage.highlightColour());
+        whole.paintHighlight(painter, m_highlighted, linkage.colours().error);
     }
     if (m_showsFocus) {
         painter.resetTransform();
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(on.highlight, 2.0));
+        painter.setPen(QPen(linkage.highlightColour(), 2.0));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
 }
 
 void MechanismView::resizeEvent(QResizeEvent *event)
 {
-    refreshScenery();
+    refresh();
     QWidget::resizeEvent(event);
 }
 
-void MechanismView::changeEvent(QEvent *event)
+bool MechanismView::event(QEvent *event)
 {
     switch (event->type()) {
     case QEvent::PaletteChange:
     case QEvent::FontChange:
     case QEvent::StyleChange:
-    case QEvent::LocaleChange: refreshScenery(); break;
+    case QEvent::LocaleChange: refresh(); break;
+    case QEvent::Hide: release(); break;
+    case QEvent::Leave:
+        if (!m_hold) {
+            pointAt(DrawnPart::Background, false);
+        }
+        break;
     default: break;
     }
-    QWidget::changeEvent(event);
-}
-
-void MechanismView::hideEvent(QHideEvent *event)
-{
-    release();
-    QWidget::hideEvent(event);
-}
-
-void MechanismView::leaveEvent(QEvent *event)
-{
-    if (!m_hold) {
-        pointAt(DrawnPart::Background, false);
-    }
-    QWidget::leaveEvent(event);
+    return QWidget::event(event);
 }
 
 void MechanismView::focusInEvent(QFocusEvent *event)
@@ -384,27 +399,25 @@ void MechanismView::focusInEvent(QFocusEvent *event)
     m_showsFocus = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
                    event->reason() == Qt::ShortcutFocusReason;
     update();
-    QWidget::focusInEvent(event);
 }
 
-void MechanismView::focusOutEvent(QFocusEvent *event)
+void MechanismView::focusOutEvent(QFocusEvent *)
 {
     m_showsFocus = false;
     update();
-    QWidget::focusOutEvent(event);
 }
 
 void MechanismView::keyPressEvent(QKeyEvent *event)
 {
-    const bool withControl = event->modifiers().testFlag(Qt::ControlModifier);
-    const auto pan = [&](double x, double y) {
-        if (withControl) {
-            changeFrame([&] { m_frame.pan(kPanStep * QPointF(x, y), size()); });
-        } else {
+    const auto pan = [&](double x, double y) { // the keys move the frame, so the drawing goes the other way
+        if (!event->modifiers().testFlag(Qt::ControlModifier)) {
             QWidget::keyPressEvent(event);
+            return;
         }
+        MechanismFrame frame = m_frame;
+        frame.pan(kPanStep * QPointF(x, y), size());
+        setFrame(frame);
     };
-    // The keys move what one looks through, so the drawing goes the other way.
     switch (event->key()) {
     case Qt::Key_Left: pan(1.0, 0.0); break;
     case Qt::Key_Right: pan(-1.0, 0.0); break;
@@ -416,7 +429,7 @@ void MechanismView::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Enter: emit enlarged(); break;
     case Qt::Key_Escape:
         if (!m_hold && m_pointed == DrawnPart::Background) {
-            QWidget::keyPressEvent(event); // the window may have a use for it
+            QWidget::keyPressEvent(event); // for the window
             break;
         }
         cancelDrag();
@@ -429,16 +442,16 @@ void MechanismView::keyPressEvent(QKeyEvent *event)
 void MechanismView::mousePressEvent(QMouseEvent *event)
 {
     const bool isLeft = event->button() == Qt::LeftButton;
-    if (m_hold || !m_drawing.result || !(isLeft || event->button() == Qt::MiddleButton)) {
+    if (m_hold || !m_scene.result || !(isLeft || event->button() == Qt::MiddleButton)) {
         QWidget::mousePressEvent(event);
         return;
     }
     const QPointF pixel = event->position();
     const bool withShift = event->modifiers().testFlag(Qt::ShiftModifier);
-    m_hold = Hold{std::nullopt, event->button(), pixel, pixel, false, m_drawing.pose.time};
+    m_hold = Hold{std::nullopt, event->button(), pixel, pixel, false, m_scene.pose.time};
     if (isLeft) {
         pointAt(partUnder(pixel), withShift);
-        m_hold->drag = MechanismDrag::begin(m_drawing, m_pointed, withShift, projection().toModel(pixel));
+        m_hold->drag = MechanismDrag::begin(m_scene, m_pointed, withShift, projection().toModel(pixel));
     }
     if (m_hold->drag && m_hold->drag->length()) {
         emit dragBegan();
@@ -454,23 +467,28 @@ void MechanismView::mouseMoveEvent(QMouseEvent *event)
         pointAt(partUnder(pixel), event->modifiers().testFlag(Qt::ShiftModifier));
         return;
     }
-    if (!m_hold->moves && (pixel - m_hold->pressed).manhattanLength() < kStillAClick) {
+    if (!m_hold->moves && (pixel - m_hold->pressed).manhattanLength() < kClickMoves) {
         return;
     }
     m_hold->moves = true;
     const QPointF last = std::exchange(m_hold->last, pixel);
     if (!m_hold->drag) {
         setCursor(Qt::ClosedHandCursor);
-        changeFrame([&] { m_frame.pan(pixel - last, size()); });
+        MechanismFrame frame = m_frame;
+        frame.pan(pixel - last, size());
+        setFrame(frame);
         return;
     }
-    const bool isFree = event->modifiers().testFlag(Qt::ControlModifier);
-    const MechanismProjection on = projection();
-    constexpr double kGrid = 1.0;      // px: what a hand can hit
-    constexpr double kFineGrid = 0.02; // px: so that a length does not end in a dozen digits
-    obey(m_hold->drag->moveTo(on.toModel(pixel), nextRoundNumber((isFree ? kFineGrid : kGrid) / on.scale)));
+    const QPointF pointer = projection().toModel(pixel);
+    if (const std::optional<Parameter> length = m_hold->drag->length()) {
+        // Lengths are round numbers: one pixel apart, with Control much less.
+        const double pixels = event->modifiers().testFlag(Qt::ControlModifier) ? 0.02 : 1.0;
+        emit lengthRequested(*length, m_hold->drag->lengthAt(pointer, nextRoundNumber(pixels / projection().scale)));
+    } else {
+        goToCrankAngle(m_hold->drag->crankAngleAt(pointer));
+    }
     m_noteDelay->stop();
-    updateNote();
+    showNote();
 }
 
 void MechanismView::mouseReleaseEvent(QMouseEvent *event)
@@ -481,7 +499,7 @@ void MechanismView::mouseReleaseEvent(QMouseEvent *event)
     }
     const bool isClick = !m_hold->moves && event->button() == Qt::LeftButton;
     release();
-    const MotionLimits &limits = m_drawing.result->limits;
+    const MotionLimits &limits = m_scene.result->limits;
     if (isClick && m_pointed == DrawnPart::OuterDeadCentre) {
         goToCrankAngle(limits.outer->theta2);
     } else if (isClick && m_pointed == DrawnPart::InnerDeadCentre) {
@@ -494,43 +512,33 @@ void MechanismView::mouseReleaseEvent(QMouseEvent *event)
 
 void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton && partUnder(event->position()) == DrawnPart::Background) {
-        fit();
-    } else if (event->button() == Qt::LeftButton) {
-        emit enlarged();
-    } else {
+    if (event->button() != Qt::LeftButton) {
         mousePressEvent(event);
+    } else if (partUnder(event->position()) == DrawnPart::Background) {
+        fit();
+    } else {
+        emit enlarged();
     }
 }
 
 void MechanismView::wheelEvent(QWheelEvent *event)
 {
-    constexpr double kNotch = 120.0; // as Qt counts
-    const double turned = event->angleDelta().y() / kNotch;
-    if (turned == 0.0 || m_hold) {
+    constexpr double kNotch = 120.0; // Qt's unit
+    const double notches = event->angleDelta().y() / kNotch;
+    if (notches == 0.0 || m_hold) {
         QWidget::wheelEvent(event);
         return;
     }
-    changeFrame([&] { m_frame.zoom(std::pow(kZoomStep, turned), event->position(), size()); });
+    zoomBy(std::pow(kZoomStep, notches), event->position());
     event->accept();
 }
 
 void MechanismView::goToCrankAngle(double theta2)
 {
     emit timeRequested(
-        nearestInstantAtCrankAngle(m_drawing.mechanism(), m_drawing.result->sampling, theta2, m_drawing.pose.time));
+        nearestInstantAtCrankAngle(m_scene.mechanism(), m_scene.result->sampling, theta2, m_scene.pose.time));
 }
 
-void MechanismView::obey(const DragRequest &request)
-{
-    if (const auto *crank = std::get_if<CrankAngleRequest>(&request)) {
-        goToCrankAngle(crank->theta2);
-    } else if (const auto *length = std::get_if<LengthRequest>(&request)) {
-        emit lengthRequested(length->parameter, length->length);
-    }
-}
-
-/// Whatever is held.
 void MechanismView::release()
 {
     if (!m_hold) {
@@ -539,25 +547,25 @@ void MechanismView::release()
     const Hold held = *std::exchange(m_hold, std::nullopt);
     if (held.drag && held.drag->length()) {
         emit dragEnded();
-        changeFrame([this] { m_frame.follow(reach()); });
+        m_frame.follow(bounds());
+        refresh();
     }
-    updateCursor(false);
+    unsetCursor();
 }
 
-/// As it was before.
+/// Takes the drag back.
 void MechanismView::cancelDrag()
 {
     if (!m_hold || !m_hold->drag) {
         return;
     }
-    const MechanismDrag drag = *m_hold->drag;
-    if (drag.length()) {
-        emit lengthRequested(*drag.length(), drag.lengthBefore());
+    const Hold held = *m_hold;
+    if (const std::optional<Parameter> length = held.drag->length()) {
+        emit lengthRequested(*length, held.drag->lengthBefore());
     }
-    const double time = m_hold->time;
     release();
-    if (!drag.length()) {
-        emit timeRequested(time);
+    if (!held.drag->length()) {
+        emit timeRequested(held.time);
     }
 }
 
@@ -565,54 +573,47 @@ void MechanismView::pointAt(DrawnPart part, bool withShift)
 {
     if (part != m_pointed) {
         m_pointed = part;
-        m_note->say({});
-        if (part == DrawnPart::Background) {
-            m_noteDelay->stop();
-        } else {
-            m_noteDelay->start();
-        }
+        m_note->hide();
+        m_noteDelay->start();
         update();
     }
-    updateCursor(withShift);
+    const auto shape = m_scene.result ? cursorOver(m_scene, part, withShift) : std::nullopt;
+    shape ? setCursor(*shape) : unsetCursor();
 }
 
-void MechanismView::pointAtNext(int step)
+void MechanismView::pointAtNext(std::ptrdiff_t step)
 {
-    if (!m_drawing.result || m_hold) {
+    if (!m_scene.result || m_hold) {
         return;
     }
-    pointAt(partAfter(m_drawing, m_pointed, step), false);
+    const std::set<DrawnPart> drawn = wholeSketch().parts();
+    std::vector<DrawnPart> parts(drawn.begin(), drawn.end());
+    parts.insert(parts.begin(), DrawnPart::Background);
+    const auto count = static_cast<std::ptrdiff_t>(parts.size());
+    const std::ptrdiff_t now = std::ranges::find(parts, m_pointed) - parts.begin();
+    pointAt(parts[static_cast<std::size_t>((now + step + count) % count)], false);
     m_noteDelay->stop();
-    updateNote();
+    showNote();
 }
 
-void MechanismView::updateNote()
+/// In the corner away from the crank and the slider's line. Where the mechanism cannot be assembled, the drawing says
+/// there why.
+void MechanismView::showNote()
 {
-    const bool isNew = m_note->isHidden();
-    m_note->say(partText(m_drawing, m_pointed));
-    if (isNew && m_drawing.result) {
-        const MechanismProjection on = projection();
-        QPolygonF points{on.toPixels({0.0, 0.0}), on.toPixels(m_drawing.crankPin())};
-        if (m_drawing.pins) {
-            points << on.toPixels(m_drawing.pins->B);
-        }
-        if (underMouse()) {
-            points << QPointF(mapFromGlobal(QCursor::pos()));
-        }
-        m_note->keepAwayFrom(points);
+    constexpr int kInset = 6;
+    constexpr int kWidest = 330;
+    const QString text = m_scene.pose.exists() ? partText(m_scene, m_pointed) : QString();
+    m_note->setVisible(!text.isEmpty());
+    if (text.isEmpty()) {
+        return;
     }
-}
-
-void MechanismView::updateCursor(bool withShift)
-{
-    if (m_hold && m_hold->drag && !m_hold->drag->length()) {
-        return; // the closed hand
-    }
-    if (const std::optional<Qt::CursorShape> cursor = cursorOver(m_drawing, m_pointed, withShift)) {
-        setCursor(*cursor);
-    } else {
-        unsetCursor();
-    }
+    m_note->setText(text);
+    const int widest = std::min(kWidest, width() - 2 * kInset);
+    QRect box(0, 0, widest, m_note->heightForWidth(widest));
+    const Mechanism &mechanism = m_scene.mechanism();
+    box.moveLeft(mechanism.branch() == Branch::Open ? width() - kInset - widest : kInset);
+    box.moveTop(mechanism.c() < 0.0 ? kInset : height() - kInset - box.height());
+    m_note->setGeometry(box);
 }
 
 } // namespace slidercrank

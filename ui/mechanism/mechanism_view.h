@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The linkage, drawn to scale, in a view that stands still while the mechanism moves; and the hands on it: drag A or B
-// to scrub, the links and the slider's line to change lengths, point at a part to read what it is and how it moves.
+// The linkage, drawn to scale in a view that stands still while the mechanism moves. Drag A or B to move it, the links
+// and the slider's line to change lengths; point at a part to read what it is and how it moves.
 
-#include "ui/mechanism/mechanism_canvas.h"
+#include "core/mechanism/mechanism_part.h"
 #include "ui/mechanism/mechanism_drag.h"
-#include "ui/mechanism/mechanism_drawing.h"
+#include "ui/mechanism/mechanism_sketch.h"
 
 #include <QList>
 #include <QPixmap>
 #include <QWidget>
 
-#include <functional>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 
 class QAction;
+class QLabel;
 class QTimer;
+class QToolButton;
 
 namespace slidercrank
 {
-
-class MechanismNote;
 
 class MechanismView : public QWidget
 {
@@ -31,63 +32,67 @@ class MechanismView : public QWidget
 public:
     explicit MechanismView(QWidget *parent = nullptr);
 
-    /// What is on the screen, as vectors, for any device; background included.
+    /// Paints the drawing as vectors, background included, for any device.
     void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
-    /// Where a point of the model (mm) is in this widget.
-    QPointF toPixels(QPointF model) const;
+    /// A size in landscape format that what is in view fills, for pictures in documents.
+    QSize pictureSize() const;
 
-    bool hasGhost() const { return m_drawing.ghost.exists; }
+    /// The position of a point of the model (mm) in this widget.
+    QPointF toPixels(QPointF model) const { return projection().toPixels(model); }
 
-    const MechanismSettings &settings() const { return m_drawing.settings; }
+    bool hasGhost() const { return m_scene.ghost.exists; }
+
+    const MechanismSettings &settings() const { return m_scene.settings; }
     void setSettings(const MechanismSettings &settings);
 
-    /// What it shows beside the result, for another view in its place.
+    /// What it shows apart from the result, for another view that takes its place.
     struct Look {
         MechanismSettings settings;
         MechanismFrame frame;
-        std::optional<MechanismDrawing::Pins> pins; ///< of the last pose that existed
     };
-    Look look() const { return {m_drawing.settings, m_frame, m_drawing.pins}; }
+    Look look() const { return {m_scene.settings, m_frame}; }
     void setLook(const Look &look);
 
-    /// The part of the plane that somebody zoomed to, mm; none: all of the mechanism.
+    /// The rectangle that the user zoomed to, mm; nullopt: the whole mechanism.
     const std::optional<QRectF> &zoom() const { return m_frame.zoomed(); }
     void setZoom(const std::optional<QRectF> &zoom);
 
-    /// What one can choose about the drawing, for menus.
+    /// What the user can choose about the drawing, for menus.
     const QList<QAction *> &choices() const { return m_choices; }
 
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return {440, 340}; }
+    QSize minimumSizeHint() const override { return {200, 140}; }
 
 public slots:
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
     void setPose(const slidercrank::Pose &pose);
 
-    /// The reference's linkage at the instant of the pose; one that does not exist is not drawn.
+    /// The linkage of the reference or of the pinned motion at the time of the pose.
     void setGhost(const slidercrank::ReferencePose &ghost);
 
-    /// Everywhere that the reference's linkage goes, mm: it, too, is to be in view. Null where none is drawn.
-    void setGhostReach(const QRectF &reach);
+    /// The rectangle in which the ghost moves, mm; it is kept in view. Null if there is none.
+    void setGhostBounds(const QRectF &bounds);
 
-    void fit(); ///< all of the mechanism into view
+    /// Highlights the part that an equation or a coordinate is about.
+    void highlight(slidercrank::MechanismPart part);
+
+    void fit(); ///< shows the whole mechanism
 
 signals:
-    void timeRequested(double seconds); ///< the mechanism was moved to where it is at that instant
+    void timeRequested(double seconds); ///< the mechanism was moved to its pose at that time
     void lengthRequested(slidercrank::Parameter parameter, double length); ///< mm
+    void branchRequested(slidercrank::Branch branch);
 
-    /// A length is taken hold of, is let go: what is asked for between belongs together.
+    /// A length is being dragged: what is requested in between belongs together.
     void dragBegan();
     void dragEnded();
-    void enlarged(); ///< somebody wants it as large as can be, or no longer
+    void enlarged(); ///< the user wants the drawing to fill the window, or no longer
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
-    void leaveEvent(QEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
@@ -98,49 +103,48 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
 
 private:
-    /// A button held down over the drawing.
+    /// A mouse button that is held down over the drawing.
     struct Hold {
-        std::optional<MechanismDrag> drag; ///< none: the drawing itself is moved
+        std::optional<MechanismDrag> drag; ///< nullopt: the drawing is moved
         Qt::MouseButton button;
         QPointF pressed;    ///< px
         QPointF last;       ///< px
         bool moves = false; ///< no longer a click
-        double time = 0.0;  ///< s, to go back to
+        double time = 0.0;  ///< s, before the drag
     };
 
     double magnification() const;
-    MechanismCanvas canvas(const QSizeF &size, const QPalette &palette) const;
+    MechanismSketch sketch(const QSizeF &size, const QPalette &palette) const;
     MechanismProjection projection() const { return m_frame.projection(size()); }
+    MechanismSketch wholeSketch() const;
+    QRectF bounds() const;
     DrawnPart partUnder(QPointF pixel) const;
-    QRectF reach() const;
-    QRectF visibleGhostReach() const;
     void makeChoices();
-    void changeFrame(const std::function<void()> &change);
-    void refitAtRest();
-    void refreshScenery();
-    void updateArea(const QRectF &area);
-    QRectF movingArea() const;
+    void describe();
+    void setFrame(const MechanismFrame &frame);
+    void fitFrame();
+    void zoomBy(double factor, QPointF pixel);
+    void refresh();
     void goToCrankAngle(double theta2);
-    void obey(const DragRequest &request);
     void release();
     void cancelDrag();
     void pointAt(DrawnPart part, bool withShift);
-    void pointAtNext(int step);
-    void updateNote();
-    void updateCursor(bool withShift);
+    void pointAtNext(std::ptrdiff_t step);
+    void showNote();
 
-    MechanismDrawing m_drawing;
+    MechanismScene m_scene;
     MechanismFrame m_frame;
-    QRectF m_ghostReach; ///< mm; may be null
-    QPixmap m_grid;      ///< of this view; null when out of date
-    QPixmap m_scenery;   ///< the grid and the parts that stand still; null when out of date
+    QRectF m_ghostBounds; ///< mm; may be null
+    QPixmap m_scenery;    ///< what stands still; null when out of date
     std::optional<Hold> m_hold;
-    DrawnPart m_pointed = DrawnPart::Background; ///< at
-    MechanismNote *m_note;
+    DrawnPart m_pointed = DrawnPart::Background;
+    std::set<DrawnPart> m_highlighted; ///< from elsewhere
+    QToolButton *m_flip;
+    QLabel *m_note;
     QTimer *m_noteDelay;
-    QTimer *m_refitDelay; ///< runs while another mechanism has not come to rest
+    QTimer *m_refitDelay; ///< runs until a changed mechanism has come to rest
     QList<QAction *> m_choices;
-    bool m_showsFocus = false; ///< it came by the keyboard
+    bool m_showsFocus = false; ///< the focus came by the keyboard
 };
 
 } // namespace slidercrank

@@ -39,14 +39,14 @@ void Ghost::find()
         m_motion = [lengths, reference = result.reference](double time) {
             return referencePoseAt(reference->data, lengths, time);
         };
-        m_view->setGhostReach(characteristicLength(result.reference->data, lengths));
+        m_view->setGhostBounds(motionBounds(result.reference->data, lengths));
     } else if (result.difference && m_isWanted && result.kept.back() != result.mechanism.parameters()) {
         const Mechanism kept(result.kept.back());
         m_motion = [kept](double time) { return referencePoseAt(kept, time); };
-        m_view->setGhostReach(characteristicLength(kept, motionLimits(kept)));
+        m_view->setGhostBounds(motionBounds(kept, motionLimits(kept)));
     } else {
         m_motion = nullptr;
-        m_view->setGhostReach(QRectF());
+        m_view->setGhostBounds(QRectF());
     }
     show();
 }

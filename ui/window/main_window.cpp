@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "ui/document/with.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/panels/limits_panel.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/mechanism/part_highlight.h"
 #include "ui/panels/newton_panel.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/run_form.h"
@@ -278,6 +278,9 @@ void MainWindow::connectRooms()
     connect(m_session, &Session::timeChanged, m_rooms.mechanism, &MechanismView::setPose);
     connect(m_rooms.mechanism, &MechanismView::timeRequested, m_session, &Session::setTime);
     connect(m_rooms.mechanism, &MechanismView::lengthRequested, m_session, &Session::setParameter);
+    connect(m_rooms.mechanism, &MechanismView::branchRequested, m_session, [this](Branch branch) {
+        m_session->setParameters(with(m_session->parameters(), &Parameters::branch, branch));
+    });
     connect(m_rooms.mechanism, &MechanismView::dragBegan, m_session, &Session::beginDrag);
     connect(m_rooms.mechanism, &MechanismView::dragEnded, m_session, &Session::endDrag);
     connect(m_rooms.mechanism, &MechanismView::enlarged, m_presentation,
@@ -330,11 +333,8 @@ QWidget *MainWindow::makeNewtonPanel()
     follow(&Session::resultChanged, panel, &NewtonPanel::setResult, m_session->result());
     follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
 
-    auto *highlight = new PartHighlight(m_rooms.mechanism);
     connect(panel, &NewtonPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
-    connect(panel, &NewtonPanel::partHovered, highlight, &PartHighlight::setPart);
-    follow(&Session::resultChanged, highlight, &PartHighlight::setResult, m_session->result());
-    follow(&Session::timeChanged, highlight, &PartHighlight::setPose, m_session->pose());
+    connect(panel, &NewtonPanel::partHovered, m_rooms.mechanism, &MechanismView::highlight);
     return panel;
 }
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mechanism/mechanism_sketch.h"
+
+#include "core/limits/instant_centre.h"
+#include "ui/text/axis_scale.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct MechanismLabels {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismLabels)
+};
+
+struct MechanismCentre {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismCentre)
+};
+
+constexpr double kBesideJoint = 9.0;
+
+/// Whether P is too far away to be a point of the drawing: the coupler translates.
+bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
+{
+    constexpr double kFar = 1e4; // times the mechanism's size
+    return !(centre.toA <= kFar * (mechanism.a() + mechanism.b() + std::abs(mechanism.c())));
+}
+
+/// P and ω₃, and that the velocities of A and B are |ω₃| times their distances from P.
+QStringList instantCentreLines(const InstantCentre &centre, const Mechanism &mechanism)
+{
+    const auto text = [](double value) { return shortNumber(value, 4); };
+    if (!std::isfinite(centre.omega3)) {
+        return {MechanismCentre::tr("no velocity: the coupler is perpendicular to the slider's line")};
+    }
+    if (isAtInfinity(centre, mechanism)) {
+        return {MechanismCentre::tr("Instant centre P at infinity: the coupler translates at %1 mm/s")
+                    .arg(text(mechanism.a() * std::abs(mechanism.omega2())))};
+    }
+    const double omega3 = std::abs(centre.omega3);
+    const auto product = [&](const QString &point, double distance) {
+        return QStringLiteral("v(%1) = |ω₃|·P%1 = %2 rad/s · %3 mm = %4 mm/s")
+            .arg(point, text(omega3), text(distance), text(omega3 * distance));
+    };
+    return {MechanismCentre::tr("Instant centre P, ω₃ = %1 rad/s").arg(text(centre.omega3)),
+            product(QStringLiteral("A"), centre.toA), product(QStringLiteral("B"), centre.toB)};
+}
+
+} // namespace
+
+/// Velocities have a filled head and accelerations a hollow one: they differ not only by their colour.
+void MechanismSketch::addArrow(QPointF tail, QPointF tip, MotionKind kind, bool isCut)
+{
+    const double length = QLineF(tail, tip).length();
+    if (length < 1.0) {
+        return;
+    }
+    const QPointF direction = (tip - tail) / length;
+    const double head = std::min(10.0, 0.6 * length);
+    const bool isVelocity = kind == MotionKind::Velocity;
+    const QColor &colour = isVelocity ? m_colours.errorOther : m_colours.error;
+    addLine(tail, tip - 0.9 * head * direction, QPen(colour, 2.0, isCut ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
+    addArrowHead(tip, direction, head, colour);
+    if (!isVelocity) {
+        addArrowHead(tip - 0.3 * head * direction, direction, 0.5 * head, m_paper);
+    }
+    avoid({tail, tip}, 4.0);
+}
+
+void MechanismSketch::addMotionArrows(MotionKind kind, const ArrowScale &arrows, bool withCentreOfMass)
+{
+    for (const LinkagePoint point : kLinkagePoints) {
+        const std::optional<MotionArrow> arrow = motionArrow(m_scene.motion(point), kind, arrows);
+        if (arrow && (point != LinkagePoint::G3 || withCentreOfMass)) {
+            addArrow(toPixels(arrow->tail), toPixels(arrow->tip), kind, arrow->isCut);
+        }
+    }
+}
+
+/// The coupler's instant centre P, with rays to A and B.
+void MechanismSketch::addInstantCentre()
+{
+    const std::optional<InstantCentre> centre = instantCentre(mechanism(), m_scene.pose.time);
+    if (!centre) {
+        return;
+    }
+    int line = cornerLineCount();
+    for (const QString &text : instantCentreLines(*centre, mechanism())) {
+        addCornerLabel(line++, 0.0, text);
+        avoid(m_labels.back().box);
+    }
+    if (isAtInfinity(*centre, mechanism())) {
+        return;
+    }
+    const QPointF P = toPixels({centre->position.x, centre->position.y});
+    addRay(LinkagePoint::A, P);
+    addRay(LinkagePoint::B, P);
+    if (QRectF(QPointF(), size).contains(P)) {
+        const QPen pen(m_colours.errorOther, 1.4); // the colour of velocities
+        addCircle(P, 5.0, pen);
+        addLine(P - QPointF(8.0, 0.0), P + QPointF(8.0, 0.0), pen);
+        addLine(P - QPointF(0.0, 8.0), P + QPointF(0.0, 8.0), pen);
+        addLabelBeside(P, {1.0, -0.3}, 11.0, QStringLiteral("P"), m_ink);
+    }
+}
+
+/// From the point towards P, with a mark of the right angle between the ray and the velocity.
+void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
+{
+    constexpr double kMark = 15.0;
+    const PlaneVector velocity = m_scene.motion(point).velocity;
+    const QPointF pin = point == LinkagePoint::A ? m_A : m_B;
+    const QPointF ray = unitVector(centre - pin);
+    const double seen = std::min(QLineF(pin, centre).length(), size.width() + size.height());
+    addLine(pin, pin + seen * ray, QPen(m_muted, 1.0, Qt::DashLine));
+    if (seen > kMark && velocity.length() > 0.0) {
+        const QPointF along = kMark * unitVector({velocity.x, -velocity.y});
+        addLine(pin + kMark * ray, pin + kMark * ray + along, QPen(m_muted, 1.0));
+        addLine(pin + kMark * ray + along, pin + along, QPen(m_muted, 1.0));
+    }
+}
+
+void MechanismSketch::addNames()
+{
+    const QPointF coupler = m_exists ? unitVector(m_B - m_A) : QPointF();
+    addLabelBeside(m_O2, {-1.0, 0.4}, kBesideJoint + 8.0, MechanismLabels::tr("O₂"), m_ink);
+    addLabelBeside(m_A, unitVector(m_A - m_O2) - coupler, kBesideJoint, MechanismLabels::tr("A"), m_ink);
+    if (m_exists) {
+        const QPointF across(coupler.y(), -coupler.x());
+        addLabelBeside(m_B, {0.0, -1.0}, 20.0, MechanismLabels::tr("B"), m_ink);
+        addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, MechanismLabels::tr("G₃"),
+                       m_ink);
+    }
+    addDeadCentreName(limits().outer, MechanismLabels::tr("outer dead centre"));
+    addDeadCentreName(limits().inner, MechanismLabels::tr("inner dead centre"));
+}
+
+void MechanismSketch::addDeadCentreName(const std::optional<DeadCentre> &centre, const QString &name)
+{
+    if (centre) {
+        const double aboveNameOfB = 23.0 + textSize(name).height();
+        addLabelBeside(toPixels({centre->R4x, mechanism().c()}), {0.0, -1.0}, aboveNameOfB, name, m_muted, true);
+    }
+}
+
+/// a and b, below their links.
+void MechanismSketch::addLengths()
+{
+    for (const auto &[letter, link] :
+         {std::pair(QStringLiteral("a"), QLineF(m_O2, m_A)), std::pair(QStringLiteral("b"), QLineF(m_A, m_B))}) {
+        const QPointF across(-link.dy(), link.dx());
+        addLabelBeside(link.pointAt(0.6), across.y() > 0.0 ? across : -across, 7.0, letter, m_ink);
+    }
+}
+
+/// Measured from a line in the direction of x.
+void MechanismSketch::addAngle(const QString &name, const QLineF &link, double angle, double largestRadius)
+{
+    const double radius = std::clamp(0.5 * link.length(), 14.0, largestRadius);
+    const QLineF base(link.p1(), link.p1() + QPointF(radius + 8.0, 0.0));
+    QRectF circle(0.0, 0.0, 2.0 * radius, 2.0 * radius);
+    circle.moveCenter(link.p1());
+    QPainterPath path(base.p1());
+    path.lineTo(base.p2());
+    path.arcMoveTo(circle, 0.0);
+    path.arcTo(circle, 0.0, kDegreesPerRadian * angle);
+    add(path, QPen(faded(m_ink, 0.7), 1.0));
+    avoid(base, 2.0);
+    const double tenths = std::round(10.0 * kDegreesPerRadian * angle) + 0.0; // never "-0.0"
+    // On the other side of the base line than the arc, where the label can stay while the angle changes.
+    addLabelBeside(link.p1(), {1.0, angle < 0.0 ? -0.5 : 0.5}, 20.0,
+                   QStringLiteral("%1 = %2°").arg(name, QLocale().toString(0.1 * tenths, 'f', 1)), m_ink);
+}
+
+} // namespace slidercrank

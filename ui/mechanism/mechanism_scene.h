@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a drawing of the mechanism shows, as plain data, and the scale of the velocity and acceleration arrows at A, B
+// and G3. One scale holds for the whole motion, so that arrows can be compared, and it is a round number: "10 mm =
+// 50 mm/s". Where a motion grows without bound (at the limit of an oscillating crank) arrows are cut off and dashed.
+
+#include "core/comparison/reference_pose.h"
+#include "core/limits/linkage_point.h"
+#include "ui/document/result.h"
+#include "ui/document/view_settings.h"
+
+#include <QPointF>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace slidercrank
+{
+
+enum class MotionKind { Velocity, Acceleration };
+
+/// The motion over one revolution, or over each range of an oscillating crank.
+using Cycle = std::vector<std::vector<LinkageMotion>>;
+
+Cycle computeCycle(const Mechanism &mechanism, const MotionLimits &limits);
+
+struct ArrowScale {
+    double length = 0.0;  ///< mm of the drawing
+    double amount = 0.0;  ///< the mm/s or mm/s² that this length stands for; 0: nothing moves
+    double largest = 0.0; ///< larger amounts are cut off, mm/s or mm/s²
+};
+
+/// A round scale with which no arrow of the cycle is longer than `longest` (mm).
+ArrowScale computeArrowScale(const Cycle &cycle, MotionKind kind, const Mechanism &mechanism, double longest);
+
+/// "Velocity scale: 10 mm = 50 mm/s"
+QString arrowScaleText(const ArrowScale &scale, MotionKind kind);
+
+/// Model coordinates, mm.
+struct MotionArrow {
+    QPointF tail;
+    QPointF tip;
+    bool isCut = false;
+};
+
+/// Nullopt if the point does not move or the motion does not exist.
+std::optional<MotionArrow> motionArrow(const PointMotion &motion, MotionKind kind, const ArrowScale &scale);
+
+struct MechanismScene {
+    std::shared_ptr<const Result> result; ///< null: nothing is drawn
+    Pose pose;
+    ReferencePose ghost; ///< the linkage of the reference or of the pinned motion
+    MechanismSettings settings;
+
+    // Empty unless arrows or the path of G3 are shown.
+    Cycle cycle;
+    ArrowScale velocity;
+    ArrowScale acceleration;
+
+    const Mechanism &mechanism() const { return result->mechanism; }
+
+    /// A, mm. It exists at every crank angle, whether the mechanism can be assembled or not.
+    QPointF crankPin() const;
+
+    /// B, mm; of no meaning unless pose.exists().
+    QPointF wristPin() const { return {pose.sliderX, mechanism().c()}; }
+
+    PointMotion motion(LinkagePoint point) const;
+
+    /// Whether G3 is shown.
+    bool hasCentreOfMass() const;
+
+    /// Call it when the mechanism or the settings change.
+    void updateCycle();
+};
+
+} // namespace slidercrank

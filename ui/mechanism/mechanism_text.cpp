@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mechanism/mechanism_text.h"
+
+#include "core/closed_form/closed_form.h"
+#include "core/mechanism/turn.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct MechanismText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismText)
+};
+
+/// With four significant digits; what is only the rounding error of numbers of that size is 0.
+QString valueText(double value, double size)
+{
+    constexpr int kDigits = 4;
+    constexpr double kRounding = 1e-12;
+    return numberText(std::abs(value) < kRounding * size ? 0.0 : value, kDigits);
+}
+
+QString vectorText(const QString &pattern, const PlaneVector &vector, double size)
+{
+    return pattern.arg(valueText(vector.length(), size), valueText(vector.x, size), valueText(vector.y, size));
+}
+
+QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
+{
+    const Mechanism &mechanism = scene.mechanism();
+    const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
+    const double omega2 = std::abs(mechanism.omega2());
+    const PointMotion motion = scene.motion(point);
+    const QString position = MechanismText::tr("position (%1; %2) mm")
+                                 .arg(valueText(motion.position.x, size), valueText(motion.position.y, size));
+    if (!std::isfinite(motion.velocity.length())) {
+        return {position, MechanismText::tr("no velocity: the coupler is perpendicular to the slider's line")};
+    }
+    return {
+        position, vectorText(MechanismText::tr("velocity %1 mm/s (%2; %3)"), motion.velocity, size * omega2),
+        vectorText(MechanismText::tr("acceleration %1 mm/s² (%2; %3)"), motion.acceleration, size * omega2 * omega2)};
+}
+
+QStringList crankLines(const MechanismScene &scene)
+{
+    return {QStringLiteral("θ₂ = %1°").arg(crankAngleText(scene.pose.theta2)),
+            QStringLiteral("ω₂ = %1 rad/s").arg(valueText(scene.mechanism().omega2(), 0.0))};
+}
+
+QStringList couplerLines(const MechanismScene &scene)
+{
+    const Motion motion = ClosedForm(withCrankAt(scene.mechanism(), scene.pose.theta2)).motionAt(0.0);
+    const double omega2 = std::abs(scene.mechanism().omega2());
+    QStringList lines{QStringLiteral("θ³ = %1°").arg(valueText(kDegreesPerRadian * motion.theta3, 1.0))};
+    if (std::isfinite(motion.theta3Dot)) {
+        lines << QStringLiteral("ω₃ = %1 rad/s").arg(valueText(motion.theta3Dot, omega2))
+              << QStringLiteral("α₃ = %1 rad/s²").arg(valueText(motion.theta3DDot, omega2 * omega2));
+    }
+    return lines;
+}
+
+QStringList deadCentreLines(const QString &name, const std::optional<DeadCentre> &centre)
+{
+    return {MechanismText::tr("%1: the slider reverses. Click to go there.").arg(name),
+            QStringLiteral("θ₂ = %1°").arg(crankAngleText(centre->theta2)),
+            MechanismText::tr("slider at %1 mm").arg(valueText(centre->R4x, 0.0))};
+}
+
+QStringList forbiddenLines(const MechanismScene &scene)
+{
+    QStringList lines{MechanismText::tr("The mechanism cannot be assembled here: the coupler is too short.")};
+    for (const CrankRange &range : forbiddenRanges(scene.result->limits)) {
+        if (range.to - range.from < kTurn) {
+            lines << MechanismText::tr("θ₂ from %1° to %2°").arg(crankAngleText(range.from), crankAngleText(range.to));
+        }
+    }
+    return lines << MechanismText::tr("The crank makes full turns if b ≥ %1 mm.")
+                        .arg(atLeastText(shortestCouplerForFullTurn(scene.mechanism())));
+}
+
+QStringList partLines(const MechanismScene &scene, DrawnPart part)
+{
+    const Mechanism &mechanism = scene.mechanism();
+    const MotionLimits &limits = scene.result->limits;
+    const bool canMove = mechanism.omega2() != 0.0;
+    switch (part) {
+    case DrawnPart::Background: return {};
+    case DrawnPart::Ground:
+    case DrawnPart::O2: return QStringList(MechanismText::tr("O₂, the fixed pivot of the crank")) + crankLines(scene);
+    case DrawnPart::A:
+        return QStringList(canMove
+                               ? MechanismText::tr("A: drag to move the mechanism, with Shift to change a.")
+                               : MechanismText::tr("A: drag with Shift to change a. The crank is at rest: ω₂ = 0.")) +
+               pointLines(scene, LinkagePoint::A);
+    case DrawnPart::Slider:
+    case DrawnPart::B:
+        return QStringList(canMove ? MechanismText::tr("B: drag to move the mechanism.")
+                                   : MechanismText::tr("B: the slider is at rest: ω₂ = 0.")) +
+               pointLines(scene, LinkagePoint::B);
+    case DrawnPart::G3:
+        return QStringList(MechanismText::tr("G₃, the coupler's centre of mass")) + pointLines(scene, LinkagePoint::G3);
+    case DrawnPart::Crank:
+        return QStringList(MechanismText::tr("Crank, %1: pull to change a.")
+                               .arg(lengthText(QStringLiteral("a"), mechanism.a()))) +
+               crankLines(scene);
+    case DrawnPart::Coupler:
+        return QStringList(MechanismText::tr("Coupler, %1: pull to change b.")
+                               .arg(lengthText(QStringLiteral("b"), mechanism.b()))) +
+               couplerLines(scene);
+    case DrawnPart::Guide:
+        return {MechanismText::tr("The slider's line, %1: drag up or down to change c.")
+                    .arg(lengthText(QStringLiteral("c"), mechanism.c()))};
+    case DrawnPart::OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outer);
+    case DrawnPart::InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.inner);
+    case DrawnPart::ForbiddenArc: return forbiddenLines(scene);
+    }
+    return {};
+}
+
+} // namespace
+
+QString partText(const MechanismScene &scene, DrawnPart part)
+{
+    return scene.result ? partLines(scene, part).join(u'\n') : QString();
+}
+
+QString lengthText(const QString &symbol, double length)
+{
+    return QStringLiteral("%1 = %2 mm").arg(symbol, numberText(length));
+}
+
+QString assemblyProblem(const MechanismScene &scene)
+{
+    if (!scene.result || scene.pose.exists()) {
+        return {};
+    }
+    if (scene.pose.status == Status::NotFinite) {
+        return MechanismText::tr("The crank angle at this time is not a finite number.");
+    }
+    const Mechanism &mechanism = scene.mechanism();
+    const QString forFullTurn = atLeastText(shortestCouplerForFullTurn(mechanism));
+    if (scene.result->limits.mobility == Mobility::Impossible) {
+        return MechanismText::tr("The mechanism cannot be assembled at any crank angle: the coupler does not reach the "
+                                 "slider's line. It can be assembled if b ≥ %1 mm; the crank makes full turns if "
+                                 "b ≥ %2 mm.")
+            .arg(atLeastText(shortestCouplerForAnyPose(mechanism)), forFullTurn);
+    }
+    return MechanismText::tr("The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes "
+                             "full turns if b ≥ %2 mm.")
+        .arg(crankAngleText(scene.pose.theta2), forFullTurn);
+}
+
+} // namespace slidercrank
