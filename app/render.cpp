@@ -209,7 +209,7 @@ ExitStatus render(const RenderOptions &options)
         content.diagnosis = diagnose(reference->data, options.mechanism);
         ghost = ghostOf(content.diagnosis, options);
         if (ghost) {
-            mechanism.setGhostBounds(motionBounds(reference->data, *ghost));
+            mechanism.setGhostBounds(motionBounds(*ghost, motionLimits(*ghost)));
         }
     } else if (session.result()->difference && options.kept.back() != options.mechanism.parameters()) {
         ghost = Mechanism(options.kept.back());

@@ -3109,36 +3109,27 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>sin aceleración</translation>
     </message>
     <message>
-        <source>velocity: %1 mm ≙ %2 mm/s</source>
-        <translation>velocidad: %1 mm ≙ %2 mm/s</translation>
+        <source>Velocity scale: %1 mm = %2 mm/s</source>
+        <translation>Escala de velocidades: %1 mm = %2 mm/s</translation>
     </message>
     <message>
-        <source>acceleration: %1 mm ≙ %2 mm/s²</source>
-        <translation>aceleración: %1 mm ≙ %2 mm/s²</translation>
+        <source>Acceleration scale: %1 mm = %2 mm/s²</source>
+        <translation>Escala de aceleraciones: %1 mm = %2 mm/s²</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::MechanismCentre</name>
     <message>
-        <source>P at infinity: the coupler does not turn,</source>
-        <translation>P en el infinito: la biela no gira,</translation>
-    </message>
-    <message>
-        <source>A and B move alike, at %1 mm/s</source>
-        <translation>A y B se mueven igual, a %1 mm/s</translation>
-    </message>
-    <message>
-        <source>P: the coupler turns about it at %1 rad/s</source>
-        <translation>P: la biela gira en torno a él a %1 rad/s</translation>
-    </message>
-    <message>
-        <source>speed of %1: %2 rad/s · %3 mm = %4 mm/s</source>
-        <comment>of a point: |ω₃| times its distance</comment>
-        <translation>velocidad de %1: %2 rad/s · %3 mm = %4 mm/s</translation>
-    </message>
-    <message>
         <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
         <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>Instant centre P at infinity: the coupler translates at %1 mm/s</source>
+        <translation>Centro instantáneo P en el infinito: la biela se traslada a %1 mm/s</translation>
+    </message>
+    <message>
+        <source>Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</source>
+        <translation>Centro instantáneo P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</translation>
     </message>
 </context>
 <context>
@@ -3175,8 +3166,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>archivo</translation>
     </message>
     <message>
-        <source>kept</source>
-        <translation>conservado</translation>
+        <source>gap = %1 mm</source>
+        <translation>hueco = %1 mm</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fijado</translation>
     </message>
 </context>
 <context>
@@ -3225,10 +3220,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>A&amp;justar</translation>
     </message>
     <message>
-        <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up tell about its parts one after the other.</source>
-        <translation>Manivela-corredera dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y las casillas de abajo cambian sus longitudes. Más, menos y 0 amplían y reducen, Control con las flechas mueve el dibujo, Av Pág y Re Pág hablan de sus piezas una tras otra.</translation>
-    </message>
-    <message>
         <source>An&amp;gles θ₂ and θ³</source>
         <translation>Án&amp;gulos θ₂ y θ³</translation>
     </message>
@@ -3236,124 +3227,25 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <source>Instant &amp;centre of the coupler</source>
         <translation>Centro &amp;instantáneo de la biela</translation>
     </message>
-</context>
-<context>
-    <name>slidercrank::MechanismWords</name>
     <message>
-        <source>no pose at this instant</source>
-        <translation>no hay posición en este instante</translation>
+        <source>Assembly: open</source>
+        <translation>Configuración: abierta</translation>
     </message>
     <message>
-        <source>position (%1; %2) mm</source>
-        <translation>posición (%1; %2) mm</translation>
+        <source>Assembly: crossed</source>
+        <translation>Configuración: cruzada</translation>
     </message>
     <message>
-        <source>velocity %1 mm/s (%2; %3)</source>
-        <translation>velocidad %1 mm/s (%2; %3)</translation>
+        <source>Flip to the crossed assembly: the same links, with B to the left of A</source>
+        <translation>Pasar a la configuración cruzada: los mismos eslabones, con B a la izquierda de A</translation>
     </message>
     <message>
-        <source>acceleration %1 mm/s² (%2; %3)</source>
-        <translation>aceleración %1 mm/s² (%2; %3)</translation>
+        <source>Flip to the open assembly: the same links, with B to the right of A</source>
+        <translation>Pasar a la configuración abierta: los mismos eslabones, con B a la derecha de A</translation>
     </message>
     <message>
-        <source>θ₂ = %1°</source>
-        <translation>θ₂ = %1°</translation>
-    </message>
-    <message>
-        <source>ω₂ = %1 rad/s</source>
-        <translation>ω₂ = %1 rad/s</translation>
-    </message>
-    <message>
-        <source>θ³ = %1°</source>
-        <translation>θ³ = %1°</translation>
-    </message>
-    <message>
-        <source>turns at %1 °/s</source>
-        <translation>gira a %1 °/s</translation>
-    </message>
-    <message>
-        <source>angular acceleration %1 °/s²</source>
-        <translation>aceleración angular %1 °/s²</translation>
-    </message>
-    <message>
-        <source>slider at %1 mm</source>
-        <translation>corredera en %1 mm</translation>
-    </message>
-    <message>
-        <source>θ₂ from %1° to %2°</source>
-        <translation>θ₂ de %1° a %2°</translation>
-    </message>
-    <message>
-        <source>%1 = %2 mm</source>
-        <translation>%1 = %2 mm</translation>
-    </message>
-    <message>
-        <source>The crank turns round when b is at least %1 mm.</source>
-        <translation>La manivela da la vuelta completa cuando b es al menos %1 mm.</translation>
-    </message>
-    <message>
-        <source>O₂, about which the crank turns</source>
-        <translation>O₂, alrededor del cual gira la manivela</translation>
-    </message>
-    <message>
-        <source>A – with ω₂ = 0 the crank stands still; drag with Shift to change a</source>
-        <translation>A – con ω₂ = 0 la manivela está quieta; arrastre con Mayús para cambiar a</translation>
-    </message>
-    <message>
-        <source>A – drag to move the crank; with Shift to change a</source>
-        <translation>A – arrastre para mover la manivela; con Mayús para cambiar a</translation>
-    </message>
-    <message>
-        <source>B – with ω₂ = 0 the slider stands still; drag with Shift to change b</source>
-        <translation>B – con ω₂ = 0 la corredera está quieta; arrastre con Mayús para cambiar b</translation>
-    </message>
-    <message>
-        <source>B – drag to move the slider; with Shift to change b</source>
-        <translation>B – arrastre para mover la corredera; con Mayús para cambiar b</translation>
-    </message>
-    <message>
-        <source>G₃, the coupler&apos;s centre of mass</source>
-        <translation>G₃, el centro de masa de la biela</translation>
-    </message>
-    <message>
-        <source>Crank, %1 – pull along it to change a</source>
-        <translation>Manivela, %1 – tire a lo largo de ella para cambiar a</translation>
-    </message>
-    <message>
-        <source>Coupler, %1 – pull along it to change b</source>
-        <translation>Biela, %1 – tire a lo largo de ella para cambiar b</translation>
-    </message>
-    <message>
-        <source>The slider&apos;s line, %1 – drag up or down to change c</source>
-        <translation>Línea de la corredera, %1 – arrastre hacia arriba o abajo para cambiar c</translation>
-    </message>
-    <message>
-        <source>Outer dead centre: the slider turns back – click to go there</source>
-        <translation>Punto muerto exterior: la corredera se invierte – haga clic para ir allí</translation>
-    </message>
-    <message>
-        <source>Inner dead centre: the slider turns back – click to go there</source>
-        <translation>Punto muerto interior: la corredera se invierte – haga clic para ir allí</translation>
-    </message>
-    <message>
-        <source>With the crank here it cannot be assembled: the coupler is too short</source>
-        <translation>Con la manivela aquí no se puede ensamblar: la biela es demasiado corta</translation>
-    </message>
-    <message>
-        <source>There is no pose at this instant: the crank angle is not a finite number.</source>
-        <translation>No hay posición en este instante: el ángulo de la manivela no es un número finito.</translation>
-    </message>
-    <message>
-        <source>Cannot be assembled at θ₂ = %1°: the coupler is too short. The crank turns round when b is at least %2 mm.</source>
-        <translation>No se puede ensamblar en θ₂ = %1°: la biela es demasiado corta. La manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
-    </message>
-    <message>
-        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
-        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
-    </message>
-    <message>
-        <source>Cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. b must be at least %1 mm for any pose; the crank turns round when b is at least %2 mm.</source>
-        <translation>No se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Para que haya alguna posición, b debe ser al menos %1 mm; la manivela da la vuelta completa cuando b es al menos %2 mm.</translation>
+        <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up describe its parts one after the other.</source>
+        <translation>Mecanismo biela-manivela dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y casillas de abajo cambian sus longitudes. Más, menos y 0 cambian el zoom, Control con las flechas mueve el dibujo, y Av Pág y Re Pág describen sus partes una tras otra.</translation>
     </message>
 </context>
 <context>
@@ -6354,6 +6246,101 @@ SHA-256: %2</translation>
     <message>
         <source>That failed: %1.</source>
         <translation>Eso ha fallado: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismText</name>
+    <message>
+        <source>position (%1; %2) mm</source>
+        <translation>posición (%1; %2) mm</translation>
+    </message>
+    <message>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela es perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>velocity %1 mm/s (%2; %3)</source>
+        <translation>velocidad %1 mm/s (%2; %3)</translation>
+    </message>
+    <message>
+        <source>acceleration %1 mm/s² (%2; %3)</source>
+        <translation>aceleración %1 mm/s² (%2; %3)</translation>
+    </message>
+    <message>
+        <source>%1: the slider reverses. Click to go there.</source>
+        <translation>%1: la corredera invierte su movimiento. Haga clic para ir allí.</translation>
+    </message>
+    <message>
+        <source>slider at %1 mm</source>
+        <translation>corredera en %1 mm</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled here: the coupler is too short.</source>
+        <translation>Aquí el mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>θ₂ from %1° to %2°</source>
+        <translation>θ₂ de %1° a %2°</translation>
+    </message>
+    <message>
+        <source>The crank makes full turns if b ≥ %1 mm.</source>
+        <translation>La manivela da vueltas completas si b ≥ %1 mm.</translation>
+    </message>
+    <message>
+        <source>O₂, the fixed pivot of the crank</source>
+        <translation>O₂, el pivote fijo de la manivela</translation>
+    </message>
+    <message>
+        <source>A: drag to move the mechanism, with Shift to change a.</source>
+        <translation>A: arrastre para mover el mecanismo; con Mayús, para cambiar a.</translation>
+    </message>
+    <message>
+        <source>A: drag with Shift to change a. The crank is at rest: ω₂ = 0.</source>
+        <translation>A: arrastre con Mayús para cambiar a. La manivela está en reposo: ω₂ = 0.</translation>
+    </message>
+    <message>
+        <source>B: drag to move the mechanism.</source>
+        <translation>B: arrastre para mover el mecanismo.</translation>
+    </message>
+    <message>
+        <source>B: the slider is at rest: ω₂ = 0.</source>
+        <translation>B: la corredera está en reposo: ω₂ = 0.</translation>
+    </message>
+    <message>
+        <source>G₃, the coupler&apos;s centre of mass</source>
+        <translation>G₃, el centro de masa de la biela</translation>
+    </message>
+    <message>
+        <source>Crank, %1: pull to change a.</source>
+        <translation>Manivela, %1: tire para cambiar a.</translation>
+    </message>
+    <message>
+        <source>Coupler, %1: pull to change b.</source>
+        <translation>Biela, %1: tire para cambiar b.</translation>
+    </message>
+    <message>
+        <source>The slider&apos;s line, %1: drag up or down to change c.</source>
+        <translation>La línea de la corredera, %1: arrastre hacia arriba o abajo para cambiar c.</translation>
+    </message>
+    <message>
+        <source>Outer dead centre</source>
+        <translation>Punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>Inner dead centre</source>
+        <translation>Punto muerto interior</translation>
+    </message>
+    <message>
+        <source>The crank angle at this time is not a finite number.</source>
+        <translation>El ángulo de la manivela en este instante no es un número finito.</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. It can be assembled if b ≥ %1 mm; the crank makes full turns if b ≥ %2 mm.</source>
+        <translation>El mecanismo no se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Se puede ensamblar si b ≥ %1 mm; la manivela da vueltas completas si b ≥ %2 mm.</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes full turns if b ≥ %2 mm.</source>
+        <translation>El mecanismo no se puede ensamblar con θ₂ = %1°: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2 mm.</translation>
     </message>
 </context>
 </TS>

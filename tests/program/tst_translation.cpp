@@ -655,26 +655,6 @@ private slots:
         QVERIFY(window.findChild<MessageBar *>()->isHidden());
     }
 
-    void switchingKeepsTheDrawingOfAMechanismThatCannotBeAssembled()
-    {
-        MainWindow window;
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        window.session().setTime(0.1);
-        Parameters parameters;
-        parameters.b = 3.0; // less than c - a: at no instant
-        window.session().setParameters(parameters);
-        QVERIFY(!window.session().pose().exists());
-        const MechanismView::Look before = window.findChild<MechanismView *>()->look();
-        QVERIFY(before.pins);
-        speak(Language::Spanish);
-        const MechanismView::Look after = window.findChild<MechanismView *>()->look();
-        QVERIFY(after.pins);
-        QCOMPARE(after.pins->A, before.pins->A);
-        QCOMPARE(after.pins->B, before.pins->B);
-        QCOMPARE(after.frame.fitted(), before.frame.fitted());
-    }
-
 private:
     static void addLanguages()
     {

@@ -2,9 +2,7 @@
 #include "ui/mechanism/mechanism_drag.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace slidercrank
 {
@@ -19,16 +17,6 @@ double roundedTo(double grid, double value)
     return grid < 1.0 ? steps / std::round(1.0 / grid) : steps * grid;
 }
 
-/// The direction (y upwards) in which pulling the part makes its length longer.
-QPointF pullDirection(const MechanismScene &scene, DrawnPart part)
-{
-    const QPointF A = scene.crankPin();
-    const QPointF along = part == DrawnPart::Guide     ? QPointF(0.0, 1.0)
-                          : part == DrawnPart::Coupler ? scene.wristPin() - A
-                                                       : A;
-    return unitVector(along);
-}
-
 } // namespace
 
 std::optional<Parameter> draggedLength(DrawnPart part, bool withShift)
@@ -36,28 +24,37 @@ std::optional<Parameter> draggedLength(DrawnPart part, bool withShift)
     switch (part) {
     case DrawnPart::A: return withShift ? std::optional(Parameter::A) : std::nullopt;
     case DrawnPart::Crank: return Parameter::A;
+    case DrawnPart::G3:
     case DrawnPart::Coupler: return Parameter::B;
     case DrawnPart::Guide: return Parameter::C;
     default: return std::nullopt;
     }
 }
 
-std::optional<Qt::CursorShape> cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift)
+namespace
 {
+
+/// The direction (y upwards) in which pulling the part makes its length longer.
+QPointF pullDirection(const MechanismScene &scene, DrawnPart part)
+{
+    switch (draggedLength(part, true).value_or(Parameter::A)) {
+    case Parameter::B: return unitVector(scene.wristPin() - scene.crankPin());
+    case Parameter::C: return {0.0, 1.0};
+    default: return unitVector(scene.crankPin());
+    }
+}
+
+} // namespace
+
+Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift)
+{
+    using enum DrawnPart;
     if (draggedLength(part, withShift)) {
-        constexpr std::array kShapes{Qt::SizeHorCursor, Qt::SizeBDiagCursor, Qt::SizeVerCursor, Qt::SizeFDiagCursor};
-        const QPointF along = pullDirection(scene, part);
-        const long eighths = std::lround(4.0 * std::atan2(along.y(), along.x()) / std::numbers::pi);
-        return kShapes[static_cast<std::size_t>((eighths + 4) % 4)];
+        return part == Guide ? Qt::SizeVerCursor : Qt::SizeAllCursor;
     }
-    switch (part) {
-    case DrawnPart::A:
-    case DrawnPart::B:
-    case DrawnPart::Slider: return scene.mechanism().omega2() != 0.0 ? Qt::OpenHandCursor : Qt::ArrowCursor;
-    case DrawnPart::OuterDeadCentre:
-    case DrawnPart::InnerDeadCentre: return Qt::PointingHandCursor;
-    default: return std::nullopt;
-    }
+    const bool canMove = (part == A || part == B || part == Slider) && scene.mechanism().omega2() != 0.0;
+    const bool isDeadCentre = part == OuterDeadCentre || part == InnerDeadCentre;
+    return canMove ? Qt::OpenHandCursor : isDeadCentre ? Qt::PointingHandCursor : Qt::ArrowCursor;
 }
 
 std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, DrawnPart part, bool withShift,

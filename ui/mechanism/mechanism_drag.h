@@ -16,8 +16,8 @@ namespace slidercrank
 /// The length that dragging the part changes.
 std::optional<Parameter> draggedLength(DrawnPart part, bool withShift);
 
-/// The pointer's shape over the part; nullopt: the usual one.
-std::optional<Qt::CursorShape> cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift);
+/// The pointer's shape over the part.
+Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift);
 
 class MechanismDrag
 {

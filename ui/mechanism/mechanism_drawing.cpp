@@ -18,7 +18,6 @@ MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const 
     , m_ink(m_colours.text)
     , m_paper(m_colours.background)
     , m_muted(faded(m_ink, 0.6))
-    , m_highlight(palette.color(QPalette::Highlight))
     , m_font(font)
     , m_smallFont(font)
 {
@@ -43,11 +42,11 @@ void MechanismDrawing::paint(QPainter &painter) const
     }
 }
 
-void MechanismDrawing::paintHighlight(QPainter &painter, const std::set<DrawnPart> &parts, const QColor &colour) const
+void MechanismDrawing::paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const
 {
     constexpr double kBeyondOutline = 5.0;
     for (const Shape &shape : m_shapes) {
-        if (parts.contains(shape.part) && shape.pen.style() != Qt::NoPen) {
+        if (part != Background && shape.part == part && shape.pen.style() != Qt::NoPen) {
             painter.strokePath(shape.path, QPen(withAlpha(colour, 0.45), shape.pen.widthF() + kBeyondOutline,
                                                 Qt::SolidLine, Qt::RoundCap));
         }
@@ -60,11 +59,11 @@ DrawnPart MechanismDrawing::partAt(QPointF pixel) const
     const auto isUnderPointer = [pixel](const Shape &shape) {
         QPainterPathStroker stroker;
         stroker.setWidth(shape.pen.widthF() + 2.0 * kToSpare);
-        return shape.part != DrawnPart::Background && (stroker.createStroke(shape.path).contains(pixel) ||
-                                                       (shape.brush != Qt::NoBrush && shape.path.contains(pixel)));
+        return shape.part != Background && (stroker.createStroke(shape.path).contains(pixel) ||
+                                            (shape.brush != Qt::NoBrush && shape.path.contains(pixel)));
     };
     const auto shape = std::find_if(m_shapes.rbegin(), m_shapes.rend(), isUnderPointer);
-    return shape == m_shapes.rend() ? DrawnPart::Background : shape->part;
+    return shape == m_shapes.rend() ? Background : shape->part;
 }
 
 std::set<DrawnPart> MechanismDrawing::parts() const
@@ -73,7 +72,7 @@ std::set<DrawnPart> MechanismDrawing::parts() const
     for (const Shape &shape : m_shapes) {
         parts.insert(shape.part);
     }
-    parts.erase(DrawnPart::Background);
+    parts.erase(Background);
     return parts;
 }
 
@@ -118,13 +117,6 @@ QSizeF MechanismDrawing::textSize(const QString &text, bool isSmall) const
 {
     const QFontMetricsF metrics(isSmall ? m_smallFont : m_font);
     return {metrics.horizontalAdvance(text) + 4.0, metrics.height()};
-}
-
-void MechanismDrawing::addLabel(QPointF centre, const QString &text)
-{
-    QRectF box(QPointF(), textSize(text));
-    box.moveCenter(centre);
-    m_labels.push_back({text, box, m_ink, withAlpha(m_paper, 0.85)});
 }
 
 void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text,

@@ -22,17 +22,18 @@ class QPainter;
 namespace slidercrank
 {
 
-/// What can be pointed at.
+/// What can be pointed at. It begins with the values of MechanismPart.
 enum class DrawnPart {
     Background,
-    A,
-    B,
+    Ground,
     Crank,
     Coupler,
     Slider,
-    Guide, ///< the slider's line
     O2,
-    Ground,
+    A,
+    B,
+    Guide, ///< the slider's line
+    Drive, ///< not drawn
     G3,
     OuterDeadCentre,
     InnerDeadCentre,
@@ -55,14 +56,16 @@ struct Label {
     int alignment = Qt::AlignCenter;
 };
 
-/// Colours and fonts are those of a palette and a font; `paper` is the background.
+/// Colours and fonts follow a palette and a font.
 class MechanismDrawing : public MechanismProjection
 {
 public:
+    using enum DrawnPart;
+
     MechanismDrawing(const MechanismProjection &projection, const QPalette &palette, const QFont &font);
 
     void paint(QPainter &painter) const;
-    void paintHighlight(QPainter &painter, const std::set<DrawnPart> &parts, const QColor &colour) const;
+    void paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const;
 
     /// The part of the last shape under the pointer, with a few pixels to spare.
     DrawnPart partAt(QPointF pixel) const;
@@ -72,21 +75,16 @@ public:
     const std::vector<Shape> &shapes() const { return m_shapes; }
     const std::vector<Label> &labels() const { return m_labels; }
     const SeriesColours &colours() const { return m_colours; }
-    const QColor &highlightColour() const { return m_highlight; }
 
 protected:
-    void add(const QPainterPath &path, const QPen &pen, const QBrush &brush = Qt::NoBrush,
-             DrawnPart part = DrawnPart::Background);
-    void addLine(QPointF from, QPointF to, const QPen &pen, DrawnPart part = DrawnPart::Background);
+    void add(const QPainterPath &path, const QPen &pen, const QBrush &brush = Qt::NoBrush, DrawnPart part = Background);
+    void addLine(QPointF from, QPointF to, const QPen &pen, DrawnPart part = Background);
     void addCircle(QPointF centre, double radius, const QPen &pen, const QBrush &brush = Qt::NoBrush,
-                   DrawnPart part = DrawnPart::Background);
+                   DrawnPart part = Background);
     void addArrowHead(QPointF tip, QPointF direction, double length, const QColor &colour);
     void addDimension(QPointF from, QPointF to, const QColor &colour); ///< a line with an arrow head at both ends
 
     QSizeF textSize(const QString &text, bool isSmall = false) const;
-
-    /// Text centred at that point.
-    void addLabel(QPointF centre, const QString &text);
 
     /// Text beside the point, at the first free place: in that direction, then to either side of it, then farther away.
     /// `gap` is its distance. The place depends on the current pose alone, so that a motion looks the same forwards and
@@ -108,8 +106,7 @@ protected:
     QColor m_ink;
     QColor m_paper;
     QColor m_muted; ///< text and lines of less importance
-    QColor m_highlight;
-    QFont m_font; ///< in pixels, so that text has the same size relative to the drawing on every device
+    QFont m_font;   ///< in pixels, so that text has the same size relative to the drawing on every device
     QFont m_smallFont;
     std::vector<Shape> m_shapes;
     std::vector<Label> m_labels;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_frame.h"
 
-#include "core/comparison/reference_pose.h"
 #include "ui/text/written_number.h"
-
-#include <QPolygonF>
 
 #include <algorithm>
 #include <cmath>
@@ -69,26 +66,12 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
     return QRectF(QPointF(left, std::min(-a, c)), QPointF(right, std::max(a, c)));
 }
 
-QRectF motionBounds(const ReferenceData &data, const Mechanism &lengths)
-{
-    constexpr std::size_t kSamples = 400; // enough for tens of revolutions
-    QPolygonF pins;
-    const std::size_t step = std::max<std::size_t>(1, data.time.size() / kSamples);
-    for (std::size_t i = 0; i < data.time.size(); i += step) {
-        const ReferencePose pose = referencePoseAt(data, lengths, data.time[i]);
-        if (pose.exists) {
-            pins << QPointF(pose.pinX, pose.pinY) << QPointF(pose.sliderX, pose.sliderY);
-        }
-    }
-    return pins.boundingRect();
-}
-
 void MechanismFrame::follow(const QRectF &bounds)
 {
     constexpr double kFarTooLarge = 0.65; // the share of the frame that is still used
     const QRectF wanted = frameAround(bounds, kMargin);
-    if (m_fitted.isNull() || wanted.width() < kFarTooLarge * m_fitted.width() ||
-        wanted.height() < kFarTooLarge * m_fitted.height()) {
+    if (m_fitted.isNull() ||
+        (wanted.width() < kFarTooLarge * m_fitted.width() && wanted.height() < kFarTooLarge * m_fitted.height())) {
         m_fitted = wanted;
     } else if (!m_fitted.contains(withMargin(bounds, kLeastMargin))) {
         m_fitted = m_fitted.united(frameAround(bounds, kMarginToGrow));

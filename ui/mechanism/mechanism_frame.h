@@ -7,7 +7,6 @@
 // Model coordinates: mm, x to the right, y upwards, O2 at the origin. A rectangle of the model has its smallest y at
 // top().
 
-#include "core/import/reference_data.h"
 #include "core/limits/mobility.h"
 
 #include <QPointF>
@@ -35,9 +34,6 @@ struct MechanismProjection {
 
 /// The rectangle (mm) in which the pins A and B of the mechanism move. It is never empty, since the crank has a length.
 QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits);
-
-/// The same for reference data, with the lengths that they do not contain; null if the data have no pose.
-QRectF motionBounds(const ReferenceData &data, const Mechanism &lengths);
 
 class MechanismFrame
 {

@@ -3,6 +3,7 @@
 
 #include "core/mechanism/turn.h"
 #include "ui/mechanism/mechanism_text.h"
+#include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -62,8 +63,8 @@ void MechanismSketch::addLinkage()
             addLengths();
         }
         if (settings.angles) {
-            addAngle(QStringLiteral("θ₂"), {m_O2, m_A}, intoFirstTurn(m_scene.pose.theta2), 30.0);
-            addAngle(QStringLiteral("θ³"), {m_A, m_B}, wrapped(m_scene.pose.theta3), 36.0);
+            addAngle(QStringLiteral("θ₂"), {m_O2, m_A}, wrapToTwoPi(m_scene.pose.theta2), 30.0);
+            addAngle(QStringLiteral("θ³"), {m_A, m_B}, wrapToPi(m_scene.pose.theta3), 36.0);
         }
     }
     if (settings.names) {
@@ -85,7 +86,7 @@ void MechanismSketch::avoidLinkage()
         avoid(QRectF(0.0, 0.0, kUsualWidth, cornerLineTop(cornerLineCount())));
     }
     if (m_scene.settings.dimensions) {
-        avoid(offsetDimension(), 12.0);
+        avoid(offsetDimension(), 24.0); // with its letter
     }
     if (m_exists) {
         avoid({m_O2, m_A}, kCrankWidth);
@@ -109,49 +110,33 @@ void MechanismSketch::addModel()
 {
     constexpr double kAroundPin = 14.0; // A is what users drag most: it also reacts where nothing else is
     const QColor &link = m_exists ? m_colours.model : m_colours.warning;
-    addCircle(m_A, kAroundPin, Qt::NoPen, Qt::transparent, DrawnPart::A);
+    addCircle(m_A, kAroundPin, Qt::NoPen, Qt::transparent, A);
     if (m_exists) {
-        add(sliderPath(m_B), QPen(m_ink, 1.5), faded(m_ink, 0.15), DrawnPart::Slider);
-        addLink(m_A, m_B, kCouplerWidth, link, DrawnPart::Coupler);
+        add(sliderPath(m_B), QPen(m_ink, 1.5), faded(m_ink, 0.15), Slider);
+        addLink(m_A, m_B, kCouplerWidth, link, Coupler);
     }
-    addLink(m_O2, m_A, kCrankWidth, link, DrawnPart::Crank);
-    addJoint(m_O2, m_ink, DrawnPart::O2);
+    addLink(m_O2, m_A, kCrankWidth, link, Crank);
+    addJoint(m_O2, m_ink, O2);
     if (m_exists) {
-        addJoint(m_B, m_ink, DrawnPart::B);
+        addCircle(0.5 * (m_A + m_B), 3.5, QPen(m_ink, 1.2), m_ink, G3);
+        addJoint(m_B, m_ink, B);
     }
-    addJoint(m_A, m_exists ? m_ink : link, DrawnPart::A);
-    if (m_scene.hasCentreOfMass()) {
-        addCentreOfMass();
-    }
-}
-
-/// The symbol of a centre of mass: a circle with two quarters filled.
-void MechanismSketch::addCentreOfMass()
-{
-    const QPointF centre = 0.5 * (m_A + m_B);
-    addCircle(centre, 4.5, QPen(m_ink, 1.2), m_paper, DrawnPart::G3);
-    const QRectF circle = m_shapes.back().path.boundingRect();
-    QPainterPath quarters;
-    for (const double start : {0.0, 180.0}) {
-        quarters.moveTo(centre);
-        quarters.arcTo(circle, start, 90.0);
-    }
-    add(quarters, Qt::NoPen, m_ink);
+    addJoint(m_A, m_exists ? m_ink : link, A);
 }
 
 /// The circle that B can reach, and how far it is from the slider's line.
 void MechanismSketch::addMissingCoupler()
 {
-    const QPointF A = m_scene.crankPin();
-    if (!std::isfinite(A.x())) {
+    const QPointF pin = m_scene.crankPin();
+    if (!std::isfinite(pin.x())) {
         return;
     }
     addCircle(m_A, scale * mechanism().b(), QPen(m_colours.warning, 1.2, Qt::DashLine));
-    const double nearest = A.y() + std::copysign(mechanism().b(), mechanism().c() - A.y());
-    const QLineF gap(toPixels({A.x(), nearest}), toPixels({A.x(), mechanism().c()}));
+    const double nearest = pin.y() + std::copysign(mechanism().b(), mechanism().c() - pin.y());
+    const QLineF gap(toPixels({pin.x(), nearest}), toPixels({pin.x(), mechanism().c()}));
     addDimension(gap.p1(), gap.p2(), m_colours.warning);
-    const QString text = lengthText(MechanismLinkage::tr("gap"), std::abs(mechanism().c() - nearest));
-    addLabel(gap.center() + QPointF(0.5 * textSize(text).width() + 8.0, 0.0), text);
+    addLabelBeside(gap.center(), {1.0, 0.0}, 8.0,
+                   MechanismLinkage::tr("gap = %1 mm").arg(numberText(std::abs(mechanism().c() - nearest), 4)), m_ink);
 }
 
 /// Why there is no pose and what would help, in the corner away from the crank and the slider's line.
@@ -178,19 +163,15 @@ void MechanismSketch::addGhost()
     }
     const bool isFile = !m_scene.result->difference;
     const QColor &colour = isFile ? m_colours.reference : m_colours.kept;
-    const QPointF A = toPixels({ghost.pinX, ghost.pinY});
-    const QPointF B = toPixels({ghost.sliderX, ghost.sliderY});
-    QPainterPath path(m_O2);
-    path.lineTo(A);
-    path.lineTo(B);
-    path.addPath(sliderPath(B));
+    const QLineF coupler(toPixels({ghost.pinX, ghost.pinY}), toPixels({ghost.sliderX, ghost.sliderY}));
+    QPainterPath path = sliderPath(coupler.p2());
+    path.moveTo(m_O2);
+    path.lineTo(coupler.p1());
+    path.lineTo(coupler.p2());
     add(path, QPen(colour, 1.6));
-    addCircle(A, 2.5, Qt::NoPen, colour);
-    addCircle(B, 2.5, Qt::NoPen, colour);
-    avoid({A, B}, 2.0);
-    const QPointF awayFromCoupler(0.0, A.y() < B.y() ? 1.0 : -1.0);
-    addLabelBeside(B, awayFromCoupler, 22.0, isFile ? MechanismLinkage::tr("file") : MechanismLinkage::tr("pinned"),
-                   colour, true);
+    avoid(coupler, 2.0);
+    addLabelBeside(coupler.p2(), {0.0, coupler.dy() > 0.0 ? 1.0 : -1.0}, 22.0,
+                   isFile ? MechanismLinkage::tr("file") : MechanismLinkage::tr("pinned"), colour, true);
 }
 
 } // namespace slidercrank

@@ -33,24 +33,18 @@ bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
     return !(centre.toA <= kFar * (mechanism.a() + mechanism.b() + std::abs(mechanism.c())));
 }
 
-/// P and ω₃, and that the velocities of A and B are |ω₃| times their distances from P.
-QStringList instantCentreLines(const InstantCentre &centre, const Mechanism &mechanism)
+QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanism)
 {
     const auto text = [](double value) { return shortNumber(value, 4); };
     if (!std::isfinite(centre.omega3)) {
-        return {MechanismCentre::tr("no velocity: the coupler is perpendicular to the slider's line")};
+        return MechanismCentre::tr("no velocity: the coupler is perpendicular to the slider's line");
     }
     if (isAtInfinity(centre, mechanism)) {
-        return {MechanismCentre::tr("Instant centre P at infinity: the coupler translates at %1 mm/s")
-                    .arg(text(mechanism.a() * std::abs(mechanism.omega2())))};
+        return MechanismCentre::tr("Instant centre P at infinity: the coupler translates at %1 mm/s")
+            .arg(text(mechanism.a() * std::abs(mechanism.omega2())));
     }
-    const double omega3 = std::abs(centre.omega3);
-    const auto product = [&](const QString &point, double distance) {
-        return QStringLiteral("v(%1) = |ω₃|·P%1 = %2 rad/s · %3 mm = %4 mm/s")
-            .arg(point, text(omega3), text(distance), text(omega3 * distance));
-    };
-    return {MechanismCentre::tr("Instant centre P, ω₃ = %1 rad/s").arg(text(centre.omega3)),
-            product(QStringLiteral("A"), centre.toA), product(QStringLiteral("B"), centre.toB)};
+    return MechanismCentre::tr("Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm")
+        .arg(text(centre.omega3), text(centre.toA), text(centre.toB));
 }
 
 } // namespace
@@ -77,9 +71,14 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, MotionKind kind, bool 
 void MechanismSketch::addMotionArrows(MotionKind kind, const ArrowScale &arrows, bool withCentreOfMass)
 {
     for (const LinkagePoint point : kLinkagePoints) {
-        const std::optional<MotionArrow> arrow = motionArrow(m_scene.motion(point), kind, arrows);
-        if (arrow && (point != LinkagePoint::G3 || withCentreOfMass)) {
-            addArrow(toPixels(arrow->tail), toPixels(arrow->tip), kind, arrow->isCut);
+        const PointMotion motion = m_scene.motion(point);
+        const PlaneVector &vector = arrowVector(motion, kind);
+        const double amount = vector.length();
+        if (amount > 0.0 && std::isfinite(amount) && (point != LinkagePoint::G3 || withCentreOfMass)) {
+            const double shortened = std::min(1.0, arrows.largest / amount);
+            const PlaneVector drawn = vector * (shortened * arrows.length / arrows.amount);
+            const QPointF tail(motion.position.x, motion.position.y);
+            addArrow(toPixels(tail), toPixels(tail + QPointF(drawn.x, drawn.y)), kind, shortened < 1.0 - 1e-9);
         }
     }
 }
@@ -91,11 +90,8 @@ void MechanismSketch::addInstantCentre()
     if (!centre) {
         return;
     }
-    int line = cornerLineCount();
-    for (const QString &text : instantCentreLines(*centre, mechanism())) {
-        addCornerLabel(line++, 0.0, text);
-        avoid(m_labels.back().box);
-    }
+    addCornerLabel(cornerLineCount(), 0.0, instantCentreText(*centre, mechanism()));
+    avoid(m_labels.back().box);
     if (isAtInfinity(*centre, mechanism())) {
         return;
     }
@@ -138,15 +134,12 @@ void MechanismSketch::addNames()
         addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, MechanismLabels::tr("G₃"),
                        m_ink);
     }
-    addDeadCentreName(limits().outer, MechanismLabels::tr("outer dead centre"));
-    addDeadCentreName(limits().inner, MechanismLabels::tr("inner dead centre"));
-}
-
-void MechanismSketch::addDeadCentreName(const std::optional<DeadCentre> &centre, const QString &name)
-{
-    if (centre) {
-        const double aboveNameOfB = 23.0 + textSize(name).height();
-        addLabelBeside(toPixels({centre->R4x, mechanism().c()}), {0.0, -1.0}, aboveNameOfB, name, m_muted, true);
+    for (const auto &[centre, name] : {std::pair(limits().outer, MechanismLabels::tr("outer dead centre")),
+                                       {limits().inner, MechanismLabels::tr("inner dead centre")}}) {
+        if (centre) {
+            const double aboveNameOfB = 23.0 + textSize(name).height();
+            addLabelBeside(toPixels({centre->R4x, mechanism().c()}), {0.0, -1.0}, aboveNameOfB, name, m_muted, true);
+        }
     }
 }
 
@@ -154,7 +147,7 @@ void MechanismSketch::addDeadCentreName(const std::optional<DeadCentre> &centre,
 void MechanismSketch::addLengths()
 {
     for (const auto &[letter, link] :
-         {std::pair(QStringLiteral("a"), QLineF(m_O2, m_A)), std::pair(QStringLiteral("b"), QLineF(m_A, m_B))}) {
+         {std::pair(QStringLiteral("a"), QLineF(m_O2, m_A)), {QStringLiteral("b"), QLineF(m_A, m_B)}}) {
         const QPointF across(-link.dy(), link.dx());
         addLabelBeside(link.pointAt(0.6), across.y() > 0.0 ? across : -across, 7.0, letter, m_ink);
     }

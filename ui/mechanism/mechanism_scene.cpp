@@ -19,11 +19,6 @@ struct MechanismArrows {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismArrows)
 };
 
-const PlaneVector &arrowVector(const PointMotion &motion, MotionKind kind)
-{
-    return kind == MotionKind::Velocity ? motion.velocity : motion.acceleration;
-}
-
 } // namespace
 
 Cycle computeCycle(const Mechanism &mechanism, const MotionLimits &limits)
@@ -74,19 +69,9 @@ QString arrowScaleText(const ArrowScale &scale, MotionKind kind)
         .arg(numberText(scale.length), numberText(scale.amount));
 }
 
-std::optional<MotionArrow> motionArrow(const PointMotion &motion, MotionKind kind, const ArrowScale &scale)
+const PlaneVector &arrowVector(const PointMotion &motion, MotionKind kind)
 {
-    const PlaneVector &vector = arrowVector(motion, kind);
-    const double amount = vector.length();
-    if (scale.amount == 0.0 || !(amount > 0.0) || !std::isfinite(amount)) {
-        return std::nullopt;
-    }
-    MotionArrow arrow;
-    arrow.isCut = amount > scale.largest * (1.0 + 1e-9);
-    const PlaneVector drawn = vector * (scale.length / scale.amount * (arrow.isCut ? scale.largest / amount : 1.0));
-    arrow.tail = {motion.position.x, motion.position.y};
-    arrow.tip = arrow.tail + QPointF(drawn.x, drawn.y);
-    return arrow;
+    return kind == MotionKind::Velocity ? motion.velocity : motion.acceleration;
 }
 
 QPointF MechanismScene::crankPin() const
@@ -97,11 +82,6 @@ QPointF MechanismScene::crankPin() const
 PointMotion MechanismScene::motion(LinkagePoint point) const
 {
     return linkageMotion(mechanism(), pose.time)[static_cast<std::size_t>(point)];
-}
-
-bool MechanismScene::hasCentreOfMass() const
-{
-    return pose.exists() && (settings.velocity || settings.acceleration || settings.path || settings.names);
 }
 
 void MechanismScene::updateCycle()

@@ -14,7 +14,6 @@
 #include <QString>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace slidercrank
@@ -39,15 +38,8 @@ ArrowScale computeArrowScale(const Cycle &cycle, MotionKind kind, const Mechanis
 /// "Velocity scale: 10 mm = 50 mm/s"
 QString arrowScaleText(const ArrowScale &scale, MotionKind kind);
 
-/// Model coordinates, mm.
-struct MotionArrow {
-    QPointF tail;
-    QPointF tip;
-    bool isCut = false;
-};
-
-/// Nullopt if the point does not move or the motion does not exist.
-std::optional<MotionArrow> motionArrow(const PointMotion &motion, MotionKind kind, const ArrowScale &scale);
+/// The vector that the arrow stands for.
+const PlaneVector &arrowVector(const PointMotion &motion, MotionKind kind);
 
 struct MechanismScene {
     std::shared_ptr<const Result> result; ///< null: nothing is drawn
@@ -69,9 +61,6 @@ struct MechanismScene {
     QPointF wristPin() const { return {pose.sliderX, mechanism().c()}; }
 
     PointMotion motion(LinkagePoint point) const;
-
-    /// Whether G3 is shown.
-    bool hasCentreOfMass() const;
 
     /// Call it when the mechanism or the settings change.
     void updateCycle();

@@ -109,7 +109,7 @@ void MechanismSketch::addCrankCircle()
         QPainterPath arc;
         arc.arcMoveTo(circle, range.from * kDegreesPerRadian);
         arc.arcTo(circle, range.from * kDegreesPerRadian, (range.to - range.from) * kDegreesPerRadian);
-        add(arc, QPen(m_colours.warning, 3.0, Qt::SolidLine, Qt::FlatCap), Qt::NoBrush, DrawnPart::ForbiddenArc);
+        add(arc, QPen(m_colours.warning, 3.0, Qt::SolidLine, Qt::FlatCap), Qt::NoBrush, ForbiddenArc);
     }
 }
 
@@ -120,7 +120,7 @@ void MechanismSketch::addGuide()
     constexpr double kOutOfSight = 20.0; // px
     constexpr double kMark = 20.0;       // px that a dead centre's mark rises above the line
     const double y = toPixels({0.0, mechanism().c()}).y();
-    addLine({0.0, y}, {size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), DrawnPart::Guide);
+    addLine({0.0, y}, {size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), Guide);
     const QRectF bounds = motionBounds(mechanism(), limits());
     double left = bounds.left();
     double right = bounds.right();
@@ -128,15 +128,13 @@ void MechanismSketch::addGuide()
         std::tie(left, right) = std::minmax(limits().inner->R4x, limits().outer->R4x);
     }
     addGround({std::max(toPixels({left, 0.0}).x() - kOverhang, -kOutOfSight), y + kBelowLine},
-              std::min(toPixels({right, 0.0}).x() + kOverhang, size.width() + kOutOfSight), DrawnPart::Guide);
-    const auto addDeadCentre = [&](const std::optional<DeadCentre> &centre, DrawnPart part) {
+              std::min(toPixels({right, 0.0}).x() + kOverhang, size.width() + kOutOfSight), Guide);
+    for (const auto &[centre, part] : {std::pair(limits().outer, OuterDeadCentre), {limits().inner, InnerDeadCentre}}) {
         if (centre) {
             const double x = toPixels({centre->R4x, 0.0}).x();
             addLine({x, y - kMark}, {x, y + kBelowLine}, QPen(m_muted, 1.2), part);
         }
-    };
-    addDeadCentre(limits().outer, DrawnPart::OuterDeadCentre);
-    addDeadCentre(limits().inner, DrawnPart::InnerDeadCentre);
+    }
 }
 
 /// The path of G3.
@@ -161,10 +159,10 @@ void MechanismSketch::addPath()
 void MechanismSketch::addPivot()
 {
     const QPointF foot = m_O2 + QPointF(0.0, 17.0);
-    addGround(foot - QPointF(17.0, 0.0), foot.x() + 17.0, DrawnPart::Ground);
+    addGround(foot - QPointF(17.0, 0.0), foot.x() + 17.0, Ground);
     QPainterPath bracket;
     bracket.addPolygon(QPolygonF{m_O2, foot - QPointF(11.0, 0.0), foot + QPointF(11.0, 0.0), m_O2});
-    add(bracket, QPen(m_ink, 1.4), faded(m_ink, 0.15), DrawnPart::Ground);
+    add(bracket, QPen(m_ink, 1.4), faded(m_ink, 0.15), Ground);
 }
 
 void MechanismSketch::addDimensionsAndScales()
@@ -175,7 +173,7 @@ void MechanismSketch::addDimensionsAndScales()
         const QLineF offset = offsetDimension();
         addLine(offset.p1(), m_O2, QPen(m_muted, 1.0));
         addDimension(offset.p1(), offset.p2(), m_muted);
-        addLabel(offset.center(), QStringLiteral("c"));
+        addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, QStringLiteral("c"), m_ink);
         addCornerLabel(line++, 0.0,
                        QStringList{lengthText(QStringLiteral("a"), mechanism().a()),
                                    lengthText(QStringLiteral("b"), mechanism().b()),

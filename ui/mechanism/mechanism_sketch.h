@@ -7,12 +7,8 @@
 #include "ui/mechanism/mechanism_drawing.h"
 #include "ui/mechanism/mechanism_scene.h"
 
-#include <optional>
-
 namespace slidercrank
 {
-
-struct InstantCentre;
 
 class MechanismSketch : public MechanismDrawing
 {
@@ -48,7 +44,6 @@ private:
     void addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part);
     void addJoint(QPointF centre, const QColor &edge, DrawnPart part);
     void addModel();
-    void addCentreOfMass();
     void addMissingCoupler();
     void addAssemblyProblem();
     void addGhost();
@@ -62,7 +57,6 @@ private:
     void addNames();
     void addLengths();
     void addAngle(const QString &name, const QLineF &link, double angle, double largestRadius);
-    void addDeadCentreName(const std::optional<DeadCentre> &centre, const QString &name);
 
     const MechanismScene &m_scene;
     QPointF m_O2;

@@ -92,36 +92,38 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
     const Mechanism &mechanism = scene.mechanism();
     const MotionLimits &limits = scene.result->limits;
     const bool canMove = mechanism.omega2() != 0.0;
+    using enum DrawnPart;
     switch (part) {
-    case DrawnPart::Background: return {};
-    case DrawnPart::Ground:
-    case DrawnPart::O2: return QStringList(MechanismText::tr("O₂, the fixed pivot of the crank")) + crankLines(scene);
-    case DrawnPart::A:
+    case Background:
+    case Drive: return {};
+    case Ground:
+    case O2: return QStringList(MechanismText::tr("O₂, the fixed pivot of the crank")) + crankLines(scene);
+    case A:
         return QStringList(canMove
                                ? MechanismText::tr("A: drag to move the mechanism, with Shift to change a.")
                                : MechanismText::tr("A: drag with Shift to change a. The crank is at rest: ω₂ = 0.")) +
                pointLines(scene, LinkagePoint::A);
-    case DrawnPart::Slider:
-    case DrawnPart::B:
+    case Slider:
+    case B:
         return QStringList(canMove ? MechanismText::tr("B: drag to move the mechanism.")
                                    : MechanismText::tr("B: the slider is at rest: ω₂ = 0.")) +
                pointLines(scene, LinkagePoint::B);
-    case DrawnPart::G3:
+    case G3:
         return QStringList(MechanismText::tr("G₃, the coupler's centre of mass")) + pointLines(scene, LinkagePoint::G3);
-    case DrawnPart::Crank:
+    case Crank:
         return QStringList(MechanismText::tr("Crank, %1: pull to change a.")
                                .arg(lengthText(QStringLiteral("a"), mechanism.a()))) +
                crankLines(scene);
-    case DrawnPart::Coupler:
+    case Coupler:
         return QStringList(MechanismText::tr("Coupler, %1: pull to change b.")
                                .arg(lengthText(QStringLiteral("b"), mechanism.b()))) +
                couplerLines(scene);
-    case DrawnPart::Guide:
+    case Guide:
         return {MechanismText::tr("The slider's line, %1: drag up or down to change c.")
                     .arg(lengthText(QStringLiteral("c"), mechanism.c()))};
-    case DrawnPart::OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outer);
-    case DrawnPart::InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.inner);
-    case DrawnPart::ForbiddenArc: return forbiddenLines(scene);
+    case OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outer);
+    case InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.inner);
+    case ForbiddenArc: return forbiddenLines(scene);
     }
     return {};
 }

@@ -58,23 +58,6 @@ QLabel *makeNote(QWidget *parent)
     return note;
 }
 
-std::set<DrawnPart> drawnParts(MechanismPart part)
-{
-    switch (part) {
-    case MechanismPart::None: return {};
-    case MechanismPart::Ground: return {DrawnPart::Ground};
-    case MechanismPart::Crank: return {DrawnPart::Crank};
-    case MechanismPart::Coupler: return {DrawnPart::Coupler};
-    case MechanismPart::Slider: return {DrawnPart::Slider};
-    case MechanismPart::Pivot: return {DrawnPart::O2};
-    case MechanismPart::PinA: return {DrawnPart::A};
-    case MechanismPart::PinB: return {DrawnPart::B};
-    case MechanismPart::Guide: return {DrawnPart::Guide, DrawnPart::Slider};
-    case MechanismPart::Drive: return {DrawnPart::O2, DrawnPart::Crank};
-    }
-    return {};
-}
-
 } // namespace
 
 MechanismView::MechanismView(QWidget *parent)
@@ -150,17 +133,10 @@ void MechanismView::setSettings(const MechanismSettings &settings)
     refresh();
 }
 
-void MechanismView::setLook(const Look &look)
-{
-    setSettings(look.settings);
-    setFrame(look.frame);
-}
-
 void MechanismView::setZoom(const std::optional<QRectF> &zoom)
 {
-    MechanismFrame frame = m_frame;
-    frame.setZoomed(zoom);
-    setFrame(frame);
+    m_frame.setZoomed(zoom);
+    refresh();
 }
 
 void MechanismView::fit()
@@ -173,9 +149,8 @@ void MechanismView::fit()
 
 void MechanismView::zoomBy(double factor, QPointF pixel)
 {
-    MechanismFrame frame = m_frame;
-    frame.zoom(factor, pixel, size());
-    setFrame(frame);
+    m_frame.zoom(factor, pixel, size());
+    refresh();
 }
 
 void MechanismView::setFrame(const MechanismFrame &frame)
@@ -190,9 +165,8 @@ void MechanismView::fitFrame()
     if (m_hold || QApplication::mouseButtons() != Qt::NoButton) {
         m_refitDelay->start();
     } else if (m_scene.result) {
-        MechanismFrame frame = m_frame;
-        frame.fit(bounds());
-        setFrame(frame);
+        m_frame.fit(bounds());
+        refresh();
     }
 }
 
@@ -274,7 +248,8 @@ void MechanismView::setGhostBounds(const QRectF &ghostBounds)
 
 void MechanismView::highlight(MechanismPart part)
 {
-    m_highlighted = drawnParts(part);
+    static_assert(static_cast<int>(DrawnPart::Drive) == static_cast<int>(MechanismPart::Drive));
+    m_highlighted = part == MechanismPart::Drive ? DrawnPart::Crank : static_cast<DrawnPart>(part);
     update();
 }
 
@@ -298,13 +273,10 @@ QSize MechanismView::pictureSize() const
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    MechanismSketch whole = sketch(size, palette);
-    whole.addScenery();
-    whole.addLinkage();
     painter.save();
     painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
     painter.scale(magnification(), magnification());
-    whole.paint(painter);
+    sketch(size, palette, true, true).paint(painter);
     painter.restore();
 }
 
@@ -315,20 +287,20 @@ double MechanismView::magnification() const
     return std::max(1.0, static_cast<double>(QFontInfo(font()).pixelSize()) / usual);
 }
 
-MechanismSketch MechanismView::sketch(const QSizeF &size, const QPalette &palette) const
+MechanismSketch MechanismView::sketch(const QSizeF &size, const QPalette &palette, bool withScenery,
+                                      bool withLinkage) const
 {
     const double magnified = magnification();
     QFont letters = font();
     letters.setPixelSize(static_cast<int>(std::lround(QFontInfo(letters).pixelSize() / magnified)));
-    return {m_scene, m_frame.projection(size / magnified), palette, letters};
-}
-
-MechanismSketch MechanismView::wholeSketch() const
-{
-    MechanismSketch whole = sketch(size(), palette());
-    whole.addScenery();
-    whole.addLinkage();
-    return whole;
+    MechanismSketch sketch(m_scene, m_frame.projection(size / magnified), palette, letters);
+    if (withScenery) {
+        sketch.addScenery();
+    }
+    if (withLinkage) {
+        sketch.addLinkage();
+    }
+    return sketch;
 }
 
 DrawnPart MechanismView::partUnder(QPointF pixel) const
@@ -347,38 +319,30 @@ void MechanismView::paintEvent(QPaintEvent *)
         m_scenery.setDevicePixelRatio(ratio);
         QPainter painter(&m_scenery);
         painter.scale(magnified, magnified);
-        MechanismSketch scenery = sketch(size(), palette());
-        scenery.addScenery();
-        scenery.paint(painter);
+        sketch(size(), palette(), true, false).paint(painter);
     }
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_scenery);
     painter.scale(magnified, magnified);
-    MechanismSketch linkage = sketch(size(), palette());
-    linkage.addLinkage();
-    linkage.paint(painter);
-    if (m_pointed != DrawnPart::Background || !m_highlighted.empty()) {
+    sketch(size(), palette(), false, true).paint(painter);
+    const QColor colour = palette().color(QPalette::Highlight);
+    if (m_pointed != DrawnPart::Background || m_highlighted != DrawnPart::Background) {
         const MechanismSketch whole = wholeSketch();
-        whole.paintHighlight(painter, {m_pointed}, linkage.highlightColour());
-        whole.paintHighlight(painter, m_highlighted, linkage.colours().error);
+        whole.paintHighlight(painter, m_pointed, colour);
+        whole.paintHighlight(painter, m_highlighted, whole.colours().error);
     }
-    if (m_showsFocus) {
+    if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
         painter.resetTransform();
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(linkage.highlightColour(), 2.0));
+        painter.setPen(QPen(colour, 2.0));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
-}
-
-void MechanismView::resizeEvent(QResizeEvent *event)
-{
-    refresh();
-    QWidget::resizeEvent(event);
 }
 
 bool MechanismView::event(QEvent *event)
 {
     switch (event->type()) {
+    case QEvent::Resize:
     case QEvent::PaletteChange:
     case QEvent::FontChange:
     case QEvent::StyleChange:
@@ -394,19 +358,6 @@ bool MechanismView::event(QEvent *event)
     return QWidget::event(event);
 }
 
-void MechanismView::focusInEvent(QFocusEvent *event)
-{
-    m_showsFocus = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-                   event->reason() == Qt::ShortcutFocusReason;
-    update();
-}
-
-void MechanismView::focusOutEvent(QFocusEvent *)
-{
-    m_showsFocus = false;
-    update();
-}
-
 void MechanismView::keyPressEvent(QKeyEvent *event)
 {
     const auto pan = [&](double x, double y) { // the keys move the frame, so the drawing goes the other way
@@ -414,9 +365,8 @@ void MechanismView::keyPressEvent(QKeyEvent *event)
             QWidget::keyPressEvent(event);
             return;
         }
-        MechanismFrame frame = m_frame;
-        frame.pan(kPanStep * QPointF(x, y), size());
-        setFrame(frame);
+        m_frame.pan(kPanStep * QPointF(x, y), size());
+        refresh();
     };
     switch (event->key()) {
     case Qt::Key_Left: pan(1.0, 0.0); break;
@@ -474,9 +424,8 @@ void MechanismView::mouseMoveEvent(QMouseEvent *event)
     const QPointF last = std::exchange(m_hold->last, pixel);
     if (!m_hold->drag) {
         setCursor(Qt::ClosedHandCursor);
-        MechanismFrame frame = m_frame;
-        frame.pan(pixel - last, size());
-        setFrame(frame);
+        m_frame.pan(pixel - last, size());
+        refresh();
         return;
     }
     const QPointF pointer = projection().toModel(pixel);
@@ -577,8 +526,7 @@ void MechanismView::pointAt(DrawnPart part, bool withShift)
         m_noteDelay->start();
         update();
     }
-    const auto shape = m_scene.result ? cursorOver(m_scene, part, withShift) : std::nullopt;
-    shape ? setCursor(*shape) : unsetCursor();
+    setCursor(m_scene.result ? cursorOver(m_scene, part, withShift) : Qt::ArrowCursor);
 }
 
 void MechanismView::pointAtNext(std::ptrdiff_t step)

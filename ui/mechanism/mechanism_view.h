@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <set>
 
 class QAction;
 class QLabel;
@@ -46,13 +45,9 @@ public:
     const MechanismSettings &settings() const { return m_scene.settings; }
     void setSettings(const MechanismSettings &settings);
 
-    /// What it shows apart from the result, for another view that takes its place.
-    struct Look {
-        MechanismSettings settings;
-        MechanismFrame frame;
-    };
-    Look look() const { return {m_scene.settings, m_frame}; }
-    void setLook(const Look &look);
+    /// For another view that shows the same part of the plane.
+    const MechanismFrame &frame() const { return m_frame; }
+    void setFrame(const MechanismFrame &frame);
 
     /// The rectangle that the user zoomed to, mm; nullopt: the whole mechanism.
     const std::optional<QRectF> &zoom() const { return m_frame.zoomed(); }
@@ -92,9 +87,6 @@ signals:
 protected:
     bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void focusInEvent(QFocusEvent *event) override;
-    void focusOutEvent(QFocusEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -114,14 +106,13 @@ private:
     };
 
     double magnification() const;
-    MechanismSketch sketch(const QSizeF &size, const QPalette &palette) const;
+    MechanismSketch sketch(const QSizeF &size, const QPalette &palette, bool withScenery, bool withLinkage) const;
     MechanismProjection projection() const { return m_frame.projection(size()); }
-    MechanismSketch wholeSketch() const;
+    MechanismSketch wholeSketch() const { return sketch(size(), palette(), true, true); }
     QRectF bounds() const;
     DrawnPart partUnder(QPointF pixel) const;
     void makeChoices();
     void describe();
-    void setFrame(const MechanismFrame &frame);
     void fitFrame();
     void zoomBy(double factor, QPointF pixel);
     void refresh();
@@ -138,13 +129,12 @@ private:
     QPixmap m_scenery;    ///< what stands still; null when out of date
     std::optional<Hold> m_hold;
     DrawnPart m_pointed = DrawnPart::Background;
-    std::set<DrawnPart> m_highlighted; ///< from elsewhere
+    DrawnPart m_highlighted = DrawnPart::Background; ///< from elsewhere
     QToolButton *m_flip;
     QLabel *m_note;
     QTimer *m_noteDelay;
     QTimer *m_refitDelay; ///< runs until a changed mechanism has come to rest
     QList<QAction *> m_choices;
-    bool m_showsFocus = false; ///< the focus came by the keyboard
 };
 
 } // namespace slidercrank

@@ -216,7 +216,8 @@ void Exports::film(const QString &path, const Animation &animation)
 {
     const auto view = std::make_shared<MechanismView>();
     view->setResult(m_session->result());
-    view->setLook(m_rooms.mechanism->look());
+    view->setSettings(m_rooms.mechanism->settings());
+    view->setFrame(m_rooms.mechanism->frame());
     const auto draw = [view, parameters = m_session->parameters(),
                        ghost = m_rooms.ghost->motion()](QPainter &painter, const QSize &size, double time) {
         view->setPose(poseAt(parameters, time));

@@ -39,7 +39,7 @@ void Ghost::find()
         m_motion = [lengths, reference = result.reference](double time) {
             return referencePoseAt(reference->data, lengths, time);
         };
-        m_view->setGhostBounds(motionBounds(result.reference->data, lengths));
+        m_view->setGhostBounds(motionBounds(lengths, motionLimits(lengths)));
     } else if (result.difference && m_isWanted && result.kept.back() != result.mechanism.parameters()) {
         const Mechanism kept(result.kept.back());
         m_motion = [kept](double time) { return referencePoseAt(kept, time); };

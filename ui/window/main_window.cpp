@@ -214,7 +214,8 @@ void MainWindow::remakeRooms()
     const PlotZoom zoom = m_rooms.plots->zoom();
     const QString maximized = m_rooms.plots->maximized();
     const auto measured = m_rooms.plots->measured();
-    const MechanismView::Look drawing = m_rooms.mechanism->look();
+    const MechanismSettings drawing = m_rooms.mechanism->settings();
+    const MechanismFrame frame = m_rooms.mechanism->frame();
     const bool hasGhost = m_rooms.ghost->isWanted();
     const bool isPlaying = m_rooms.timeline->isPlaying();
     auto *study = m_rooms.tabs->findChild<StudyPanel *>(); // made anew only where it has been opened
@@ -236,7 +237,8 @@ void MainWindow::remakeRooms()
     m_rooms.plots->setZoom(zoom);
     m_rooms.plots->maximize(maximized);
     m_rooms.plots->setMeasured(measured);
-    m_rooms.mechanism->setLook(drawing);
+    m_rooms.mechanism->setSettings(drawing);
+    m_rooms.mechanism->setFrame(frame);
     if (study) {
         m_rooms.tabs->setCurrent(studyTab);
         m_rooms.tabs->findChild<StudyPanel *>()->takeOver(*study);
