@@ -112,8 +112,8 @@ constexpr OptionEntry kRenderOptions[] = {
     {"output", "FILE",
      QT_TRANSLATE_NOOP(
          "slidercrank::CommandLine",
-         "a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered, and older ones of "
-         "that name go), or, a video by ffmpeg, in .mp4, .webm or .gif; needed")},
+         "a name that ends in .png, .svg or .pdf; for frames a new folder or, with ffmpeg, a video that ends in .mp4, "
+         ".webm or .gif; needed")},
     {"reference", "FILE",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "a simulation's CSV file to draw beside it; the files of one motion, a plot each, one by one"),

@@ -382,16 +382,14 @@ void readSubject(OptionReader &reader, RenderOptions &options)
 void refuseOutput(OptionReader &reader, const RenderOptions &options)
 {
     using Subject = RenderOptions::Subject;
-    const QStringList films{QStringLiteral("png"), QStringLiteral("mp4"), QStringLiteral("webm"),
-                            QStringLiteral("gif")};
     const std::optional<FigureFormat> format = figureFormatOf(options.output);
     if (options.output.isEmpty()) {
         reader.refuse(
             CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf."));
     } else if (options.subject == Subject::Frames) {
-        if (!films.contains(QFileInfo(options.output).suffix().toLower())) {
-            reader.refuse(CommandLine::tr("Frames are numbered pictures or a video: --output must end in .png, .mp4, "
-                                          ".webm or .gif, not be \"%1\".")
+        if (format) {
+            reader.refuse(CommandLine::tr("Frames are written to a folder or as a video: --output must name a new "
+                                          "folder or end in .mp4, .webm or .gif, not be \"%1\".")
                               .arg(options.output));
         }
     } else if (options.subject == Subject::Report && format != FigureFormat::Pdf) {

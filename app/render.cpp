@@ -6,18 +6,15 @@
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
-#include "ui/export/report_pages.h"
+#include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/theme.h"
 
 #include <QEventLoop>
 #include <QPalette>
-#include <QThreadPool>
-#include <QTimer>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <memory>
 #include <optional>
@@ -103,37 +100,17 @@ void handleEndings(void (*handler)(int))
     }
 }
 
-/// As exportFigure(); returns when everything is written. Interrupted, it leaves nothing half done behind and does not
-/// return.
+/// Writes frames or a video. Interrupted, it leaves nothing behind and ends as the signal asks for.
 std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawing &draw)
 {
-    constexpr auto kLookEvery = std::chrono::milliseconds(50);
     handleEndings([](int which) { interruption = which; });
-    auto film = std::make_unique<AnimationExport>(filmOf(options), draw);
-    std::optional<QString> problem;
-    QEventLoop loop;
-    QObject::connect(film.get(), &AnimationExport::finished, &loop, [&](const QString &sentence) {
-        problem = sentence;
-        loop.quit();
-    });
-    QTimer look;
-    QObject::connect(&look, &QTimer::timeout, &loop, [&loop] {
-        if (interruption != 0) {
-            loop.quit();
-        }
-    });
-    look.start(kLookEvery);
-    film->start(options.output);
-    if (!problem) {
-        loop.exec();
-    }
-    film.reset(); // cancels what is not done
-    QThreadPool::globalInstance()->waitForDone();
+    const std::optional<QString> problem =
+        exportAnimation(options.output, filmOf(options), draw, [](int) { return interruption == 0; });
     handleEndings(SIG_DFL);
     if (const int signal = interruption; signal != 0) {
         std::raise(signal); // so that who started the program sees how it ended
     }
-    return problem.value_or(QString()).isEmpty() ? std::nullopt : problem;
+    return problem;
 }
 
 Shortfall shortfallOf(const RenderOptions &options, const Session &session)
@@ -142,7 +119,7 @@ Shortfall shortfallOf(const RenderOptions &options, const Session &session)
     if (options.subject == RenderOptions::Subject::Frames) {
         const Animation film = filmOf(options);
         for (int frame = 0; frame < film.frameCount(); ++frame) {
-            const Pose pose = poseAt(options.mechanism.parameters(), film.instant(frame));
+            const Pose pose = poseAt(options.mechanism.parameters(), film.timeOfFrame(frame));
             shortfall.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
         }
     } else if (options.subject == RenderOptions::Subject::Mechanism) {
@@ -235,7 +212,8 @@ ExitStatus render(const RenderOptions &options)
     };
     const auto exported = [&](const FigureDrawing &draw) {
         return exportFigure(options.output, {options.size, options.scale},
-                            CommandLine::tr("Motion of an offset slider-crank"), draw);
+                            CommandLine::tr("Motion of an offset slider-crank"),
+                            withParameters(draw, options.mechanism, palette));
     };
     std::optional<QString> failure;
     switch (options.subject) {

@@ -6,16 +6,16 @@
 #include "tests/support/printed_picture.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
-#include "ui/widgets/message_bar.h"
 #include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/plots/plot_grid.h"
 #include "ui/panels/study_panel.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/text/language.h"
+#include "ui/text/theme.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
-#include "ui/text/language.h"
-#include "ui/text/theme.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -247,86 +247,38 @@ private slots:
 
     void cleanup() { m_window.reset(); }
 
-    void theDataAreReadBackToTheLastBit_data()
-    {
-        QTest::addColumn<double>("b");
-        QTest::addColumn<Method>("method");
-        QTest::addColumn<bool>("all");
-        QTest::newRow("the plotted channels") << 60.0 << Method::ClosedForm << false;
-        QTest::newRow("all channels") << 60.0 << Method::ClosedForm << true;
-        QTest::newRow("the plotted channels by Newton-Raphson") << 65.0 << Method::Newton << false;
-        QTest::newRow("all channels by Newton-Raphson") << 65.0 << Method::Newton << true;
-        QTest::newRow("a rocker, with gaps where there is no pose") << 40.0 << Method::ClosedForm << false;
-        QTest::newRow("all channels of a rocker") << 40.0 << Method::Newton << true;
-    }
-
     void theDataAreReadBackToTheLastBit()
     {
-        QFETCH(const double, b);
-        QFETCH(const Method, method);
-        QFETCH(const bool, all);
-        Session &session = m_window->session();
-        session.setParameters(withCoupler(b));
-        SolverSettings solver = session.solver();
-        solver.method = method;
-        session.setSolver(solver);
-        Sampling sampling;
-        sampling.start = -0.1;
-        sampling.duration = 1.7;
-        sampling.steps = 321;
-        session.setSampling(sampling);
-
-        const QString path = m_folder->filePath(QStringLiteral("motion.csv"));
-        m_window->exports().writeData(path, all ? allChannels() : plottedChannels());
-        AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
-        QVERIFY(!contentOf(path).contains('\r'));
-
-        QSignalSpy loaded(&session, &Session::referenceLoaded);
-        m_window->openReference(path);
-        QVERIFY(loaded.wait(kPatience));
-        const Result &result = *session.result();
-        const ReferenceData &read = result.reference->data;
-        QCOMPARE(read.time.size(), result.trajectory.time.size());
-        QCOMPARE(read.series.size(), std::size_t(all ? 36 : 6));
-        for (std::size_t i = 0; i < read.time.size(); ++i) {
-            QVERIFY(isSame(result.trajectory.time[i], read.time[i]));
+        struct Row {
+            double b;
+            Method method;
+            bool all;
+        };
+        for (const Row &row : {Row{60.0, Method::ClosedForm, false}, Row{65.0, Method::Newton, true},
+                               Row{40.0, Method::ClosedForm, false}, Row{40.0, Method::Newton, true}}) {
+            init(); // another window
+            isReadBack(row.b, row.method, row.all);
         }
-        const Trajectory whole =
-            sample(result.mechanism, sampling.instants(), all ? allChannels() : plottedChannels(), solver);
-        for (const ReferenceSeries &series : read.series) {
-            for (std::size_t i = 0; i < read.time.size(); ++i) {
-                QVERIFY2(isSame(whole[series.channel][i], series.values[i]), nameOf(series.channel).data());
-            }
-        }
-        for (const ChannelComparison &comparison : result.comparison) {
-            QCOMPARE(comparison.verdict, Verdict::Agrees);
-        }
-        QCOMPARE(result.comparison.size(), read.series.size());
     }
 
-    void aPersonChoosesTheChannels_data()
+    void theUserChoosesTheColumns()
     {
-        QTest::addColumn<int>("choice");
-        QTest::addColumn<int>("columns");
-        QTest::newRow("those plotted") << 0 << 7;
-        QTest::newRow("all") << 1 << 37;
-    }
-
-    void aPersonChoosesTheChannels()
-    {
-        QFETCH(const int, choice);
-        QFETCH(const int, columns);
-        actionNamed(*m_window, QStringLiteral("Data…"))->trigger();
-        auto *dialog = m_window->findChild<QFileDialog *>();
-        QVERIFY(dialog);
-        dialog->setDirectory(m_folder->path());
-        dialog->selectNameFilter(dialog->nameFilters().at(choice));
-        auto *name = dialog->findChild<QLineEdit *>();
-        name->setText(m_folder->filePath(QStringLiteral("chosen"))); // without its ending
-        QTest::keyClick(name, Qt::Key_Return);
-        AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
-        const QByteArray header = contentOf(m_folder->filePath(QStringLiteral("chosen.csv"))).split('\n').first();
-        QCOMPARE(header.split(',').size(), columns);
+        for (const auto &[choice, columns] : {std::pair(0, 8), std::pair(2, 37)}) { // time, θ₂ and those of the plots
+            actionNamed(*m_window, QStringLiteral("Data…"))->trigger();
+            auto *dialog = m_window->findChild<QFileDialog *>();
+            QVERIFY(dialog);
+            dialog->setDirectory(m_folder->path());
+            dialog->selectNameFilter(dialog->nameFilters().at(choice));
+            auto *name = dialog->findChild<QLineEdit *>();
+            const QString chosen = m_folder->filePath(QStringLiteral("chosen%1").arg(choice)); // without its ending
+            name->setText(chosen);
+            QTest::keyClick(name, Qt::Key_Return);
+            AWAIT(QFile::exists(chosen + QStringLiteral(".csv")));
+            const QByteArray header = contentOf(chosen + QStringLiteral(".csv")).split('\n').first();
+            QCOMPARE(header.split(',').size(), columns);
+            settle();
+            delete m_window->findChild<QFileDialog *>();
+        }
     }
 
     void aLongRunIsWrittenAside()
@@ -363,28 +315,11 @@ private slots:
         QVERIFY(cancel->isVisible());
         m_window->exports().writeData(m_folder->filePath(QStringLiteral("other.csv")), plottedChannels());
         QVERIFY2(m_said->text().contains(QStringLiteral("still being written")), qPrintable(m_said->text()));
-        m_said->showMessage(MessageBar::Kind::Hint, {});
-        writeFrames();
-        QVERIFY2(m_said->text().contains(QStringLiteral("still being written")), qPrintable(m_said->text()));
         QTest::mouseClick(cancel, Qt::LeftButton);
         AWAIT(!cancel->isVisible());
         QVERIFY2(m_said->text().contains(QStringLiteral("nothing was written")), qPrintable(m_said->text()));
         QCOMPARE(contentOf(path), QByteArray("older"));
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList(QStringLiteral("long.csv")));
-    }
-
-    void nothingElseIsWrittenWhileThereAreFrames()
-    {
-        writeFrames();
-        for (const bool isAside : {true, false}) {
-            m_said->showMessage(MessageBar::Kind::Hint, {});
-            isAside ? m_window->exports().writeData(m_folder->filePath(QStringLiteral("x.csv")), plottedChannels())
-                    : writeFrames();
-            QVERIFY2(m_said->text().contains(QStringLiteral("still being written")), qPrintable(m_said->text()));
-        }
-        QVERIFY(m_window->exports().cancel());
-        settle();
-        QVERIFY(QDir(m_folder->path()).isEmpty());
     }
 
     void anotherLanguageMeanwhileDoesNoHarm()
@@ -515,7 +450,7 @@ private slots:
             m_window->exports().write(m_window->exports().plot(QStringLiteral("plot_") + wordOf(subject)), path);
             break;
         case Subject::Mechanism:
-            size = m_window->findChild<MechanismView *>()->size();
+            size = m_window->findChild<MechanismView *>()->pictureSize();
             m_window->exports().write(m_window->exports().mechanism(), path);
             break;
         case Subject::Study: {
@@ -546,23 +481,22 @@ private slots:
         Sampling sampling;
         sampling.duration = 0.1;
         m_window->session().setSampling(sampling);
-        writeFrames();
-        AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
+        const QString folder = m_folder->filePath(QStringLiteral("motion"));
+        m_window->exports().writeAnimation(folder, m_window->exports().animationOnShow());
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "frames", "--duration", "0.1", "--size", "400x300", "--output",
-                  m_folder->filePath(QStringLiteral("rendered.png"))});
+                  m_folder->filePath(QStringLiteral("rendered"))});
         PrintedPicture before;
-        for (int frame = 1; frame <= 4; ++frame) {
-            const PrintedPicture rendered =
-                printedPicture(m_folder->filePath(QStringLiteral("rendered_00%1.png").arg(frame)));
+        for (int frame = 1; frame <= 3; ++frame) {
+            const QString name = QStringLiteral("/frame_000%1.png").arg(frame);
+            const PrintedPicture rendered = printedPicture(m_folder->filePath(QStringLiteral("rendered")) + name);
             QCOMPARE(rendered.size, QSize(400, 300));
-            const PrintedPicture picture =
-                printedPicture(m_folder->filePath(QStringLiteral("motion_00%1.png").arg(frame)));
+            const PrintedPicture picture = printedPicture(folder + name);
             QVERIFY(!picture.size.isEmpty() && !picture.isBlank() && !rendered.isBlank());
             QVERIFY(picture.rgb != before.rgb);
             before = picture;
         }
-        QVERIFY(!QFile::exists(m_folder->filePath(QStringLiteral("motion_005.png"))));
+        QVERIFY(!QFile::exists(folder + QStringLiteral("/frame_0004.png")));
     }
 
     void theReportIsOnPaper()
@@ -582,7 +516,7 @@ private slots:
                  {"render", "--what", "report", "--reference", kSample, "--output", rendered});
         for (const QString &report : {path, rendered}) {
             const QByteArray facts = outputOf(QStringLiteral("pdfinfo"), {report});
-            QVERIFY2(facts.contains("(A4)") && facts.contains("Pages:           2"), facts.constData());
+            QVERIFY2(facts.contains("(A4)") && facts.contains("Pages:           3"), facts.constData());
             for (const char *page : {"1", "2"}) {
                 const PrintedPicture picture = pictureInPpm(
                     outputOf(QStringLiteral("pdftoppm"), {"-r", "48", "-f", page, "-l", page, "-singlefile", report}));
@@ -614,16 +548,16 @@ private slots:
                   fields += NF }
                 END { print NR, fields, (most < 1e-10) })",
                                                                    path});
-        QCOMPARE(judged.trimmed(), QByteArray("202 1407 1")); // 201 rows of 7 columns
+        QCOMPARE(judged.trimmed(), QByteArray("202 1608 1")); // 201 rows of 8 columns
     }
 
     void figurePlotAndMechanismAreCopied()
     {
-        const std::pair<const char *, const QWidget *> copies[] = {
-            {"Copy figure", m_window->findChild<PlotGrid *>()},
-            {"Copy mechanism", m_window->findChild<MechanismView *>()}};
-        for (const auto &[name, widget] : copies) {
-            const QSize size = widget->size(); // before the message takes some of it
+        const std::pair<const char *, QSize> copies[] = {
+            // before the message takes some of it
+            {"Copy figure", m_window->findChild<PlotGrid *>()->size()},
+            {"Copy mechanism", m_window->findChild<MechanismView *>()->pictureSize()}};
+        for (const auto &[name, size] : copies) {
             QAction *action = actionNamed(*m_window, QLatin1String(name));
             QVERIFY2(action, name);
             action->trigger();
@@ -647,10 +581,44 @@ private slots:
     }
 
 private:
-    void writeFrames()
+    void isReadBack(double b, Method method, bool all)
     {
-        m_window->exports().writeAnimation(m_folder->filePath(QStringLiteral("motion.png")),
-                                           m_window->exports().animationOnShow());
+        Session &session = m_window->session();
+        session.setParameters(withCoupler(b));
+        SolverSettings solver = session.solver();
+        solver.method = method;
+        session.setSolver(solver);
+        Sampling sampling;
+        sampling.start = -0.1;
+        sampling.duration = 1.7;
+        sampling.steps = 321;
+        session.setSampling(sampling);
+
+        const QString path = m_folder->filePath(QStringLiteral("motion.csv"));
+        m_window->exports().writeData(path, all ? allChannels() : plottedChannels());
+        AWAIT2(m_said->text().startsWith(QStringLiteral("Written: ")), qPrintable(m_said->text()));
+        QVERIFY(!contentOf(path).contains('\r'));
+
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        m_window->openReference(path);
+        QVERIFY(loaded.wait(kPatience));
+        const Result &result = *session.result();
+        const ReferenceData &read = result.reference->data;
+        QCOMPARE(read.time.size(), result.trajectory.time.size());
+        QCOMPARE(read.series.size(), std::size_t(all ? 36 : 7));
+        for (std::size_t i = 0; i < read.time.size(); ++i) {
+            QVERIFY(isSame(result.trajectory.time[i], read.time[i]));
+        }
+        const Trajectory whole = sample(result.mechanism, sampling.instants(), allChannels(), solver);
+        for (const ReferenceSeries &series : read.series) {
+            for (std::size_t i = 0; i < read.time.size(); ++i) {
+                QVERIFY2(isSame(whole[series.channel][i], series.values[i]), nameOf(series.channel).data());
+            }
+        }
+        for (const ChannelComparison &comparison : result.comparison) {
+            QCOMPARE(comparison.verdict, Verdict::Agrees);
+        }
+        QCOMPARE(result.comparison.size(), read.series.size());
     }
 
     QTemporaryDir m_settings;

@@ -127,7 +127,6 @@ std::set<rlim_t> disksFor(qint64 size)
 
 QList<Save> commands()
 {
-    const QStringList frames{"render", "--what", "frames", "--duration", "0.03", "--size", "200x200"};
     return {{"solve to CSV", "x.csv", 0, {"solve"}},
             {"solve to JSON", "x.json", 0, {"solve", "--format", "json"}},
             {"compare", "x.csv", 0, {"compare", kSample, "--format", "csv"}},
@@ -137,8 +136,7 @@ QList<Save> commands()
             {"render PNG", "x.png", 0, {"render"}},
             {"render SVG", "x.svg", 0, {"render", "--what", "mechanism"}},
             {"render PDF", "x.pdf", 0, {"render"}},
-            {"render a report", "x.pdf", 0, {"render", "--what", "report"}},
-            {"render frames", "x.png", 2, frames}};
+            {"render a report", "x.pdf", 0, {"render", "--what", "report"}}};
 }
 
 /// Until it is killed.
@@ -166,7 +164,7 @@ private slots:
     void aCallOfACommandFails();
     void aCommandHasLittleRoom_data() { nameCommands(); }
     void aCommandHasLittleRoom();
-    void aCommandIsKilledAtACall_data() { nameCommands({"solve to CSV", "render frames"}); }
+    void aCommandIsKilledAtACall_data() { nameCommands({"solve to CSV"}); }
     void aCommandIsKilledAtACall();
     void standardOutputHasNoRoom();
     void aStreamIsClosed();
@@ -368,16 +366,6 @@ QList<Save> TstFaults::savesOfTheWindow()
             bar->showMessage(MessageBar::Kind::Hint, problem.value_or(QStringLiteral("Written: ")));
         };
     };
-    const auto frames = [this, &exports](const QString &path) {
-        exports.writeAnimation(path, exports.animationOnShow());
-        if (const auto *question = m_window->findChild<QMessageBox *>()) {
-            for (QAbstractButton *button : question->buttons()) {
-                if (question->buttonRole(button) == QMessageBox::AcceptRole) {
-                    button->click();
-                }
-            }
-        }
-    };
     return {{"scene", "x.json", 0, {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
             {"figure as PNG", "x.png", 0, {}, picture(&Exports::figure)},
             {"figure as SVG", "x.svg", 0, {}, picture(&Exports::figure)},
@@ -388,8 +376,7 @@ QList<Save> TstFaults::savesOfTheWindow()
             {"data", "x.csv", 0, {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }},
             {"study as CSV", "x.csv", 0, {}, study(&StudyPanel::exportNumbers)},
             {"study as JSON", "x.json", 0, {}, study(&StudyPanel::exportNumbers)},
-            {"study as PNG", "x.png", 0, {}, study(&StudyPanel::exportPicture)},
-            {"frames", "x.png", 2, {}, frames}};
+            {"study as PNG", "x.png", 0, {}, study(&StudyPanel::exportPicture)}};
 }
 
 void TstFaults::nameSaves()
@@ -524,7 +511,6 @@ void TstFaults::isKilledAtAnyInstant()
     const QList<Save> saves{{"a long table", "x.csv", 0, {"solve", "--steps", "20000", "--channels", "all"}},
                             {"a figure", "x.svg", 0, {"render"}},
                             {"a report", "x.pdf", 0, {"render", "--what", "report"}},
-                            {"frames", "x.png", 31, {"render", "--what", "frames", "--size", "100x100"}},
                             {"scene after scene", "x.json", 0, {}}};
     std::mt19937 random(12);
     for (const Save &save : saves) {

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The motion to numbered PNG frames, or to a video by ffmpeg where it is installed. One frame is drawn in each pass of
-// the event loop, so that nothing waits for it; everything is written or nothing.
+// Writes the motion as numbered PNG frames into a new folder, or as a video by ffmpeg.
 
-#include "ui/document/work_aside.h"
 #include "ui/export/figure_export.h"
 
-#include <QObject>
 #include <QString>
-#include <QStringList>
-#include <QTemporaryDir>
 
 #include <functional>
-#include <memory>
+#include <optional>
 
 class QPainter;
-class QProcess;
 
 namespace slidercrank
 {
@@ -24,66 +18,30 @@ namespace slidercrank
 struct Animation {
     static constexpr int kMostFrames = 100'000;
 
-    double start = 0.0;    ///< s of the motion
+    double start = 0.0;    ///< time in the motion, s
     double duration = 1.0; ///< s of the motion; negative: backwards
-    double speed = 1.0;    ///< seconds of the motion in a second of the film
+    double speed = 1.0;    ///< seconds of the motion per second of the film
     int framesPerSecond = 30;
     FigureSize size;
 
-    /// Both ends included.
+    /// Each frame stands for the time until the next one, so that a film of whole turns does not end with its first
+    /// frame again.
     int frameCount() const;
-    double instant(int frame) const;
+    double timeOfFrame(int frame) const; ///< s
 };
 
-/// Draws the frame of that instant (s) at that logical size, from the origin, background included.
+/// Draws the frame at that time (s) in that logical size, from the origin, background included.
 using FrameDrawing = std::function<void(QPainter &, const QSize &, double)>;
 
-class AnimationExport : public QObject
-{
-    Q_OBJECT
+/// Is told how many frames are done; returns false to cancel.
+using AnimationProgress = std::function<bool(int done)>;
 
-public:
-    AnimationExport(const Animation &animation, const FrameDrawing &draw, QObject *parent = nullptr);
-    ~AnimationExport() override; ///< cancels it: nothing is left behind once the frame under way is written
+/// Whether that path names a video: .mp4, .webm or .gif.
+bool isVideo(const QString &path);
 
-    /// What a file's name may end in: "png", and where ffmpeg is found "mp4", "webm", "gif".
-    static QStringList suffixes();
-
-    /// What so many frames are called, in order; none of a video.
-    static QStringList frameNames(const QString &path, int count);
-
-    /// What so many new frames take the place of: all of the same names, and older series in the same folder from their
-    /// first frame to the last before a gap, so that one animation is there and not two.
-    static QStringList olderFrames(const QString &path, int count);
-
-    /// "motion.png" makes motion_001.png, motion_002.png, …; another suffix one video.
-    void start(const QString &path);
-
-signals:
-    void progressed(int done, int all);
-
-    /// `problem`: one sentence; empty when everything is written.
-    void finished(const QString &problem);
-
-private:
-    void drawNext();
-    void writeAside(const QImage &image); ///< a disk may be slow
-    void goOn();                          ///< after a frame
-    QString putInPlace();
-    QString filmPath() const; ///< until it is complete
-    void startFilming();
-    void finishFilm(int exitCode);
-    QString putFilmInPlace();
-    void end(const QString &problem);
-
-    Animation m_animation;
-    FrameDrawing m_draw;
-    QString m_path;
-    std::shared_ptr<QTemporaryDir> m_folder; ///< beside the path, until everything is there
-    WorkAside m_writing;
-    QProcess *m_film = nullptr;
-    int m_frame = 0;
-    bool m_running = false;
-};
+/// Writes a video, or frame_0001.png … into a new folder of that name, which appears when it is complete. Returns a
+/// sentence if it cannot; then, and when it is cancelled, nothing is left behind.
+std::optional<QString> exportAnimation(const QString &path, const Animation &animation, const FrameDrawing &draw,
+                                       const AnimationProgress &progress);
 
 } // namespace slidercrank

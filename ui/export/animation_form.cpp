@@ -2,9 +2,9 @@
 #include "ui/export/animation_form.h"
 
 #include "core/mechanism/turn.h"
+#include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
-#include "ui/text/written_number.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -41,7 +41,7 @@ AnimationForm::AnimationForm(const Animation &animation, const Parameters &param
     setWindowTitle(tr("Export animation"));
     auto *grid = new QGridLayout(this);
 
-    m_rate = addWholeBox(QStringLiteral("rateBox"), tr("Frames a second"), 1.0, kMostFramesPerSecond);
+    m_rate = addWholeBox(QStringLiteral("rateBox"), tr("Frames per second"), 1.0, kMostFramesPerSecond);
     m_rate->setValue(animation.framesPerSecond);
     m_width = addWholeBox(QStringLiteral("widthBox"), tr("Width"), kNarrowestFrame, kWidestFrame);
     m_height = addWholeBox(QStringLiteral("heightBox"), tr("Height"), kNarrowestFrame, kWidestFrame);
@@ -59,7 +59,7 @@ AnimationForm::AnimationForm(const Animation &animation, const Parameters &param
     m_unit = named("lengthUnitBox", new QComboBox, tr("Unit of the length"));
     m_unit->addItem(tr("s of the motion"));
     if (std::isfinite(m_turn)) {
-        m_unit->addItem(tr("turns"));
+        m_unit->addItem(tr("revolutions"));
     }
     const int row = grid->rowCount();
     grid->addWidget(label, row, 0);
@@ -131,10 +131,10 @@ void AnimationForm::showOutcome()
     const Animation chosen = animation();
     const bool fits = chosen.frameCount() <= Animation::kMostFrames;
     m_outcome->setText(
-        fits ? tr("%1 frames: %2 s at the speed of playing, %3×.")
+        fits ? tr("%1 frames: %2 s at the playback speed of %3×.")
                    .arg(countText(static_cast<std::size_t>(chosen.frameCount())),
                         numberText(std::abs(chosen.duration) / chosen.speed, 3), numberText(chosen.speed, 3))
-             : tr("More than %1 frames: choose a shorter length, fewer frames a second or a higher speed of playing.")
+             : tr("More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.")
                    .arg(countText(Animation::kMostFrames)));
     m_export->setEnabled(fits);
 }

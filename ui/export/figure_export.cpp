@@ -2,6 +2,7 @@
 #include "ui/export/figure_export.h"
 
 #include "ui/document/whole_file.h"
+#include "ui/text/finding_text.h"
 
 #include <QBuffer>
 #include <QClipboard>
@@ -12,6 +13,7 @@
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
+#include <QPalette>
 #include <QPdfWriter>
 #include <QRegularExpression>
 #include <QSvgGenerator>
@@ -41,17 +43,14 @@ QSize devicePixels(const FigureSize &size)
 
 std::optional<QString> findFault(const FigureSize &size)
 {
-    if (size.size.width() < 1 || size.size.height() < 1) {
-        return FigureExportText::tr("A figure must be at least 1 pixel wide and high.");
-    }
     if (!std::isfinite(size.scale) || size.scale <= 0.0) {
         return FigureExportText::tr("The scale of a figure must be greater than 0.");
     }
-    const double width = size.size.width() * size.scale;
-    const double height = size.size.height() * size.scale;
-    if (width < 1.0 || height < 1.0) {
+    if (size.size.width() * std::min(1.0, size.scale) < 1.0 || size.size.height() * std::min(1.0, size.scale) < 1.0) {
         return FigureExportText::tr("A figure must be at least 1 pixel wide and high.");
     }
+    const double width = size.size.width() * size.scale;
+    const double height = size.size.height() * size.scale;
     const double longest = std::max({width, height, double(size.size.width()), double(size.size.height())});
     if (longest > kLargestSide || width * height > kLargestPixelCount) {
         return FigureExportText::tr("A figure of %1 × %2 pixels is too large: choose a smaller size or scale.")
@@ -138,6 +137,23 @@ std::optional<FigureFormat> figureFormatOf(const QString &path)
         return FigureFormat::Pdf;
     }
     return std::nullopt;
+}
+
+FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette)
+{
+    constexpr int kLine = 22; // px
+    return [draw, palette, text = mechanismText(mechanism)](QPainter &painter, const QSize &size) {
+        painter.save();
+        draw(painter, {size.width(), std::max(1, size.height() - kLine)});
+        painter.restore();
+        const QRect line(0, size.height() - kLine, size.width(), kLine);
+        painter.fillRect(line, palette.color(QPalette::Base));
+        QFont font = QGuiApplication::font();
+        font.setPixelSize(12);
+        painter.setFont(font);
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(line, Qt::AlignCenter, text);
+    };
 }
 
 QByteArray pngOf(const QImage &image)

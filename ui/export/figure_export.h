@@ -4,6 +4,8 @@
 // Figures to files and to the clipboard. Whatever can draw itself with a QPainter at a given size can be written; a
 // file is written whole or not at all.
 
+#include "core/mechanism/mechanism.h"
+
 #include <QByteArray>
 #include <QSize>
 #include <QString>
@@ -13,6 +15,7 @@
 
 class QImage;
 class QPainter;
+class QPalette;
 
 namespace slidercrank
 {
@@ -31,6 +34,9 @@ struct FigureSize {
 
 /// Draws the figure at that logical size, from the origin, background included.
 using FigureDrawing = std::function<void(QPainter &, const QSize &)>;
+
+/// The same drawing with the mechanism's parameters in a line below it.
+FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette);
 
 /// Nothing when the file was written, else a sentence that says why not; then an older file of that name is still
 /// there. `title`: for the file's own description.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/motion_csv.h"
 
+#include "core/mechanism/turn.h"
 #include "ui/document/whole_file.h"
 
 #include <QCoreApplication>
 #include <QDir>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -110,37 +112,38 @@ bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &chan
 }
 
 std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
-                                    std::stop_token stop, const std::function<void(double)> &progress)
+                                    double crankStep, std::stop_token stop, const std::function<void(double)> &progress)
 {
-    WholeFile file(path);
-    const auto failure = [&] {
-        return MotionCsvText::tr("%1 cannot be written: %2. Choose another name or folder.")
-            .arg(QDir::toNativeSeparators(path), file.reason());
-    };
-    const std::vector<Channel> list = listed(channels);
-    if (!file.open() || !file.write(csvHeader(list, AngleUnit::Degree))) {
-        return failure();
+    Sampling sampling = result.sampling;
+    if (crankStep > 0.0 && result.mechanism.omega2() != 0.0) {
+        sampling.steps = std::max(1, static_cast<int>(std::lround(360.0 / crankStep)));
+        sampling.duration = kTurn / std::abs(result.mechanism.omega2());
     }
-    const std::size_t count = result.summary.instants;
-    std::size_t before = 0; // instants in the pieces that are done
-    const TextSink sink = [&](const QByteArray &text, std::size_t instants) {
+    ChannelSet columns = channels;
+    columns.set(indexOf({Coordinate::Theta2, Order::Position}));
+    const std::vector<Channel> list = listed(columns);
+    WholeFile file(path);
+    bool goesOn = file.open() && file.write(csvHeader(list, AngleUnit::Degree));
+    std::size_t before = 0; // time steps in the pieces that are done
+    const TextSink sink = [&](const QByteArray &text, std::size_t steps) {
         if (progress) {
-            progress(static_cast<double>(before + instants) / static_cast<double>(count));
+            progress(static_cast<double>(before + steps) / (sampling.steps + 1.0));
         }
         return file.write(text) && !stop.stop_requested();
     };
     const auto take = [&](const Trajectory &piece) {
-        const bool goesOn = writeCsvRows(piece, list, AngleUnit::Degree, sink);
+        goesOn = writeCsvRows(piece, list, AngleUnit::Degree, sink);
         before += piece.time.size();
         return goesOn;
     };
-    if (result.isKept() && (channels & ~plottedChannels()).none()) {
-        take(result.trajectory);
-    } else {
-        sampleInPieces(result.mechanism, result.sampling, channels, result.solver, take, stop);
+    if (goesOn) {
+        sampleInPieces(result.mechanism, sampling, columns, result.solver, take, stop);
     }
-    const bool isWritten = !stop.stop_requested() && file.commit(stop); // which may take long as well
-    return isWritten || stop.stop_requested() ? std::nullopt : std::optional(failure());
+    if (stop.stop_requested() || (goesOn && file.commit(stop))) {
+        return std::nullopt;
+    }
+    return MotionCsvText::tr("%1 cannot be written: %2. Choose another name or folder.")
+        .arg(QDir::toNativeSeparators(path), file.reason());
 }
 
 } // namespace slidercrank

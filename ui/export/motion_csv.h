@@ -39,9 +39,11 @@ QByteArray csvHeader(const std::vector<Channel> &channels, AngleUnit unit);
 bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels, AngleUnit unit,
                   const TextSink &sink);
 
-/// The run on show to a file, in mm, ° and s: nothing when it was written, or stopped, else one sentence; then an older
-/// file of that name is still there. `progress` is told 0 … 1. May run in any thread.
+/// Writes time, crank angle and these channels in mm, ° and s: at the time steps or, with a `crankStep` (°), every so
+/// many degrees over one revolution. Returns a sentence if it cannot; then an older file of that name is still there.
+/// `progress` is told 0 … 1. Can run in any thread.
 std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
-                                    std::stop_token stop = {}, const std::function<void(double)> &progress = {});
+                                    double crankStep = 0.0, std::stop_token stop = {},
+                                    const std::function<void(double)> &progress = {});
 
 } // namespace slidercrank

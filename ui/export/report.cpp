@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report.h"
-#include "ui/document/byte_stream.h"
 
+#include "core/limits/extremes.h"
+#include "ui/document/byte_stream.h"
+#include "ui/document/whole_file.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/column_text.h"
 #include "ui/text/diagnosis_text.h"
@@ -10,13 +12,21 @@
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextObjectInterface>
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace slidercrank
 {
@@ -28,18 +38,54 @@ struct Report {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
 };
 
-using Kind = ReportBlock::Kind;
+constexpr int kDigits = 3; // of errors
 
-constexpr int kErrorDigits = 3; // as in the Errors tab
-
-ReportBlock heading(const QString &text)
+QString element(const char *tag, const QString &text)
 {
-    return {Kind::Heading, text, {}};
+    return QStringLiteral("<%1>%2</%1>").arg(QLatin1String(tag), text.toHtmlEscaped().replace(u'\n', "<br>"));
 }
 
-ReportBlock paragraph(const QString &text, Kind kind = Kind::Text)
+QString heading(const QString &text)
 {
-    return {kind, text, {}};
+    return element("h2", text);
+}
+
+QString paragraph(const QString &text)
+{
+    return text.isEmpty() ? QString() : element("p", text);
+}
+
+QString note(const QString &text)
+{
+    return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(element("p", text));
+}
+
+/// The first row is the header; numbers stand to the right of the first column.
+QString table(const std::vector<QStringList> &rows)
+{
+    QString html = QStringLiteral("<table cellspacing=0 cellpadding=2>");
+    for (const QStringList &row : rows) {
+        html += QStringLiteral("<tr>");
+        for (qsizetype i = 0; i < row.size(); ++i) {
+            const char *tag = &row == &rows.front() ? "th" : "td";
+            html += QStringLiteral("<%1 align=%2>%3&nbsp;&nbsp;</%1>")
+                        .arg(QLatin1String(tag), QLatin1String(i == 0 ? "left" : "right"), row[i].toHtmlEscaped());
+        }
+        html += QStringLiteral("</tr>");
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString parameterName(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return Report::tr("crank");
+    case Parameter::B: return Report::tr("coupler");
+    case Parameter::C: return Report::tr("offset");
+    case Parameter::Omega2: return Report::tr("crank speed");
+    case Parameter::Theta20: return Report::tr("initial angle");
+    }
+    return {};
 }
 
 bool isFound(const ReportContent &content)
@@ -47,310 +93,275 @@ bool isFound(const ReportContent &content)
     return content.result->reference && content.diagnosis.identification.stands();
 }
 
-bool differs(const std::vector<ChannelComparison> &channels)
-{
-    return channels.empty() || std::ranges::count(channels, Verdict::Differs, &ChannelComparison::verdict) > 0;
-}
-
-QString nounOf(Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return Report::tr("crank");
-    case Parameter::B: return Report::tr("coupler");
-    case Parameter::C: return Report::tr("offset");
-    case Parameter::Omega2: return Report::tr("speed");
-    case Parameter::Theta20: return Report::tr("start");
-    }
-    return {};
-}
-
-/// The drawing beside the numbers: the model's and, where one was found, those of the file's own mechanism.
-ReportBlock mechanismBlock(const ReportContent &content)
+/// The parameters of the model and of the mechanism that was found for the file.
+QString parameterTable(const ReportContent &content)
 {
     const Parameters &model = content.result->mechanism.parameters();
     const Identification &found = content.diagnosis.identification;
-    ReportBlock block{Kind::Mechanism, {}, {{QString(), Report::tr("model")}, {}, QStringLiteral("tn")}};
-    if (content.hasGhost) {
-        block.text = content.result->reference ? Report::tr("Thin: the mechanism as the file has it.")
-                                               : Report::tr("Thin: the mechanism that was kept.");
-    }
-    if (isFound(content)) {
-        block.table.header << (found.hasOneMechanism() ? Report::tr("the file's own")
-                                                       : Report::tr("one of the file's"));
-        block.table.numeric += u'n';
-    }
+    std::vector<QStringList> rows{{QString(), Report::tr("model")}};
     for (const Parameter parameter : kParameters) {
-        QStringList row{QStringLiteral("%1, %2").arg(symbolOf(parameter), nounOf(parameter)),
-                        parameterText(parameter, valueOf(model, parameter))};
-        if (isFound(content)) {
-            row << measuredText(parameter, found);
-        }
-        block.table.rows.push_back(row);
+        rows.push_back({QStringLiteral("%1, %2").arg(symbolOf(parameter), parameterName(parameter)),
+                        parameterText(parameter, valueOf(model, parameter))});
     }
-    QStringList assembly{Report::tr("assembly"), assemblyText(model.branch)};
+    rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
     if (isFound(content)) {
-        assembly << assemblyText(found.parameters.branch);
+        rows.front() << (found.outcome == Identification::Outcome::Identified ? Report::tr("found in the file")
+                                                                              : Report::tr("one of those found"));
+        for (std::size_t i = 0; i < kParameters.size(); ++i) {
+            rows[i + 1] << measuredText(kParameters[i], found);
+        }
+        rows.back() << assemblyText(found.parameters.branch);
     }
-    block.table.rows.push_back(assembly);
-    return block;
+    return table(rows);
 }
 
-/// What the thin curves are; empty where there are none.
-QString keptText(const Result &result)
+QString limitTable(const Result &result)
+{
+    std::vector<QStringList> rows{{Report::tr("motion limit"), Report::tr("value"), Report::tr("at θ₂ [°]")}};
+    std::vector<MotionFact> facts = positionFacts(result.mechanism, result.limits, result.sampling);
+    const std::vector<MotionFact> peaks =
+        peakFacts(result.mechanism, result.limits, motionPeaks(result.mechanism), result.sampling);
+    facts.insert(facts.end(), peaks.begin(), peaks.end());
+    for (const MotionFact &fact : facts) {
+        rows.push_back({fact.name, fact.value, fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark});
+    }
+    return table(rows);
+}
+
+QString pinnedText(const Result &result)
 {
     QStringList motions;
-    for (const Parameters &kept : result.kept) {
-        motions << keptText(kept, result.mechanism.parameters());
+    for (const Parameters &pinned : result.kept) {
+        motions << keptText(pinned, result.mechanism.parameters());
     }
-    return motions.isEmpty()
-               ? QString()
-               : Report::tr("Thin curves: motions that were kept, %1.").arg(motions.join(Report::tr("; ")));
+    return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
 }
 
-ReportTable differenceTable(const MotionDifference &difference)
+QString channelName(Channel channel)
 {
-    ReportTable table{{Report::tr("channel"), Report::tr("largest difference"), Report::tr("at [s]"), Report::tr("rms"),
-                       Report::tr("% of peak")},
-                      {},
-                      QStringLiteral("tnnnn")};
-    for (const ChannelDifference &channel : difference.channels) {
-        const bool isInfinite = channel.maxAbs && std::isinf(*channel.maxAbs);
-        table.rows.push_back({QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
-                              isInfinite ? QStringLiteral("∞") : shortNumber(channel.maxAbs, kErrorDigits),
-                              channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
-                              shortNumber(channel.rms, kErrorDigits),
-                              shortNumber(channel.percentOfPeak, kErrorDigits)});
+    return QStringLiteral("%1 [%2]").arg(symbolOf(channel), unitOf(channel));
+}
+
+QString differenceTable(const Result &result)
+{
+    std::vector<QStringList> rows{{Report::tr("channel"), Report::tr("largest difference"), Report::tr("at [s]"),
+                                   Report::tr("rms"), Report::tr("% of peak")}};
+    for (const ChannelDifference &channel : result.difference->channels) {
+        rows.push_back({channelName(channel.channel), shortNumber(channel.maxAbs, kDigits),
+                        channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(), shortNumber(channel.rms, kDigits),
+                        shortNumber(channel.percentOfPeak, kDigits)});
     }
-    return table;
+    return heading(Report::tr("This mechanism − pinned %1")
+                       .arg(keptText(result.kept.back(), result.mechanism.parameters()))) +
+           table(rows);
 }
 
-QString fileText(const Reference &reference)
+QString errorTable(const std::vector<ChannelComparison> &channels)
 {
-    const std::vector<double> &time = reference.data.time;
-    if (reference.data.crank) {
-        return Report::tr("Reference: %1, %2, %3 angles.")
-            .arg(reference.name, abscissaText(reference.data), countText(time.size()));
+    std::vector<QStringList> rows{{Report::tr("channel"), Report::tr("largest error"), Report::tr("at [s]"),
+                                   Report::tr("rms"), Report::tr("largest %"), Report::tr("% of peak"),
+                                   Report::tr("rounding step"), Report::tr("verdict")}};
+    for (const ChannelComparison &channel : channels) {
+        rows.push_back({channelName(channel.channel), shortNumber(channel.maxAbs, kDigits),
+                        channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(), shortNumber(channel.rms, kDigits),
+                        shortNumber(channel.maxPercent, kDigits), shortNumber(channel.percentOfPeak, kDigits),
+                        numberText(channel.roundingStep, kDigits), verdictText(channel)});
     }
-    return Report::tr("Reference: %1, t = %2 s to %3 s, %4 instants.")
-        .arg(reference.name, numberText(time.front()), numberText(time.back()), countText(time.size()));
+    return table(rows);
 }
 
-/// When, and by what.
-QString originText(const ReportContent &content)
+/// Which bytes were read and how.
+QString fileText(const ReportContent &content)
 {
-    return Report::tr("%1, by %2 %3")
-        .arg(QLocale().toString(content.written, QLocale::LongFormat), QCoreApplication::applicationName(),
-             QCoreApplication::applicationVersion());
-}
-
-/// Which bytes were read; the sample that comes with the program has no place of its own.
-QString identityText(const ReportContent &content)
-{
-    QStringList lines;
-    const QStringList &paths = content.result->reference->paths;
-    for (qsizetype i = 0; i < paths.size(); ++i) {
-        const QString &path = paths[i];
+    const Reference &reference = *content.result->reference;
+    const ReferenceData &data = reference.data;
+    const QString range =
+        data.crank ? abscissaText(data)
+                   : Report::tr("t = %1 s to %2 s").arg(numberText(data.time.front()), numberText(data.time.back()));
+    QString html =
+        paragraph(Report::tr("Reference: %1, %2, %3 rows.").arg(reference.name, range, countText(data.time.size())));
+    for (qsizetype i = 0; i < reference.paths.size(); ++i) {
+        const QString &path = reference.paths[i];
         const QByteArray checksum = content.checksums.value(i);
-        lines << Report::tr("File: %1\nSHA-256: %2")
-                     .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
-                          : isStandardInput(path) ? shownNameOf(path)
-                                                  : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
-                          checksum.isEmpty()
-                              ? Report::tr("unknown: the file cannot be read again, or was changed since")
-                              : QString::fromLatin1(checksum));
+        html += note(Report::tr("File: %1\nSHA-256: %2")
+                         .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
+                              : isStandardInput(path) ? shownNameOf(path)
+                                                      : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
+                              checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or has changed")
+                                                 : QString::fromLatin1(checksum)));
     }
-    return lines.join(u'\n');
-}
-
-QString guessedText(const FileLayout &layout)
-{
-    QStringList parts;
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        const FileColumn &column = layout.columns[i];
+    QStringList guessed;
+    for (std::size_t i = 0; i < data.layout.columns.size(); ++i) {
+        const FileColumn &column = data.layout.columns[i];
         if (isGuess(column.reason)) {
             const QString meaning = column.role == ColumnRole::Channel
-                                        ? Report::tr("%1 %2").arg(quantityOf(column.channel), symbolOf(column.channel))
+                                        ? quantityOf(column.channel) + u' ' + symbolOf(column.channel)
                                         : meaningText(column);
-            parts << Report::tr("“%1” as %2 (%3)").arg(headingText(layout, i), meaning, shortReasonText(layout, i));
+            guessed << Report::tr("“%1” as %2 (%3)")
+                           .arg(headingText(data.layout, i), meaning, shortReasonText(data.layout, i));
         }
     }
-    return parts.isEmpty() ? Report::tr("No column was guessed.")
-                           : Report::tr("Columns guessed: %1.").arg(parts.join(Report::tr("; ")));
-}
-
-/// What was not used of the file; empty where all was.
-QString leftOutText(const ReferenceData &data)
-{
-    QStringList parts;
+    if (!guessed.isEmpty()) {
+        html += note(Report::tr("Columns guessed: %1.").arg(guessed.join(u"; ")));
+    }
     if (!data.skipped.empty()) {
-        parts << Report::tr("%1 rows, the first in line %2 (\"%3\": %4)")
-                     .arg(countText(data.skippedRowCount()), lineText(data.layout, data.skipped.front()),
-                          QString::fromStdString(data.skipped.front().text), reasonOf(data.skipped.front()));
+        const SkippedRow &first = data.skipped.front();
+        html += note(Report::tr("%1 rows were skipped, the first in line %2 (\"%3\": %4).")
+                         .arg(countText(data.skippedRowCount()), lineText(data.layout, first),
+                              QString::fromStdString(first.text), reasonOf(first)));
     }
     if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
-        parts << Report::tr("the columns %1").arg(ignored.join(Report::tr(", ")));
+        html += note(Report::tr("Columns not used: %1.").arg(ignored.join(u", ")));
     }
-    return parts.isEmpty() ? QString() : Report::tr("Left out of the file: %1.").arg(parts.join(Report::tr("; ")));
+    return html;
 }
 
-ReportTable errorTable(const std::vector<ChannelComparison> &channels)
+/// The verdict, the mechanism that was found, the errors.
+QString comparisonText(const ReportContent &content)
 {
-    ReportTable table{{Report::tr("channel"), Report::tr("largest error"), Report::tr("at [s]"), Report::tr("rms"),
-                       Report::tr("largest %"), Report::tr("at [s]"), Report::tr("% of peak"),
-                       Report::tr("file's step"), Report::tr("verdict")},
-                      {},
-                      QStringLiteral("tnnnnnnnt")};
-    for (const ChannelComparison &channel : channels) {
-        table.rows.push_back({QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
-                              shortNumber(channel.maxAbs, kErrorDigits),
-                              channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
-                              shortNumber(channel.rms, kErrorDigits), shortNumber(channel.maxPercent, kErrorDigits),
-                              channel.maxPercent ? numberText(channel.timeOfMaxPercent) : dash(),
-                              shortNumber(channel.percentOfPeak, kErrorDigits),
-                              numberText(channel.roundingStep, kErrorDigits), verdictText(channel)});
+    const Result &result = *content.result;
+    const Diagnosis &diagnosis = content.diagnosis;
+    QString html = heading(Report::tr("Errors: model against reference")) + fileText(content) +
+                   QStringLiteral("<b>%1</b>").arg(paragraph(summaryOf(result.comparison)));
+    for (const QString &line : differenceLines(diagnosis, result.reference->data, result.mechanism)) {
+        html += paragraph(line);
     }
-    return table;
+    if (isFound(content)) {
+        const auto agreeing = std::ranges::count(diagnosis.identified, Verdict::Agrees, &ChannelComparison::verdict);
+        const bool isOne = diagnosis.identification.outcome == Identification::Outcome::Identified;
+        html += paragraph((isOne ? Report::tr("The mechanism found in the file agrees with it in %1 of %2 channels.")
+                                 : Report::tr("The first of several mechanisms found agrees with the file in %1 of %2 "
+                                              "channels."))
+                              .arg(agreeing)
+                              .arg(diagnosis.identified.size())) +
+                paragraph(isOne ? caveatsOf(diagnosis) : summaryOf(diagnosis)) +
+                paragraph(roundNumbersText(diagnosis)) +
+                note(Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
+                                "%2); ± is one standard error.")
+                         .arg(diagnosis.identification.iterations)
+                         .arg(shortNumber(diagnosis.identification.conditionNumber, kDigits)));
+    } else if (!diagnosis.isOfMechanismAtHand) {
+        html += paragraph(summaryOf(diagnosis));
+    }
+    return html + errorTable(result.comparison) +
+           note(Report::tr("Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. "
+                           "Rounding step: the distance of neighbouring numbers in the file, where it is largest."));
 }
 
 QString methodText(const Result &result)
 {
     const NewtonOptions &newton = result.solver.newton;
-    const Sampling &run = result.sampling;
-    const QString instants =
-        Report::tr("%1 instants from t = %2 s to %3 s.")
-            .arg(countText(result.summary.instants), numberText(run.start), numberText(run.start + run.duration));
-    if (result.solver.method == Method::ClosedForm) {
-        return Report::tr("Closed form, exact to rounding. ") + instants;
-    }
-    const QString until =
-        newton.tolerance == 0.0 ? Report::tr("until the residual ‖C‖ no longer falls")
-        : newton.toleranceKind == ToleranceKind::Absolute
-            ? Report::tr("until ‖C‖ ≤ %1 (absolute, mm and rad as they are)").arg(numberText(newton.tolerance))
-            : Report::tr("until ‖C‖ ≤ %1 (relative, lengths divided by a + b + |c|)").arg(numberText(newton.tolerance));
-    QString text = Report::tr("Newton-Raphson in the 12 absolute coordinates, %1, at most %2 iterations an instant. ")
-                       .arg(until, QString::number(newton.maxIterations)) +
-                   instants + u' ';
+    const Sampling &sampling = result.sampling;
     const SamplingSummary &summary = result.summary;
-    const QString residual = numberText(summary.largestResidual, 2);
-    if (summary.found() > 0 && summary.mostIterations <= newton.maxIterations) {
-        text += Report::tr("It took %1 iterations in all, %2 an instant at most; the largest residual is %3.")
-                    .arg(countText(static_cast<std::size_t>(summary.iterations)),
-                         QString::number(summary.mostIterations), residual);
-    } else if (summary.found() > 0) {
-        text +=
-            Report::tr("Iterations: %1; the largest residual is %2.").arg(iterationsText(summary, newton), residual);
+    QString text;
+    if (result.solver.method == Method::ClosedForm) {
+        text = Report::tr("Closed form, exact to rounding.");
+    } else {
+        text =
+            Report::tr("Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %3 iterations per "
+                       "time step. Iterations: %4; largest residual: %5.")
+                .arg(numberText(newton.tolerance),
+                     newton.toleranceKind == ToleranceKind::Absolute ? Report::tr("absolute") : Report::tr("relative"),
+                     QString::number(newton.maxIterations), iterationsText(summary, newton),
+                     numberText(summary.largestResidual, 2));
     }
-    const std::size_t solved = summary.count(Status::Solved);
-    if (solved < summary.instants) {
-        text += Report::tr(" %1 of %2 instants are solved.").arg(countText(solved), countText(summary.instants));
-    }
-    if (const QString few = fewSamplesSentence(result.mechanism, run); !few.isEmpty()) {
-        text += u' ' + few;
-    }
-    return text;
+    text += u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
+                       .arg(countText(summary.instants), numberText(sampling.start),
+                            numberText(sampling.start + sampling.duration), countText(summary.count(Status::Solved)));
+    return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
 }
 
-void addComparison(std::vector<ReportBlock> &blocks, const ReportContent &content)
+/// A drawing within the text, as vectors.
+class DrawingObject : public QObject, public QTextObjectInterface
 {
-    const Result &result = *content.result;
-    const Diagnosis &found = content.diagnosis;
-    blocks.push_back(
-        paragraph(summaryOf(result.comparison), differs(result.comparison) ? Kind::Difference : Kind::Agreement));
-    for (const QString &line : differenceLines(found, result.reference->data, result.mechanism)) {
-        blocks.push_back(paragraph(line));
-    }
-}
+    Q_OBJECT
+    Q_INTERFACES(QTextObjectInterface)
 
-void addIdentification(std::vector<ReportBlock> &blocks, const ReportContent &content)
-{
-    const Diagnosis &found = content.diagnosis;
-    if (!isFound(content)) {
-        if (!found.isOfMechanismAtHand) {
-            blocks.push_back(paragraph(summaryOf(found)));
-        }
-        return;
+public:
+    /// Drawn for that logical size, shown with that width.
+    DrawingObject(const FigureDrawing &draw, const QSize &size, double width)
+        : m_draw(draw)
+        , m_size(size)
+        , m_scale(width / size.width())
+    {
     }
-    const auto agreeing = std::ranges::count(found.identified, Verdict::Agrees, &ChannelComparison::verdict);
-    const bool isOne = found.identification.hasOneMechanism();
-    const bool hasErrors = found.identification.outcome != Identification::Outcome::Approximate;
-    QString text = (isOne ? Report::tr("Against its own mechanism the file agrees in %1 of %2 channels.")
-                          : Report::tr("Against the first of several mechanisms the file agrees in %1 of %2 channels."))
-                       .arg(agreeing)
-                       .arg(found.identified.size());
-    if (const QString more = isOne && hasErrors ? caveatsOf(found) : summaryOf(found); !more.isEmpty()) {
-        text += u' ' + more;
-    }
-    if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
-        text += u' ' + rounded;
-    }
-    blocks.push_back(paragraph(text));
-    QString note = (hasErrors ? Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, "
-                                           "condition number %2); ± is one standard deviation.")
-                              : Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, "
-                                           "condition number %2)."))
-                       .arg(found.identification.iterations)
-                       .arg(shortNumber(found.identification.conditionNumber, 3));
-    if (!found.conventions.empty()) {
-        note += u' ' + Report::tr("The file was read with the conventions named above.");
-    }
-    blocks.push_back(paragraph(note, Kind::Note));
-}
 
-void addErrors(std::vector<ReportBlock> &blocks, const Result &result)
-{
-    blocks.push_back(heading(Report::tr("Errors: model against reference")));
-    blocks.push_back({Kind::Table, {}, errorTable(result.comparison)});
-    blocks.push_back(paragraph(
-        Report::tr(
-            "Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where "
-            "the reference is not zero. File's step: distance of the numbers that the file can print, where it "
-            "is largest. Within the file's rounding: at least %1 % of the values within half a step of their own and "
-            "what the motion does in half a step of their instant (evenly spaced instants count as exact), none "
-            "beyond %2 times that bound, nor by more than %4 % of half the motion's range. Close: none beyond %3 "
-            "times, nor by more than %5 %.")
-            .arg(kPercentWithinBound)
-            .arg(kBoundsOfAgreement)
-            .arg(kBoundsOfCloseness)
-            .arg(numberText(100.0 * kExcessOfAgreement))
-            .arg(numberText(100.0 * kExcessOfCloseness)),
-        Kind::Note));
-    if (const QString leftOut = leftOutText(result.reference->data); !leftOut.isEmpty()) {
-        blocks.push_back(paragraph(leftOut, Kind::Note));
+    QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &) override { return m_scale * QSizeF(m_size); }
+    void drawObject(QPainter *painter, const QRectF &box, QTextDocument *, int, const QTextFormat &) override
+    {
+        painter->save();
+        painter->translate(box.topLeft());
+        painter->scale(m_scale, m_scale);
+        m_draw(*painter, m_size);
+        painter->restore();
     }
+
+private:
+    FigureDrawing m_draw;
+    QSize m_size;
+    double m_scale;
+};
+
+void insertDrawing(QTextDocument &document, const QString &placeholder, int type, DrawingObject &drawing)
+{
+    document.documentLayout()->registerHandler(type, &drawing);
+    QTextCharFormat format;
+    format.setObjectType(type);
+    document.find(placeholder).insertText(QString(QChar::ObjectReplacementCharacter), format);
 }
 
 } // namespace
 
-std::vector<ReportBlock> reportOf(const ReportContent &content)
+QString reportHtml(const ReportContent &content)
 {
     const Result &result = *content.result;
-    std::vector<ReportBlock> blocks{paragraph(Report::tr("Motion of an offset slider-crank"), Kind::Title),
-                                    paragraph(originText(content), Kind::Note)};
-    if (result.reference) {
-        blocks.push_back(paragraph(fileText(*result.reference)));
-        blocks.push_back(paragraph(identityText(content), Kind::Note));
-        blocks.push_back(paragraph(guessedText(result.reference->data.layout), Kind::Note));
-        addComparison(blocks, content);
+    QString caption;
+    if (content.hasGhost) {
+        caption = result.reference ? Report::tr("Thin: the mechanism as in the file.")
+                                   : Report::tr("Thin: the pinned mechanism.");
     }
-    blocks.push_back(heading(Report::tr("Mechanism")));
-    blocks.push_back(mechanismBlock(content));
-    if (result.reference) {
-        addIdentification(blocks, content);
-        addErrors(blocks, result);
-    }
-    if (result.difference) {
-        blocks.push_back(heading(
-            Report::tr("This mechanism − kept %1").arg(keptText(result.kept.back(), result.mechanism.parameters()))));
-        blocks.push_back({Kind::Table, {}, differenceTable(*result.difference)});
-    }
-    blocks.push_back(heading(Report::tr("Method")));
-    blocks.push_back(paragraph(methodText(result)));
-    blocks.push_back(heading(result.reference ? Report::tr("Motion and errors") : Report::tr("Motion")));
-    if (const QString kept = keptText(result); !kept.isEmpty()) {
-        blocks.push_back(paragraph(kept));
-    }
-    blocks.push_back({Kind::Figure, {}, {}});
-    return blocks;
+    return element("h1", Report::tr("Motion of an offset slider-crank")) +
+           note(Report::tr("%1, by %2 %3")
+                    .arg(QLocale().toString(content.written, QLocale::LongFormat), QCoreApplication::applicationName(),
+                         QCoreApplication::applicationVersion())) +
+           QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>[mechanism]%2</td></tr></table>")
+               .arg(parameterTable(content), note(caption)) +
+           heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
+           limitTable(result) +
+           QStringLiteral("<div style='page-break-before:always'>%1</div>%2<p>[figure]</p>")
+               .arg(heading(Report::tr("Motion")), paragraph(pinnedText(result))) +
+           (result.reference ? comparisonText(content) : QString()) +
+           (result.difference ? differenceTable(result) : QString()) + heading(Report::tr("Method")) +
+           paragraph(methodText(result));
+}
+
+std::optional<QString> exportReport(const QString &path, const ReportContent &content, const ReportDrawings &drawings)
+{
+    constexpr double kTextWidth = 640.0; // A4 without margins of 2 cm, at 96 dots per inch
+    DrawingObject mechanism(drawings.mechanism, {560, 380}, 330.0);
+    DrawingObject figure(drawings.figure, {900, 1150}, kTextWidth);
+    QTextDocument document;
+    QFont font = QGuiApplication::font();
+    font.setPointSizeF(8.5);
+    document.setDefaultFont(font);
+    document.setDefaultStyleSheet(QStringLiteral("h1 {font-size: 17pt} h2 {font-size: 11pt} .note {color: #505050}"));
+    document.setHtml(reportHtml(content));
+    insertDrawing(document, QStringLiteral("[mechanism]"), QTextFormat::UserObject, mechanism);
+    insertDrawing(document, QStringLiteral("[figure]"), QTextFormat::UserObject + 1, figure);
+
+    QBuffer pdf; // the writer does not report a full disk
+    pdf.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&pdf);
+    writer.setResolution(kDotsPerInch);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setTitle(Report::tr("Motion of an offset slider-crank"));
+    writer.setCreator(QCoreApplication::applicationName());
+    document.print(&writer);
+    const std::optional<QString> reason = writeWhole(path, pdf.data());
+    return reason ? std::optional(Report::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
 }
 
 } // namespace slidercrank
+
+#include "report.moc"

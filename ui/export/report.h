@@ -1,55 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a report on paper says: the mechanism, how far a reference file is from it and whose motion that file is, the
-// figure, the method; and from what it was made: date, program, file, checksum, guessed columns. Blocks of text and
-// tables in their order, and places for the two drawings; ui/report_pages puts them on pages.
+// A report on A4 as PDF: the mechanism with its motion limits and its drawing, the plots, then how far a reference file
+// is from the motion and which mechanism the file belongs to, and how all of it was computed.
 
 #include "core/identification/diagnosis.h"
 #include "ui/document/result.h"
+#include "ui/export/figure_export.h"
 
 #include <QByteArrayList>
 #include <QDateTime>
 #include <QString>
-#include <QStringList>
 
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace slidercrank
 {
 
 struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null; its reference may be
-    Diagnosis diagnosis;                  ///< of the reference against the mechanism; without one, of no meaning
-    bool hasGhost = false;                ///< the drawing shows the file's linkage, too
-    QByteArrayList checksums = {};        ///< of the reference's files, in hexadecimal; empty: there is none
+    Diagnosis diagnosis;                  ///< of the reference against the mechanism; of no meaning without one
+    bool hasGhost = false;                ///< the drawing also shows the linkage of the reference or the pinned motion
+    QByteArrayList checksums = {};        ///< SHA-256 of the reference's files, in hexadecimal; empty: unknown
     QDateTime written = QDateTime::currentDateTime();
 };
 
-struct ReportTable {
-    QStringList header;
-    std::vector<QStringList> rows; ///< as many cells as the header has
-    QString numeric;               ///< a letter a column: n for numbers, which stand to the right, t for text
+/// The drawings in a report, on white.
+struct ReportDrawings {
+    FigureDrawing mechanism;
+    FigureDrawing figure;
 };
 
-struct ReportBlock {
-    enum class Kind {
-        Title,
-        Heading, ///< stays with what follows it
-        Text,
-        Agreement, ///< the verdict, good
-        Difference,
-        Note,      ///< small
-        Table,     ///< may go on on the next page
-        Mechanism, ///< the drawing, under it the text, beside the table
-        Figure     ///< the nine plots on the rest of the page, or on a page of their own
-    };
-    Kind kind = Kind::Text;
-    QString text;
-    ReportTable table;
-};
+/// Everything but the drawings, which are the paragraphs "[mechanism]" and "[figure]".
+QString reportHtml(const ReportContent &content);
 
-std::vector<ReportBlock> reportOf(const ReportContent &content);
+/// Returns a sentence if the file cannot be written; then an older file of that name is still there.
+std::optional<QString> exportReport(const QString &path, const ReportContent &content, const ReportDrawings &drawings);
 
 } // namespace slidercrank

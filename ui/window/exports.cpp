@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/exports.h"
 
-#include "ui/widgets/save_dialog.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/animation_form.h"
 #include "ui/export/motion_csv.h"
-#include "ui/export/report_pages.h"
+#include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/window/ghost.h"
+#include "ui/text/remember.h"
 #include "ui/text/theme.h"
+#include "ui/widgets/save_dialog.h"
+#include "ui/window/ghost.h"
 
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 
@@ -43,12 +47,18 @@ Exports::Exports(Session *session, const Rooms &rooms, QWidget *window)
     connect(m_aside, &WorkAside::runningChanged, this, &Exports::busyChanged);
 }
 
+/// With the mechanism's parameters below the drawing.
+FigureDrawing Exports::captioned(const FigureDrawing &draw) const
+{
+    return withParameters(draw, m_session->result()->mechanism, paletteFor(Theme::Light));
+}
+
 Exports::Picture Exports::figure() const
 {
     const auto draw = [this](QPainter &painter, const QSize &size) { // in rooms that may have been made anew
         m_rooms.plots->paintFigure(painter, size, paletteFor(Theme::Light));
     };
-    return {QStringLiteral("figure.png"), m_rooms.plots->size(), draw, tr("The figure is in the clipboard.")};
+    return {tr("figure.png"), m_rooms.plots->size(), captioned(draw), tr("The figure is in the clipboard.")};
 }
 
 Exports::Picture Exports::plot(const QString &name) const
@@ -56,7 +66,7 @@ Exports::Picture Exports::plot(const QString &name) const
     const auto draw = [this, name](QPainter &painter, const QSize &size) {
         m_rooms.plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
     };
-    return {name + QStringLiteral(".png"), kPlotSize, draw, tr("The plot is in the clipboard.")};
+    return {name + QStringLiteral(".png"), kPlotSize, captioned(draw), tr("The plot is in the clipboard.")};
 }
 
 Exports::Picture Exports::mechanism() const
@@ -64,7 +74,8 @@ Exports::Picture Exports::mechanism() const
     const auto draw = [this](QPainter &painter, const QSize &size) {
         m_rooms.mechanism->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
-    return {QStringLiteral("mechanism.png"), m_rooms.mechanism->size(), draw, tr("The mechanism is in the clipboard.")};
+    return {tr("mechanism.png"), m_rooms.mechanism->pictureSize(), captioned(draw),
+            tr("The mechanism is in the clipboard.")};
 }
 
 void Exports::choose(const Picture &picture)
@@ -92,21 +103,41 @@ void Exports::copy(const Picture &picture)
 void Exports::chooseData()
 {
     const QString plotted = tr("The six channels of the plots (*.csv)");
+    const QString byAngle = tr("The six channels, every so many degrees of the crank (*.csv)");
     const SaveRequest request{tr("Export data"),
-                              {plotted, tr("All 36 channels (*.csv)")},
+                              {plotted, byAngle, tr("All 36 channels (*.csv)")},
                               lastFolder(QStandardPaths::DocumentsLocation),
-                              QStringLiteral("motion.csv"),
-                              [this, plotted](const QString &path, const QString &filter) {
-                                  writeData(path, filter == plotted ? plottedChannels() : allChannels());
+                              tr("motion.csv"),
+                              [this, plotted, byAngle](const QString &path, const QString &filter) {
+                                  if (filter == byAngle) {
+                                      chooseCrankStep(path);
+                                  } else {
+                                      writeData(path, filter == plotted ? plottedChannels() : allChannels());
+                                  }
                               }};
     chooseFileToSave(m_window, request);
 }
 
-void Exports::writeData(const QString &path, const ChannelSet &channels)
+void Exports::chooseCrankStep(const QString &path)
 {
-    writeAside(path, [path, channels, result = m_session->result()](const std::stop_token &stop,
-                                                                    const WorkAside::Progress &progress) {
-        return exportMotion(path, *result, channels, stop, progress);
+    auto *dialog = new QInputDialog(m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Export data"));
+    dialog->setLabelText(tr("Step of the crank angle, in degrees:"));
+    dialog->setInputMode(QInputDialog::DoubleInput);
+    dialog->setDoubleDecimals(2);
+    dialog->setDoubleRange(0.01, 180.0);
+    dialog->setDoubleValue(5.0);
+    connect(dialog, &QInputDialog::doubleValueSelected, this,
+            [this, path](double step) { writeData(path, plottedChannels(), step); });
+    dialog->open();
+}
+
+void Exports::writeData(const QString &path, const ChannelSet &channels, double crankStep)
+{
+    writeAside(path, [path, channels, crankStep, result = m_session->result()](const std::stop_token &stop,
+                                                                               const WorkAside::Progress &progress) {
+        return exportMotion(path, *result, channels, crankStep, stop, progress);
     });
 }
 
@@ -115,7 +146,7 @@ void Exports::chooseReport()
     chooseFileToSave(m_window, {tr("Export report"),
                                 {tr("Reports (*.pdf)")},
                                 lastFolder(QStandardPaths::DocumentsLocation),
-                                QStringLiteral("report.pdf"),
+                                tr("report.pdf"),
                                 [this](const QString &path, const QString &) { writeReport(path); }});
 }
 
@@ -128,7 +159,13 @@ void Exports::writeReport(const QString &path)
             return tr("No report was written: the mechanism was changed meanwhile. Export it again.");
         }
         content->hasGhost = m_rooms.mechanism->hasGhost();
-        return exportReport(path, *content, {mechanism().draw, figure().draw});
+        const auto draw = [this](QPainter &painter, const QSize &size) {
+            m_rooms.mechanism->paintMechanism(painter, size, paletteFor(Theme::Light));
+        };
+        const auto drawPlots = [this](QPainter &painter, const QSize &size) {
+            m_rooms.plots->paintFigure(painter, size, paletteFor(Theme::Light));
+        };
+        return exportReport(path, *content, {draw, drawPlots});
     };
     const Result &result = *content->result;
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
@@ -158,7 +195,7 @@ Animation Exports::animationOnShow() const
     Animation animation;
     animation.start = sampling.start;
     animation.duration = sampling.duration;
-    animation.size = {m_rooms.mechanism->size(), kScale};
+    animation.size = {m_rooms.mechanism->pictureSize(), 1.0};
     animation.speed = m_rooms.timeline->speed();
     return animation;
 }
@@ -173,19 +210,18 @@ void Exports::chooseAnimation()
 
 void Exports::chooseAnimationFile(const Animation &animation)
 {
-    const QString frames = QStringLiteral("png");
-    SaveRequest request{tr("Export animation"),
-                        {},
-                        lastFolder(QStandardPaths::MoviesLocation),
-                        QStringLiteral("motion.png"),
-                        [this, animation](const QString &path, const QString &) { writeAnimation(path, animation); }};
-    for (const QString &suffix : AnimationExport::suffixes()) {
-        request.filters << (suffix == frames ? tr("Numbered frames (*.png)") : tr("Videos (*.%1)").arg(suffix));
-    }
-    request.replaces = [frames](const QString &path) { // frames have names of their own
-        return QFileInfo(path).suffix().toLower() != frames && QFileInfo::exists(path);
-    };
-    chooseFileToSave(m_window, request);
+    auto *dialog = new QFileDialog(m_window, tr("Export animation"), lastFolder(QStandardPaths::MoviesLocation));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({tr("New folder of numbered frames (*)"), tr("Videos (*.mp4)"), tr("Videos (*.webm)"),
+                            tr("Animated pictures (*.gif)")});
+    dialog->selectFile(tr("motion"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, animation](const QString &path) {
+        const QString suffix = dialog->selectedNameFilter().section(QStringLiteral("(*"), -1).chopped(1);
+        remember({{QStringLiteral("lastFolder"), QFileInfo(path).absolutePath()}});
+        writeAnimation(isVideo(path) ? path : path + suffix, animation);
+    });
+    dialog->open();
 }
 
 void Exports::writeAnimation(const QString &path, const Animation &animation)
@@ -193,53 +229,27 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
     if (refusesAnother()) {
         return;
     }
-    const QStringList older = AnimationExport::olderFrames(path, animation.frameCount());
-    if (older.isEmpty()) {
-        film(path, animation);
-        return;
-    }
-    auto *question = new QMessageBox(QMessageBox::Question, tr("Older frames"),
-                                     tr("Older frames of this name are there: %1, from %2 to %3. Replace them?")
-                                         .arg(QString::number(older.size()), older.first(), older.last()),
-                                     QMessageBox::Cancel, m_window);
-    question->setObjectName(QStringLiteral("framesQuestion"));
-    question->setInformativeText(
-        tr("All of them are deleted; the new ones, %1, take their place.").arg(animation.frameCount()));
-    question->addButton(tr("Replace"), QMessageBox::AcceptRole);
-    question->setDefaultButton(QMessageBox::Cancel);
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    connect(question, &QDialog::accepted, this, [this, path, animation] { film(path, animation); });
-    question->open();
-}
-
-void Exports::film(const QString &path, const Animation &animation)
-{
-    const auto view = std::make_shared<MechanismView>();
-    view->setResult(m_session->result());
-    view->setSettings(m_rooms.mechanism->settings());
-    view->setFrame(m_rooms.mechanism->frame());
-    const auto draw = [view, parameters = m_session->parameters(),
+    MechanismView view;
+    view.setResult(m_session->result());
+    view.setSettings(m_rooms.mechanism->settings());
+    view.setFrame(m_rooms.mechanism->frame());
+    const auto draw = [&view, parameters = m_session->parameters(),
                        ghost = m_rooms.ghost->motion()](QPainter &painter, const QSize &size, double time) {
-        view->setPose(poseAt(parameters, time));
-        view->setGhost(ghost ? ghost(time) : ReferencePose());
-        view->paintMechanism(painter, size, paletteFor(Theme::Light));
+        view.setPose(poseAt(parameters, time));
+        view.setGhost(ghost ? ghost(time) : ReferencePose());
+        view.paintMechanism(painter, size, paletteFor(Theme::Light));
     };
-    const QStringList frames = AnimationExport::frameNames(path, animation.frameCount());
-    const QFileInfo file(path);
-    const QString written =
-        frames.size() > 1 ? tr("%1 frames, %2 to %3, in %4")
-                                .arg(QString::number(frames.size()), frames.first(), frames.last(), file.absolutePath())
-                          : file.absoluteDir().filePath(frames.value(0, file.fileName()));
-    m_animation = new AnimationExport(animation, draw, this);
-    connect(m_animation, &AnimationExport::progressed, this,
-            [this](int done, int all) { emit progressed(static_cast<double>(done) / all); });
-    connect(m_animation, &AnimationExport::finished, this, [this, path = written](const QString &problem) {
-        std::exchange(m_animation, nullptr)->deleteLater();
-        tellWritten(path, problem.isEmpty() ? std::nullopt : std::optional(problem));
-        emit busyChanged(false);
-    });
-    emit busyChanged(true);
-    m_animation->start(path);
+    QProgressDialog dialog(tr("Exporting the animation…"), tr("Cancel"), 0, animation.frameCount(), m_window);
+    dialog.setWindowModality(Qt::WindowModal);
+    const auto progress = [&dialog](int done) {
+        dialog.setValue(done);
+        QCoreApplication::processEvents();
+        return !dialog.wasCanceled();
+    };
+    const std::optional<QString> problem = exportAnimation(path, animation, draw, progress);
+    if (!problem || !problem->isEmpty()) { // empty: cancelled
+        tellWritten(path, problem);
+    }
 }
 
 void Exports::writeAside(const QString &path, const Work &work, const Finish &finish)
@@ -255,7 +265,7 @@ void Exports::writeAside(const QString &path, const Work &work, const Finish &fi
 
 bool Exports::isWriting() const
 {
-    return m_animation || m_aside->isRunning();
+    return m_aside->isRunning();
 }
 
 bool Exports::refusesAnother()
@@ -301,10 +311,6 @@ void Exports::finishThen(const std::function<void()> &goOn)
 bool Exports::cancel()
 {
     const bool writes = isWriting();
-    if (m_animation) {
-        delete std::exchange(m_animation, nullptr);
-        emit busyChanged(false);
-    }
     m_aside->drop();
     return writes;
 }

@@ -18,7 +18,6 @@
 namespace slidercrank
 {
 
-class AnimationExport;
 class Session;
 struct Animation;
 
@@ -58,18 +57,18 @@ public:
 
     /// The run on show as CSV, off the GUI thread.
     void chooseData();
-    void writeData(const QString &path, const ChannelSet &channels);
+    void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0); ///< °; 0: the time steps
 
     /// On A4, as PDF; whose motion the reference is, is worked out off the GUI thread first where it is not known yet.
     void chooseReport();
     void writeReport(const QString &path);
 
-    /// The mechanism moving: asks how fast, how large and how long, then for a file: numbered PNG frames, or a video
-    /// where ffmpeg is installed. Older frames are replaced when the person says so.
+    /// The mechanism in motion: asks for frame rate, size and length, then for a folder for frames or the file of a
+    /// video. A modal dialog shows the progress.
     void chooseAnimation();
     void writeAnimation(const QString &path, const Animation &animation);
 
-    /// Of the run, at the speed of playing, twice as large as it is seen.
+    /// Of the time range at the playback speed.
     Animation animationOnShow() const;
 
 signals:
@@ -79,8 +78,9 @@ signals:
     void progressed(double part);
 
 private:
+    FigureDrawing captioned(const FigureDrawing &draw) const;
+    void chooseCrankStep(const QString &path);
     void chooseAnimationFile(const Animation &animation);
-    void film(const QString &path, const Animation &animation);
     bool refusesAnother(); ///< and says so: one file, or all of an animation, at a time
 
     /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
@@ -93,7 +93,6 @@ private:
     Session *m_session;
     const Rooms &m_rooms;
     QWidget *m_window;
-    AnimationExport *m_animation = nullptr; ///< while one is written
     WorkAside *m_aside;
 };
 

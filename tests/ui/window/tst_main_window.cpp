@@ -799,37 +799,17 @@ private slots:
     void exportsTheAnimation()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("motion.png"));
-        const auto *bar = m_window->findChild<MessageBar *>();
+        const QString path = folder.filePath(QStringLiteral("motion"));
         m_window->exports().writeAnimation(path, m_window->exports().animationOnShow());
-        AWAIT_COMPARE(bar->text(), QStringLiteral("Written: 31 frames, motion_001.png to motion_031.png, in ") +
-                                       QDir::toNativeSeparators(folder.path()));
-        const QStringList frames = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
-        QCOMPARE(frames.size(), 31); // a second, both ends
-        const QImage first(folder.filePath(frames.first()));
-        QVERIFY(first != QImage(folder.filePath(frames[15])));
-        QCOMPARE(first, QImage(folder.filePath(frames.last()))); // one turn
-
-        // A shorter one there: nothing happens without a yes, then none of the older ones stays.
-        Sampling sampling = m_window->session().sampling();
-        sampling.duration = 0.1;
-        m_window->session().setSampling(sampling);
-        for (const auto answer : {QMessageBox::RejectRole, QMessageBox::AcceptRole}) {
-            m_window->exports().writeAnimation(path, m_window->exports().animationOnShow());
-            auto *question = m_window->findChild<QMessageBox *>(QStringLiteral("framesQuestion"));
-            QVERIFY(question);
-            QVERIFY2(question->text().contains(QStringLiteral("31, from motion_001.png to motion_031.png")),
-                     qPrintable(question->text()));
-            QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name), frames);
-            for (QAbstractButton *button : question->buttons()) {
-                if (question->buttonRole(button) == answer) {
-                    QTest::mouseClick(button, Qt::LeftButton);
-                }
-            }
-            settle();
-        }
-        AWAIT2(bar->text().startsWith(QStringLiteral("Written: 4 frames")), qPrintable(bar->text()));
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name), frames.first(4));
+        const QStringList frames = QDir(path).entryList(QDir::Files, QDir::Name);
+        QCOMPARE(frames.size(), 30);
+        const QImage first(QDir(path).filePath(frames.first()));
+        QVERIFY(first != QImage(QDir(path).filePath(frames[15])));
+        QVERIFY(first != QImage(QDir(path).filePath(frames.last()))); // which is not the first again
+        QVERIFY(first.width() > first.height());
+        m_window->exports().writeAnimation(path, m_window->exports().animationOnShow());
+        const auto *bar = m_window->findChild<MessageBar *>();
+        AWAIT2(bar->text().contains(QStringLiteral("cannot be written")), qPrintable(bar->text()));
     }
 
     void aFailedExportIsTold()

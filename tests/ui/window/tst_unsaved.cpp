@@ -206,8 +206,6 @@ private slots:
 
     void aFailureIsSeen()
     {
-        m_window->exports().writeAnimation(QStringLiteral("/no/such/folder/motion.png"),
-                                           m_window->exports().animationOnShow());
         startWriting(QStringLiteral("/no/such/folder/motion.csv"));
         m_window->close();
         QVERIFY(question("writingQuestion"));
@@ -215,17 +213,6 @@ private slots:
         settle();
         QVERIFY(m_window->isVisible() && !question("writingQuestion"));
         QVERIFY(m_window->findChild<MessageBar *>()->text().contains(QLatin1String("motion.csv")));
-    }
-
-    void aSecondAnimationIsRefusedInWords()
-    {
-        Animation animation = m_window->exports().animationOnShow();
-        animation.size = {QSize(100, 100), 1.0};
-        m_window->exports().writeAnimation(m_folder.filePath(QStringLiteral("first.png")), animation);
-        m_window->exports().writeAnimation(m_folder.filePath(QStringLiteral("second.png")), animation);
-        const auto *bar = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
-        QVERIFY(bar->isVisible() && bar->text().contains(QLatin1String("still being written")));
-        QVERIFY(m_window->exports().cancel());
     }
 
     void bothAreAskedAbout()

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.h"
+#include "ui/export/animation_export.h"
+#include "ui/export/figure_export.h"
+#include "ui/export/motion_csv.h"
+#include "ui/export/report.h"
+#include "ui/text/theme.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QPainter>
+#include <QScopeGuard>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextDocument>
+#include <QXmlStreamReader>
+
+#include <cmath>
+#include <limits>
+
+using namespace slidercrank;
+
+namespace
+{
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
+
+void drawSquare(QPainter &painter, const QSize &size)
+{
+    painter.fillRect(QRect(QPoint(), size), Qt::white);
+    painter.fillRect(QRect(size.width() / 4, size.height() / 4, size.width() / 2, size.height() / 2), Qt::blue);
+    painter.setPen(Qt::black);
+    painter.drawText(QPoint(5, 20), QStringLiteral("θ³ [°]"));
+}
+
+/// A shade of grey that tells the time: 0 s is black, 1 s white.
+void drawGrey(QPainter &painter, const QSize &size, double time)
+{
+    const int grey = static_cast<int>(255.0 * time + 0.5);
+    painter.fillRect(QRect(QPoint(), size), QColor(grey, grey, grey));
+}
+
+Animation shortAnimation()
+{
+    Animation animation;
+    animation.framesPerSecond = 10;
+    animation.size.size = QSize(61, 41);
+    return animation;
+}
+
+const AnimationProgress kGoOn = [](int) { return true; };
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QStringList entriesOf(const QString &folder)
+{
+    return QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+std::shared_ptr<const Reference> referenceIn(const QStringList &paths)
+{
+    const auto outcome = readReference({paths, {}, {}});
+    const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
+    return reference ? *reference : nullptr;
+}
+
+ReportContent contentWith(double b, const std::shared_ptr<const Reference> &reference)
+{
+    Session session;
+    session.setParameter(Parameter::B, b);
+    session.setReference(reference);
+    ReportContent content{session.result(), {}, false};
+    if (reference) {
+        content.diagnosis = diagnose(reference->data, session.result()->mechanism);
+    }
+    return content;
+}
+
+QString reportText(const ReportContent &content)
+{
+    QTextDocument document;
+    document.setHtml(reportHtml(content));
+    return document.toPlainText().replace(QChar::Nbsp, u' ');
+}
+
+} // namespace
+
+class TestExport : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void writesPicturesOfTheExactSize()
+    {
+        const FigureSize size{QSize(200, 100), 2.5};
+        for (const QString name : {"a.png", "a.SVG", "a.pdf"}) {
+            QCOMPARE(exportFigure(path(name), size, QStringLiteral("A < B"), drawSquare), std::nullopt);
+        }
+        const QImage image(path("a.png"));
+        QCOMPARE(image.size(), QSize(500, 250));
+        QCOMPARE(image.pixelColor(250, 125), QColor(Qt::blue));
+        QCOMPARE(image.text(QStringLiteral("Title")), QStringLiteral("A < B"));
+        QVERIFY(contentOf(path("a.pdf")).contains("/MediaBox [0 0 150.0")); // 3/4 point a pixel
+        const QByteArray svg = contentOf(path("a.SVG"));
+        QVERIFY(svg.contains("width=\"200\" height=\"100\"") && svg.contains("', sans-serif\""));
+        QXmlStreamReader xml(svg);
+        QStringList texts;
+        while (!xml.atEnd()) {
+            xml.readNext();
+            texts << xml.text().toString();
+        }
+        QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+        QVERIFY(texts.contains(QStringLiteral("A < B")) && texts.join(QString()).contains(QStringLiteral("θ³ [°]")));
+
+        QCOMPARE(copyFigureToClipboard({QSize(64, 48), 2.0}, drawSquare), std::nullopt);
+        QCOMPARE(QApplication::clipboard()->image().size(), QSize(128, 96));
+    }
+
+    void refusesPicturesThatCannotBe()
+    {
+        struct Row {
+            const char *name;
+            QSize size;
+            double scale;
+        };
+        const QSize usual(100, 100);
+        bool isDrawn = false;
+        const auto draw = [&isDrawn](QPainter &, const QSize &) { isDrawn = true; };
+        for (const Row &row : {Row{"a.png", {0, 100}, 1.0}, Row{"a.png", {100, -1}, 1.0}, Row{"a.png", usual, 0.0},
+                               Row{"a.png", usual, std::numeric_limits<double>::quiet_NaN()}, Row{"a.png", usual, 1e-3},
+                               Row{"a.png", {20000, 20000}, 1.0}, Row{"a.png", {1400, 900}, 1e9},
+                               Row{"a.png", {1000000, 1}, 1.0}, Row{"a.jpg", usual, 1.0}}) {
+            const std::optional<QString> fault = exportFigure(path(row.name), {row.size, row.scale}, {}, draw);
+            QVERIFY(fault && fault->endsWith(u'.') && !isDrawn);
+        }
+        QVERIFY(exportFigure(path("gone/a.png"), {}, {}, drawSquare)->contains(QStringLiteral("gone")));
+        QVERIFY(entriesOf(m_folder->path()).isEmpty());
+    }
+
+    void namesTheParametersBelowAFigure()
+    {
+        QStringList texts;
+        QCOMPARE(exportFigure(path("a.svg"), {QSize(600, 200)}, {},
+                              withParameters(drawSquare, Mechanism(), paletteFor(Theme::Light))),
+                 std::nullopt);
+        const QString svg = QString::fromUtf8(contentOf(path("a.svg")));
+        for (const char *parameter : {"a = 20", "b = 65", "c = 25"}) {
+            QVERIFY2(svg.contains(QLatin1String(parameter)), qPrintable(svg));
+        }
+    }
+
+    void writesFramesIntoANewFolder()
+    {
+        int frames = 0;
+        const auto progress = [&frames](int done) {
+            frames = done;
+            return true;
+        };
+        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("empty")));
+        for (const QString name : {"new", "empty"}) {
+            QCOMPARE(exportAnimation(path(name), shortAnimation(), drawGrey, progress), std::nullopt);
+            QCOMPARE(frames, 10);
+            const QStringList names = entriesOf(path(name));
+            QCOMPARE(names.size(), qsizetype(10));
+            QCOMPARE(names.first(), QStringLiteral("frame_0001.png"));
+            const QImage sixth(path(name + QStringLiteral("/frame_0006.png")));
+            QCOMPARE(sixth.size(), QSize(61, 41));
+            QCOMPARE(sixth.pixelColor(30, 20).red(), 128); // half a second
+            const QImage last(path(name + QStringLiteral("/frame_0010.png")));
+            QCOMPARE(last.pixelColor(30, 20).red(), 230); // one frame before the first again
+        }
+        QCOMPARE(entriesOf(m_folder->path()), QStringList({"empty", "new"}));
+
+        Animation backwards = shortAnimation();
+        backwards.start = 2.0;
+        backwards.duration = -4.0;
+        backwards.speed = 0.5;
+        QCOMPARE(backwards.frameCount(), 80);
+        QCOMPARE(backwards.timeOfFrame(40), 0.0);
+        backwards.duration = 0.0;
+        QCOMPARE(backwards.frameCount(), 1);
+    }
+
+    void leavesNothingBehindWhereItCannotWriteOrIsCancelled()
+    {
+        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("full")));
+        QFile note(path("full/note.txt"));
+        QVERIFY(note.open(QIODevice::WriteOnly));
+        for (const QString name : {"full", "full/note.txt", "gone/new"}) {
+            const std::optional<QString> problem = exportAnimation(path(name), shortAnimation(), drawGrey, kGoOn);
+            QVERIFY2(problem && problem->contains(QStringLiteral("cannot be written")), qPrintable(name));
+        }
+        for (const QString name : {"new", "new.mp4"}) {
+            if (!isVideo(name) || !QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
+                QCOMPARE(exportAnimation(path(name), shortAnimation(), drawGrey, [](int done) { return done < 3; }),
+                         QString());
+            }
+        }
+        QCOMPARE(entriesOf(m_folder->path()), QStringList(QStringLiteral("full")));
+        QCOMPARE(entriesOf(path("full")), QStringList(QStringLiteral("note.txt")));
+    }
+
+    void makesVideosWithFfmpeg()
+    {
+        struct Row {
+            QByteArray lastLine; // of a program in ffmpeg's place
+            QByteArray content;
+            QString problem;
+        };
+        const QTemporaryDir programs;
+        QFile program(programs.filePath(QStringLiteral("ffmpeg")));
+        const QByteArray before = qgetenv("PATH");
+        const auto restore = qScopeGuard([&before] { qputenv("PATH", before); });
+        QFile older(path("motion.gif"));
+        for (const Row &row :
+             {Row{"printf newer > $film", "newer", {}}, Row{"echo full >&2; exit 1", "older", "the video: full"},
+              Row{": > $film", "older", "could not make"}, Row{"true", "older", "could not make"}}) {
+            QVERIFY(program.open(QIODevice::WriteOnly));
+            program.write("#!/bin/sh\nfor film; do :; done\n" + row.lastLine + '\n');
+            QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+            program.close();
+            qputenv("PATH", QFile::encodeName(programs.path()) + ':' + before);
+            QVERIFY(older.open(QIODevice::WriteOnly) && older.write("older") == 5);
+            older.close();
+            const QString problem =
+                exportAnimation(older.fileName(), shortAnimation(), drawGrey, kGoOn).value_or(QString());
+            QVERIFY2(problem.contains(row.problem) && problem.isEmpty() == row.problem.isEmpty(), qPrintable(problem));
+            QCOMPARE(contentOf(older.fileName()), row.content);
+            QCOMPARE(entriesOf(m_folder->path()).size(), qsizetype(1));
+        }
+        qputenv("PATH", QFile::encodeName(m_folder->path())); // no ffmpeg
+        const std::optional<QString> problem = exportAnimation(path("m.gif"), shortAnimation(), drawGrey, kGoOn);
+        QVERIFY(problem && problem->contains(QStringLiteral("ffmpeg")) && problem->contains(QStringLiteral("nstall")));
+    }
+
+    void writesTimeAndCrankAngleWithTheData()
+    {
+        Session session;
+        QCOMPARE(exportMotion(path("steps.csv"), *session.result(), plottedChannels()), std::nullopt);
+        const QList<QByteArray> steps = contentOf(path("steps.csv")).trimmed().split('\n');
+        QCOMPARE(steps.size(), qsizetype(202));
+        QVERIFY(steps.first().startsWith("time,theta2,") && steps.first().count(',') == 7);
+        QCOMPARE(exportMotion(path("angles.csv"), *session.result(), plottedChannels(), 30.0), std::nullopt);
+        const QList<QByteArray> rows = contentOf(path("angles.csv")).trimmed().split('\n');
+        QCOMPARE(rows.size(), qsizetype(14));
+        for (qsizetype i = 1; i < rows.size(); ++i) {
+            QVERIFY(std::abs(rows[i].split(',')[1].toDouble() - 30.0 * double(i - 1)) < 1e-9);
+        }
+        QVERIFY(
+            exportMotion(path("gone/x.csv"), *session.result(), plottedChannels())->contains(QStringLiteral("gone")));
+    }
+
+    void reportsTheMechanismFirstThenPlotsThenErrors()
+    {
+        const QString text = reportText(contentWith(65.0, referenceIn({kSample})));
+        const QStringList order{"b, coupler", "[mechanism]", "Motion limits", "[figure]",
+                                "Errors",     "SHA-256",     "Method"};
+        qsizetype at = 0;
+        for (const QString &words : order) {
+            QVERIFY2(text.indexOf(words, at) >= at, qPrintable(words + text));
+            at = text.indexOf(words, at);
+        }
+        for (const char *words :
+             {"65 mm", "60.0", " ± ", "found in the file", "inventor_sample.csv, t = 0 s to 1 s, 201 rows",
+              "agrees with it in 6 of 6 channels", "θ³ [°]", "stroke"}) {
+            QVERIFY2(text.contains(QString::fromUtf8(words)), words);
+        }
+        const QString alone = reportText(contentWith(65.0, nullptr));
+        for (const char *words : {"SHA-256", "eference", "found in"}) {
+            QVERIFY2(!alone.contains(QString::fromUtf8(words)), words);
+        }
+        QVERIFY(reportText(contentWith(60.0, referenceIn({kSample}))).contains("within the file's rounding"));
+    }
+
+    void reportsFromWhatItWasMade()
+    {
+        QFile file(path("motion.csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time,Linear Displacement1 (mm),theta3\n0,80,22.6\n0.01,80.3,21.5\n0.02,80.5,20.5\n");
+        file.close();
+        const std::shared_ptr<const Reference> reference = referenceIn({file.fileName()});
+        ReportContent content = contentWith(65.0, reference);
+        content.checksums = checksumsOf(*reference);
+        content.written = QDateTime({2024, 5, 17}, {9, 41, 5}, Qt::UTC);
+        QString text = reportText(content);
+        for (const char *words :
+             {"17 May 2024 09:41:05", "5a0472220eeedb4db32514e7d5c80640911f2d532411f7cf10adae6d081235b0", // sha256sum
+              "“Linear Displacement1 (mm)” as slider position"}) {
+            QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(text));
+        }
+        QVERIFY(!text.contains(QStringLiteral("theta3”"))); // its name is known
+        QVERIFY(file.open(QIODevice::Append) && file.write("0.03,80.7,19.5\n") > 0);
+        file.close();
+        content.checksums = checksumsOf(*reference); // no longer what was read
+        QVERIFY(reportText(content).contains(QStringLiteral("SHA-256: unknown")));
+
+        auto changed = std::make_shared<Reference>(*referenceIn({kSample}));
+        changed->data.skipped.push_back({17, 2, "oops", RowFault::NotANumber});
+        changed->data.layout.columns.emplace_back().heading = "colour";
+        text = reportText(contentWith(60.0, changed));
+        QVERIFY2(text.contains("the first in line 17 (\"oops\": not a number)") && text.contains("not used: colour"),
+                 qPrintable(text));
+    }
+
+    void reportsPinnedMotionsAndTheMethod()
+    {
+        Session session;
+        session.keep();
+        session.setParameter(Parameter::B, 80.0);
+        SolverSettings solver;
+        solver.newton.tolerance = 2.5e-12;
+        solver.newton.toleranceKind = ToleranceKind::Relative;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        QString text = reportText({session.result(), {}, true});
+        for (const char *words : {"pinned motions, b = 65 mm", "This mechanism − pinned b = 65 mm", "9.58",
+                                  "Thin: the pinned mechanism.", "2.5·10⁻¹² (relative), at most 10 iterations"}) {
+            QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(text));
+        }
+        solver.method = Method::ClosedForm;
+        session.setSolver(solver);
+        session.forgetKept();
+        text = reportText({session.result(), {}, false});
+        QVERIFY(text.contains("Closed form, exact to rounding.") && !text.contains("pinned"));
+    }
+
+    void putsTextAndDrawingsOnA4()
+    {
+        const auto draw = [](QPainter &painter, const QSize &size) {
+            painter.fillRect(QRect(QPoint(), size), Qt::red);
+            painter.translate(1000.0, 1000.0); // it ends with the drawing
+        };
+        const ReportContent content = contentWith(65.0, referenceIn({kSample}));
+        QCOMPARE(exportReport(path("report.pdf"), content, {draw, draw}), std::nullopt);
+        const QByteArray pdf = contentOf(path("report.pdf"));
+        QVERIFY(pdf.startsWith("%PDF") && pdf.contains("/Type /Font")); // text is text
+        QVERIFY2(pdf.count("/Type /Page\n") == 3, QByteArray::number(pdf.count("/Type /Page\n")));
+        QVERIFY(exportReport(path("gone/report.pdf"), content, {draw, draw})->contains("cannot be written"));
+        QCOMPARE(entriesOf(m_folder->path()), QStringList(QStringLiteral("report.pdf")));
+    }
+
+private:
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(TestExport)
+#include "tst_export.moc"
