@@ -4,29 +4,8 @@
 <context>
     <name>slidercrank::AnimationExport</name>
     <message>
-        <source>%1: a video needs the program ffmpeg, which is not installed; choose .png for frames.</source>
-        <translation>%1: un vídeo necesita el programa ffmpeg, que no está instalado; elija .png para obtener fotogramas.</translation>
-    </message>
-    <message>
-        <source>%1: an animation&apos;s name must end in .%2.</source>
-        <translation>%1: el nombre de una animación debe terminar en .%2.</translation>
-    </message>
-    <message>
-        <source> or .</source>
-        <comment>between the endings of file names</comment>
-        <translation> o .</translation>
-    </message>
-    <message>
-        <source>More than %1 frames: choose a shorter run or fewer frames a second.</source>
-        <translation>Más de %1 fotogramas: elija un recorrido más corto o menos fotogramas por segundo.</translation>
-    </message>
-    <message>
         <source>%1 cannot be written: %2.</source>
         <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
-        <source>ffmpeg could not be started: %1.</source>
-        <translation>No se pudo iniciar ffmpeg: %1.</translation>
     </message>
     <message>
         <source>There is not enough memory for a frame of that size.</source>
@@ -37,12 +16,20 @@
         <translation>ffmpeg no pudo hacer el vídeo: %1</translation>
     </message>
     <message>
-        <source>it ended early.</source>
-        <translation>terminó antes de tiempo.</translation>
+        <source>More than %1 frames: choose a shorter time range or fewer frames per second.</source>
+        <translation>Más de %1 fotogramas: elija un intervalo más corto o menos fotogramas por segundo.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2. The older frames are in %3.</source>
-        <translation>No se puede escribir %1: %2. Los fotogramas anteriores están en %3.</translation>
+        <source>%1: a video needs the program ffmpeg, which is not installed. Install it (Debian, Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install ffmpeg), or export the frames to a folder.</source>
+        <translation>%1: un vídeo necesita el programa ffmpeg, que no está instalado. Instálelo (Debian, Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install ffmpeg) o exporte los fotogramas a una carpeta.</translation>
+    </message>
+    <message>
+        <source>it exists already; choose a new or empty folder</source>
+        <translation>ya existe; elija una carpeta nueva o vacía</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation>no se puede crear la carpeta</translation>
     </message>
 </context>
 <context>
@@ -50,10 +37,6 @@
     <message>
         <source>Export animation</source>
         <translation>Exportar animación</translation>
-    </message>
-    <message>
-        <source>Frames a second</source>
-        <translation>Fotogramas por segundo</translation>
     </message>
     <message>
         <source>Width</source>
@@ -72,28 +55,24 @@
         <translation>Duración</translation>
     </message>
     <message>
-        <source>Unit of the length</source>
-        <translation>Unidad de la duración</translation>
-    </message>
-    <message>
-        <source>s of the motion</source>
-        <translation>s del movimiento</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
-    </message>
-    <message>
         <source>Export…</source>
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>%1 frames: %2 s at the speed of playing, %3×.</source>
-        <translation>%1 fotogramas: %2 s a la velocidad de reproducción, %3×.</translation>
+        <source>Frames per second</source>
+        <translation>Fotogramas por segundo</translation>
     </message>
     <message>
-        <source>More than %1 frames: choose a shorter length, fewer frames a second or a higher speed of playing.</source>
+        <source>%1 frames: %2 s at the playback speed of %3×.</source>
+        <translation>%1 fotogramas: %2 s a la velocidad de reproducción de %3×.</translation>
+    </message>
+    <message>
+        <source>More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.</source>
         <translation>Más de %1 fotogramas: elija una duración menor, menos fotogramas por segundo o una velocidad de reproducción mayor.</translation>
+    </message>
+    <message>
+        <source> s of the motion</source>
+        <translation> s del movimiento</translation>
     </message>
 </context>
 <context>
@@ -963,10 +942,6 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>--what debe ser figure, mechanism, frames, report o una de las gráficas %1, y no «%2».</translation>
     </message>
     <message>
-        <source>Frames are numbered pictures or a video: --output must end in .png, .mp4, .webm or .gif, not be &quot;%1&quot;.</source>
-        <translation>Los fotogramas son imágenes numeradas o un vídeo: --output debe terminar en .png, .mp4, .webm o .gif, y no ser «%1».</translation>
-    </message>
-    <message>
         <source>--speed is of --what frames: remove it.</source>
         <translation>--speed es de --what frames: quítela.</translation>
     </message>
@@ -1034,10 +1009,6 @@ aceleración no existen, en algún instante, o el mecanismo de un archivo no que
     <message>
         <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
         <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
-    </message>
-    <message>
-        <source>a name that ends in .png, .svg or .pdf; of frames in .png (then they are numbered, and older ones of that name go), or, a video by ffmpeg, in .mp4, .webm or .gif; needed</source>
-        <translation>un nombre que termine en .png, .svg o .pdf; el de frames, en .png (entonces van numerados, y desaparecen los anteriores de ese nombre), o, para un vídeo hecho con ffmpeg, en .mp4, .webm o .gif; obligatorio</translation>
     </message>
     <message>
         <source>There is no file %1.</source>
@@ -1417,6 +1388,14 @@ Varios archivos para la ventana son de un mismo movimiento, una gráfica cada un
     <message>
         <source>how the motion is computed (closed-form)</source>
         <translation>cómo se calcula el movimiento (closed-form)</translation>
+    </message>
+    <message>
+        <source>a name that ends in .png, .svg or .pdf; for frames a new folder or, with ffmpeg, a video that ends in .mp4, .webm or .gif; needed</source>
+        <translation>un nombre que termine en .png, .svg o .pdf; para fotogramas, una carpeta nueva o, con ffmpeg, un vídeo que termine en .mp4, .webm o .gif; obligatorio</translation>
+    </message>
+    <message>
+        <source>Frames are written to a folder or as a video: --output must name a new folder or end in .mp4, .webm or .gif, not be &quot;%1&quot;.</source>
+        <translation>Los fotogramas se escriben en una carpeta o como vídeo: --output debe nombrar una carpeta nueva o terminar en .mp4, .webm o .gif, no ser «%1».</translation>
     </message>
 </context>
 <context>
@@ -2234,22 +2213,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>Escrito: %1</translation>
     </message>
     <message>
-        <source>Older frames</source>
-        <translation>Fotogramas anteriores</translation>
-    </message>
-    <message>
-        <source>Older frames of this name are there: %1, from %2 to %3. Replace them?</source>
-        <translation>Hay fotogramas anteriores con este nombre: %1, de %2 a %3. ¿Reemplazarlos?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>%1 frames, %2 to %3, in %4</source>
-        <translation>%1 fotogramas, %2 a %3, en %4</translation>
-    </message>
-    <message>
         <source>Still writing</source>
         <translation>Aún se está escribiendo</translation>
     </message>
@@ -2266,31 +2229,63 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>Dejar abierta la ventana</translation>
     </message>
     <message>
-        <source>Numbered frames (*.png)</source>
-        <translation>Fotogramas numerados (*.png)</translation>
+        <source>figure.png</source>
+        <translation>figura.png</translation>
     </message>
     <message>
-        <source>Videos (*.%1)</source>
-        <translation>Vídeos (*.%1)</translation>
+        <source>mechanism.png</source>
+        <translation>mecanismo.png</translation>
     </message>
     <message>
-        <source>All of them are deleted; the new ones, %1, take their place.</source>
-        <translation>Se borran todos; los nuevos, %1, ocupan su lugar.</translation>
+        <source>The six channels, every so many degrees of the crank (*.csv)</source>
+        <translation>Los seis canales, cada cierto número de grados de la manivela (*.csv)</translation>
+    </message>
+    <message>
+        <source>motion.csv</source>
+        <translation>movimiento.csv</translation>
+    </message>
+    <message>
+        <source>Step of the crank angle, in degrees:</source>
+        <translation>Paso del ángulo de la manivela, en grados:</translation>
+    </message>
+    <message>
+        <source>report.pdf</source>
+        <translation>informe.pdf</translation>
+    </message>
+    <message>
+        <source>New folder of numbered frames (*)</source>
+        <translation>Carpeta nueva de fotogramas numerados (*)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>Vídeos (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Videos (*.webm)</source>
+        <translation>Vídeos (*.webm)</translation>
+    </message>
+    <message>
+        <source>Animated pictures (*.gif)</source>
+        <translation>Imágenes animadas (*.gif)</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>movimiento</translation>
+    </message>
+    <message>
+        <source>Exporting the animation…</source>
+        <translation>Exportando la animación…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::FigureExportText</name>
     <message>
-        <source>A figure must be at least 1 pixel wide and high.</source>
-        <translation>Una figura debe medir al menos 1 píxel de ancho y de alto.</translation>
-    </message>
-    <message>
         <source>The scale of a figure must be greater than 0.</source>
         <translation>La escala de una figura debe ser mayor que 0.</translation>
-    </message>
-    <message>
-        <source>A figure of %1 × %2 pixels is too large: choose a smaller size or scale.</source>
-        <translation>Una figura de %1 × %2 píxeles es demasiado grande: elija un tamaño o una escala menor.</translation>
     </message>
     <message>
         <source>%1: a figure&apos;s name must end in .png, .svg or .pdf.</source>
@@ -2303,6 +2298,10 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>There is not enough memory for a figure of that size.</source>
         <translation>No hay memoria suficiente para una figura de ese tamaño.</translation>
+    </message>
+    <message>
+        <source>A figure of %1 × %2 pixels is too small or too large: choose another size or scale.</source>
+        <translation>Una figura de %1 × %2 píxeles es demasiado pequeña o demasiado grande: elija otro tamaño u otra escala.</translation>
     </message>
 </context>
 <context>
@@ -4943,48 +4942,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>excentricidad</translation>
     </message>
     <message>
-        <source>speed</source>
-        <translation>velocidad</translation>
-    </message>
-    <message>
-        <source>start</source>
-        <translation>inicio</translation>
-    </message>
-    <message>
         <source>model</source>
         <translation>modelo</translation>
     </message>
     <message>
-        <source>the file&apos;s own</source>
-        <translation>el propio del archivo</translation>
-    </message>
-    <message>
         <source>assembly</source>
         <translation>configuración</translation>
-    </message>
-    <message>
-        <source>Reference: %1, t = %2 s to %3 s, %4 instants.</source>
-        <translation>Referencia: %1, de t = %2 s a %3 s, %4 instantes.</translation>
-    </message>
-    <message>
-        <source>%1 rows, the first in line %2 (&quot;%3&quot;: %4)</source>
-        <translation>%1 filas, la primera en la línea %2 («%3»: %4)</translation>
-    </message>
-    <message>
-        <source>the columns %1</source>
-        <translation>las columnas %1</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>Left out of the file: %1.</source>
-        <translation>Omitido del archivo: %1.</translation>
-    </message>
-    <message>
-        <source>; </source>
-        <translation>; </translation>
     </message>
     <message>
         <source>channel</source>
@@ -5011,56 +4974,8 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>% del pico</translation>
     </message>
     <message>
-        <source>file&apos;s step</source>
-        <translation>paso archivo</translation>
-    </message>
-    <message>
         <source>verdict</source>
         <translation>veredicto</translation>
-    </message>
-    <message>
-        <source>%1 instants from t = %2 s to %3 s.</source>
-        <translation>%1 instantes de t = %2 s a %3 s.</translation>
-    </message>
-    <message>
-        <source>Closed form, exact to rounding. </source>
-        <translation>Forma cerrada, exacta salvo redondeo. </translation>
-    </message>
-    <message>
-        <source>until the residual ‖C‖ no longer falls</source>
-        <translation>hasta que el residuo ‖C‖ deja de disminuir</translation>
-    </message>
-    <message>
-        <source>until ‖C‖ ≤ %1 (absolute, mm and rad as they are)</source>
-        <translation>hasta ‖C‖ ≤ %1 (absoluto, mm y rad tal cual)</translation>
-    </message>
-    <message>
-        <source>until ‖C‖ ≤ %1 (relative, lengths divided by a + b + |c|)</source>
-        <translation>hasta ‖C‖ ≤ %1 (relativo, longitudes divididas entre a + b + |c|)</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson in the 12 absolute coordinates, %1, at most %2 iterations an instant. </source>
-        <translation>Newton-Raphson en las 12 coordenadas absolutas, %1, como máximo %2 iteraciones por instante. </translation>
-    </message>
-    <message>
-        <source>It took %1 iterations in all, %2 an instant at most; the largest residual is %3.</source>
-        <translation>Necesitó %1 iteraciones en total, %2 por instante como máximo; el residuo máximo es %3.</translation>
-    </message>
-    <message>
-        <source> %1 of %2 instants are solved.</source>
-        <translation> %1 de %2 instantes están resueltos.</translation>
-    </message>
-    <message>
-        <source>Against its own mechanism the file agrees in %1 of %2 channels.</source>
-        <translation>Frente a su propio mecanismo, el archivo coincide en %1 de %2 canales.</translation>
-    </message>
-    <message>
-        <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2); ± is one standard deviation.</source>
-        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2); ± es una desviación estándar.</translation>
-    </message>
-    <message>
-        <source>The file was read with the conventions named above.</source>
-        <translation>El archivo se leyó con las convenciones indicadas arriba.</translation>
     </message>
     <message>
         <source>Errors: model against reference</source>
@@ -5071,36 +4986,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
     </message>
     <message>
-        <source>Mechanism</source>
-        <translation>Mecanismo</translation>
-    </message>
-    <message>
         <source>Method</source>
         <translation>Método</translation>
     </message>
     <message>
-        <source>Motion and errors</source>
-        <translation>Movimiento y errores</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>Movimiento</translation>
-    </message>
-    <message>
-        <source>one of the file&apos;s</source>
-        <translation>uno de los del archivo</translation>
-    </message>
-    <message>
-        <source>Against the first of several mechanisms the file agrees in %1 of %2 channels.</source>
-        <translation>Frente al primero de varios mecanismos, el archivo coincide en %1 de %2 canales.</translation>
-    </message>
-    <message>
-        <source>Largest error: max |model − reference|. Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. File&apos;s step: distance of the numbers that the file can print, where it is largest. Within the file&apos;s rounding: at least %1 % of the values within half a step of their own and what the motion does in half a step of their instant (evenly spaced instants count as exact), none beyond %2 times that bound, nor by more than %4 % of half the motion&apos;s range. Close: none beyond %3 times, nor by more than %5 %.</source>
-        <translation>Error máximo: máx. |modelo − referencia|. % máximo: máx. |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso archivo: distancia entre los números que el archivo puede escribir, donde es mayor. Dentro del redondeo del archivo: al menos el %1&#xa0;% de los valores a menos de medio paso suyo y lo que el movimiento avanza en medio paso de su instante (los instantes a intervalos iguales cuentan como exactos), ninguno más allá de %2 veces esa cota, ni en más del %4&#xa0;% de la mitad del recorrido. Próximo: ninguno más allá de %3 veces, ni en más del %5&#xa0;%.</translation>
-    </message>
-    <message>
-        <source>Iterations: %1; the largest residual is %2.</source>
-        <translation>Iteraciones: %1; el residuo máximo es %2.</translation>
     </message>
     <message>
         <source>%1, by %2 %3</source>
@@ -5117,59 +5008,124 @@ SHA-256: %2</translation>
         <translation>el ejemplo que viene con el programa</translation>
     </message>
     <message>
-        <source>unknown: the file cannot be read again, or was changed since</source>
-        <translation>desconocida: el archivo no se puede volver a leer o ha cambiado desde entonces</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>“%1” as %2 (%3)</source>
         <translation>«%1» como %2 (%3)</translation>
-    </message>
-    <message>
-        <source>No column was guessed.</source>
-        <translation>No se ha deducido ninguna columna.</translation>
     </message>
     <message>
         <source>Columns guessed: %1.</source>
         <translation>Columnas deducidas: %1.</translation>
     </message>
     <message>
-        <source>Thin curves: motions that were kept, %1.</source>
-        <translation>Curvas finas: movimientos conservados, %1.</translation>
-    </message>
-    <message>
         <source>largest difference</source>
         <translation>mayor diferencia</translation>
     </message>
     <message>
-        <source>This mechanism − kept %1</source>
-        <translation>Este mecanismo − conservado: %1</translation>
+        <source>crank speed</source>
+        <translation>velocidad de la manivela</translation>
     </message>
     <message>
-        <source>Thin: the mechanism that was kept.</source>
-        <translation>Fino: el mecanismo conservado.</translation>
+        <source>initial angle</source>
+        <translation>ángulo inicial</translation>
     </message>
     <message>
-        <source>Thin: the mechanism as the file has it.</source>
-        <translation>Trazo fino: el mecanismo según el archivo.</translation>
+        <source>found in the file</source>
+        <translation>hallado en el archivo</translation>
     </message>
     <message>
-        <source>Reference: %1, %2, %3 angles.</source>
-        <translation>Referencia: %1, %2, %3 ángulos.</translation>
+        <source>one of those found</source>
+        <translation>uno de los hallados</translation>
     </message>
     <message>
-        <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2).</source>
-        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2).</translation>
+        <source>motion limit</source>
+        <translation>límite del movimiento</translation>
     </message>
-</context>
-<context>
-    <name>slidercrank::ReportPages</name>
     <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>at θ₂ [°]</source>
+        <translation>en θ₂ [°]</translation>
+    </message>
+    <message>
+        <source>Thin curves: pinned motions, %1.</source>
+        <translation>Curvas finas: movimientos fijados, %1.</translation>
+    </message>
+    <message>
+        <source>This mechanism − pinned %1</source>
+        <translation>Este mecanismo − fijado %1</translation>
+    </message>
+    <message>
+        <source>rounding step</source>
+        <translation>paso de redondeo</translation>
+    </message>
+    <message>
+        <source>t = %1 s to %2 s</source>
+        <translation>t = %1 s a %2 s</translation>
+    </message>
+    <message>
+        <source>Reference: %1, %2, %3 rows.</source>
+        <translation>Referencia: %1, %2, %3 filas.</translation>
+    </message>
+    <message>
+        <source>unknown: the file cannot be read again, or has changed</source>
+        <translation>desconocida: el archivo no se puede volver a leer o ha cambiado</translation>
+    </message>
+    <message>
+        <source>%1 rows were skipped, the first in line %2 (&quot;%3&quot;: %4).</source>
+        <translation>Se omitieron %1 filas, la primera en la línea %2 («%3»: %4).</translation>
+    </message>
+    <message>
+        <source>Columns not used: %1.</source>
+        <translation>Columnas sin usar: %1.</translation>
+    </message>
+    <message>
+        <source>The mechanism found in the file agrees with it in %1 of %2 channels.</source>
+        <translation>El mecanismo hallado en el archivo coincide con él en %1 de %2 canales.</translation>
+    </message>
+    <message>
+        <source>The first of several mechanisms found agrees with the file in %1 of %2 channels.</source>
+        <translation>El primero de los varios mecanismos hallados coincide con el archivo en %1 de %2 canales.</translation>
+    </message>
+    <message>
+        <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2); ± is one standard error.</source>
+        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2); ± es un error estándar.</translation>
+    </message>
+    <message>
+        <source>Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. Rounding step: the distance of neighbouring numbers in the file, where it is largest.</source>
+        <translation>% máximo: máx |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso de redondeo: la distancia entre números contiguos del archivo, donde es mayor.</translation>
+    </message>
+    <message>
+        <source>Closed form, exact to rounding.</source>
+        <translation>Forma cerrada, exacta salvo redondeo.</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %3 iterations per time step. Iterations: %4; largest residual: %5.</source>
+        <translation>Newton-Raphson en las 12 coordenadas absolutas: tolerancia %1 (%2), a lo sumo %3 iteraciones por paso de tiempo. Iteraciones: %4; residuo máximo: %5.</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absoluta</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>relativa</translation>
+    </message>
+    <message>
+        <source>%1 time steps from t = %2 s to %3 s, %4 of them solved.</source>
+        <translation>%1 pasos de tiempo de t = %2 s a %3 s, %4 de ellos resueltos.</translation>
+    </message>
+    <message>
+        <source>Thin: the mechanism as in the file.</source>
+        <translation>Fino: el mecanismo según el archivo.</translation>
+    </message>
+    <message>
+        <source>Thin: the pinned mechanism.</source>
+        <translation>Fino: el mecanismo fijado.</translation>
+    </message>
+    <message>
+        <source>Motion limits</source>
+        <translation>Límites del movimiento</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2.</source>
@@ -6279,10 +6235,6 @@ SHA-256: %2</translation>
         <translation>Aquí el mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
     </message>
     <message>
-        <source>θ₂ from %1° to %2°</source>
-        <translation>θ₂ de %1° a %2°</translation>
-    </message>
-    <message>
         <source>The crank makes full turns if b ≥ %1 mm.</source>
         <translation>La manivela da vueltas completas si b ≥ %1 mm.</translation>
     </message>
@@ -6295,16 +6247,8 @@ SHA-256: %2</translation>
         <translation>A: arrastre para mover el mecanismo; con Mayús, para cambiar a.</translation>
     </message>
     <message>
-        <source>A: drag with Shift to change a. The crank is at rest: ω₂ = 0.</source>
-        <translation>A: arrastre con Mayús para cambiar a. La manivela está en reposo: ω₂ = 0.</translation>
-    </message>
-    <message>
         <source>B: drag to move the mechanism.</source>
         <translation>B: arrastre para mover el mecanismo.</translation>
-    </message>
-    <message>
-        <source>B: the slider is at rest: ω₂ = 0.</source>
-        <translation>B: la corredera está en reposo: ω₂ = 0.</translation>
     </message>
     <message>
         <source>G₃, the coupler&apos;s centre of mass</source>

@@ -263,7 +263,7 @@ private slots:
 
     void theUserChoosesTheColumns()
     {
-        for (const auto &[choice, columns] : {std::pair(0, 8), std::pair(2, 37)}) { // time, θ₂ and those of the plots
+        for (const auto &[choice, columns] : {std::pair(0, 8), std::pair(1, 37)}) { // time, θ₂ and those of the plots
             actionNamed(*m_window, QStringLiteral("Data…"))->trigger();
             auto *dialog = m_window->findChild<QFileDialog *>();
             QVERIFY(dialog);

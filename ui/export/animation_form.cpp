@@ -1,129 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/animation_form.h"
 
-#include "core/mechanism/turn.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
-#include "ui/widgets/number_box.h"
 
-#include <QComboBox>
 #include <QDialogButtonBox>
-#include <QGridLayout>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
 
 #include <cmath>
 
 namespace slidercrank
 {
 
-namespace
-{
-
-constexpr double kMostFramesPerSecond = 240.0;
-constexpr double kNarrowestFrame = 64.0; // px
-constexpr double kWidestFrame = 7680.0;
-
-/// Videos want even sides.
-int even(double side)
-{
-    return 2 * static_cast<int>(side / 2.0);
-}
-
-} // namespace
-
-AnimationForm::AnimationForm(const Animation &animation, const Parameters &parameters, QWidget *parent)
+AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     : QDialog(parent)
     , m_animation(animation)
-    , m_turn(kTurn / std::abs(parameters.omega2))
+    , m_rate(makeBox(QStringLiteral("rateBox"), 1, 240, animation.framesPerSecond))
+    , m_width(makeBox(QStringLiteral("widthBox"), 64, 7680, animation.size.size.width()))
+    , m_height(makeBox(QStringLiteral("heightBox"), 64, 7680, animation.size.size.height()))
+    , m_length(named("lengthBox", new QDoubleSpinBox))
+    , m_outcome(named("outcomeLabel", new QLabel))
 {
     named("animationForm", this);
     setWindowTitle(tr("Export animation"));
-    auto *grid = new QGridLayout(this);
-
-    m_rate = addWholeBox(QStringLiteral("rateBox"), tr("Frames per second"), 1.0, kMostFramesPerSecond);
-    m_rate->setValue(animation.framesPerSecond);
-    m_width = addWholeBox(QStringLiteral("widthBox"), tr("Width"), kNarrowestFrame, kWidestFrame);
-    m_height = addWholeBox(QStringLiteral("heightBox"), tr("Height"), kNarrowestFrame, kWidestFrame);
-    for (NumberBox *box : {m_width, m_height}) {
-        box->setSuffix(tr(" px"));
-        box->setStep(2.0);
-    }
-    m_width->setValue(even(animation.size.size.width() * animation.size.scale));
-    m_height->setValue(even(animation.size.size.height() * animation.size.scale));
-
-    m_length = named("lengthBox", new NumberBox, tr("Length"));
-    m_length->setRange({.smallest = 0.0, .isOpen = true});
-    auto *label = new QLabel(tr("Length"));
-    label->setBuddy(m_length);
-    m_unit = named("lengthUnitBox", new QComboBox, tr("Unit of the length"));
-    m_unit->addItem(tr("s of the motion"));
-    if (std::isfinite(m_turn)) {
-        m_unit->addItem(tr("revolutions"));
-    }
-    const int row = grid->rowCount();
-    grid->addWidget(label, row, 0);
-    grid->addWidget(m_length, row, 1);
-    grid->addWidget(m_unit, row, 2);
-    connect(m_length, &NumberBox::edited, this, [this](double length) {
-        m_animation.duration = std::copysign(length * perUnit(), m_animation.duration);
-        showOutcome();
-    });
-    connect(m_unit, &QComboBox::currentIndexChanged, this,
-            [this] { m_length->setValue(std::abs(m_animation.duration) / perUnit()); });
+    m_length->setDecimals(6);
+    m_length->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_length->setRange(0.0, 1e9);
+    m_length->setSuffix(tr(" s of the motion"));
     m_length->setValue(std::abs(animation.duration));
-
-    m_outcome = named("outcomeLabel", new QLabel);
-    m_outcome->setWordWrap(true);
-    grid->addWidget(m_outcome, row + 1, 0, 1, 3);
+    connect(m_length, &QDoubleSpinBox::valueChanged, this, &AnimationForm::showOutcome);
+    for (QSpinBox *box : {m_width, m_height}) {
+        box->setSuffix(tr(" px"));
+        box->setSingleStep(2);
+    }
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
-    grid->addWidget(buttons, row + 2, 0, 1, 3);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto *form = new QFormLayout(this);
+    form->addRow(tr("Frames per second"), m_rate);
+    form->addRow(tr("Width"), m_width);
+    form->addRow(tr("Height"), m_height);
+    form->addRow(tr("Length"), m_length);
+    form->addRow(m_outcome);
+    form->addRow(buttons);
     showOutcome();
-    m_rate->selectAll(); // what is typed replaces what is there
 }
 
-NumberBox *AnimationForm::addWholeBox(const QString &objectName, const QString &name, double smallest, double largest)
+QSpinBox *AnimationForm::makeBox(const QString &objectName, int smallest, int largest, int value)
 {
-    auto *grid = static_cast<QGridLayout *>(layout());
-    auto *box = named(objectName, new NumberBox, name);
-    box->setRange({.smallest = smallest, .largest = largest, .isWhole = true});
-    box->setFixedDecimals(0);
-    box->setStep(1.0);
-    auto *label = new QLabel(name);
-    label->setBuddy(box);
-    const int row = grid->count() == 0 ? 0 : grid->rowCount();
-    grid->addWidget(label, row, 0);
-    grid->addWidget(box, row, 1);
-    connect(box, &NumberBox::edited, this, &AnimationForm::showOutcome);
+    auto *box = new QSpinBox(this);
+    box->setObjectName(objectName);
+    box->setRange(smallest, largest);
+    box->setValue(value);
+    connect(box, &QSpinBox::valueChanged, this, &AnimationForm::showOutcome);
     return box;
 }
 
 Animation AnimationForm::animation() const
 {
-    Animation animation = m_animation;
-    animation.framesPerSecond = static_cast<int>(m_rate->value());
-    animation.size.size =
-        QSizeF(even(m_width->value()) / animation.size.scale, even(m_height->value()) / animation.size.scale).toSize();
-    return animation;
-}
-
-void AnimationForm::accept()
-{
-    for (NumberBox *box : {m_rate, m_width, m_height, m_length}) {
-        if (box->isTyping()) {
-            box->setFocus();
-            return;
-        }
-    }
-    QDialog::accept();
-}
-
-double AnimationForm::perUnit() const
-{
-    return m_unit->currentIndex() == Turns ? m_turn : 1.0;
+    Animation chosen = m_animation;
+    chosen.framesPerSecond = m_rate->value();
+    chosen.size = {QSize(m_width->value() / 2 * 2, m_height->value() / 2 * 2), 1.0}; // videos need even sides
+    chosen.duration = std::copysign(m_length->value(), m_animation.duration);
+    return chosen;
 }
 
 void AnimationForm::showOutcome()

@@ -1,51 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How an animation is to be: how many frames a second, how large, how long.
+// Asks for an animation's frame rate, size and length.
 
-#include "core/mechanism/mechanism.h"
 #include "ui/export/animation_export.h"
 
 #include <QDialog>
 
-class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QSpinBox;
 
 namespace slidercrank
 {
-
-class NumberBox;
 
 class AnimationForm : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// Starts from `animation`, of that mechanism.
-    AnimationForm(const Animation &animation, const Parameters &parameters, QWidget *parent);
+    AnimationForm(const Animation &animation, QWidget *parent);
 
-    /// As it is chosen; the start and the speed stay.
+    /// As chosen; the start and the speed stay.
     Animation animation() const;
 
-    /// Not with a number that a box does not take.
-    void accept() override;
-
 private:
-    enum LengthUnit { Seconds, Turns };
-    NumberBox *addWholeBox(const QString &objectName, const QString &name, double smallest, double largest);
-    double perUnit() const; ///< s of the motion
+    QSpinBox *makeBox(const QString &objectName, int smallest, int largest, int value);
     void showOutcome();
 
     Animation m_animation;
-    double m_turn; ///< s; infinite where the crank stands still
-    NumberBox *m_rate = nullptr;
-    NumberBox *m_width = nullptr;
-    NumberBox *m_height = nullptr;
-    NumberBox *m_length = nullptr;
-    QComboBox *m_unit = nullptr;
-    QLabel *m_outcome = nullptr;
-    QPushButton *m_export = nullptr;
+    QSpinBox *m_rate;
+    QSpinBox *m_width;
+    QSpinBox *m_height;
+    QDoubleSpinBox *m_length;
+    QLabel *m_outcome;
+    QPushButton *m_export;
 };
 
 } // namespace slidercrank

@@ -46,18 +46,15 @@ std::optional<QString> findFault(const FigureSize &size)
     if (!std::isfinite(size.scale) || size.scale <= 0.0) {
         return FigureExportText::tr("The scale of a figure must be greater than 0.");
     }
-    if (size.size.width() * std::min(1.0, size.scale) < 1.0 || size.size.height() * std::min(1.0, size.scale) < 1.0) {
-        return FigureExportText::tr("A figure must be at least 1 pixel wide and high.");
-    }
-    const double width = size.size.width() * size.scale;
-    const double height = size.size.height() * size.scale;
-    const double longest = std::max({width, height, double(size.size.width()), double(size.size.height())});
-    if (longest > kLargestSide || width * height > kLargestPixelCount) {
-        return FigureExportText::tr("A figure of %1 × %2 pixels is too large: choose a smaller size or scale.")
-            .arg(std::max(width, double(size.size.width())), 0, 'f', 0)
-            .arg(std::max(height, double(size.size.height())), 0, 'f', 0);
-    }
-    return std::nullopt;
+    const QSizeF pixels = QSizeF(size.size) * size.scale;
+    const auto isPossible = [](double side) { return side >= 1.0 && side <= kLargestSide; };
+    const bool fits = isPossible(pixels.width()) && isPossible(pixels.height()) && isPossible(size.size.width()) &&
+                      isPossible(size.size.height()) && pixels.width() * pixels.height() <= kLargestPixelCount;
+    return fits ? std::nullopt
+                : std::optional(FigureExportText::tr("A figure of %1 × %2 pixels is too small or too large: choose "
+                                                     "another size or scale.")
+                                    .arg(pixels.width(), 0, 'f', 0)
+                                    .arg(pixels.height(), 0, 'f', 0));
 }
 
 /// Null when there is not enough memory.

@@ -338,13 +338,13 @@ QString reportHtml(const ReportContent &content)
 std::optional<QString> exportReport(const QString &path, const ReportContent &content, const ReportDrawings &drawings)
 {
     constexpr double kTextWidth = 640.0; // A4 without margins of 2 cm, at 96 dots per inch
-    DrawingObject mechanism(drawings.mechanism, {560, 380}, 330.0);
-    DrawingObject figure(drawings.figure, {900, 1150}, kTextWidth);
+    DrawingObject mechanism(drawings.mechanism, {560, 380}, 280.0);
+    DrawingObject figure(drawings.figure, {900, 1270}, kTextWidth);
     QTextDocument document;
     QFont font = QGuiApplication::font();
     font.setPointSizeF(8.5);
     document.setDefaultFont(font);
-    document.setDefaultStyleSheet(QStringLiteral("h1 {font-size: 17pt} h2 {font-size: 11pt} .note {color: #505050}"));
+    document.setDefaultStyleSheet(QStringLiteral("h1 {font-size: 17pt} h2 {font-size: 11pt} td, th {white-space: nowrap} .note {color: #505050}"));
     document.setHtml(reportHtml(content));
     insertDrawing(document, QStringLiteral("[mechanism]"), QTextFormat::UserObject, mechanism);
     insertDrawing(document, QStringLiteral("[figure]"), QTextFormat::UserObject + 1, figure);

@@ -29,7 +29,7 @@ MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const 
 void MechanismDrawing::paint(QPainter &painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const Shape &shape : m_shapes) {
+    for (const DrawnShape &shape : m_shapes) {
         painter.setPen(shape.pen);
         painter.setBrush(shape.brush);
         painter.drawPath(shape.path);
@@ -45,7 +45,7 @@ void MechanismDrawing::paint(QPainter &painter) const
 void MechanismDrawing::paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const
 {
     constexpr double kBeyondOutline = 5.0;
-    for (const Shape &shape : m_shapes) {
+    for (const DrawnShape &shape : m_shapes) {
         if (part != Background && shape.part == part && shape.pen.style() != Qt::NoPen) {
             painter.strokePath(shape.path, QPen(withAlpha(colour, 0.45), shape.pen.widthF() + kBeyondOutline,
                                                 Qt::SolidLine, Qt::RoundCap));
@@ -56,7 +56,7 @@ void MechanismDrawing::paintHighlight(QPainter &painter, DrawnPart part, const Q
 DrawnPart MechanismDrawing::partAt(QPointF pixel) const
 {
     constexpr double kToSpare = 3.5;
-    const auto isUnderPointer = [pixel](const Shape &shape) {
+    const auto isUnderPointer = [pixel](const DrawnShape &shape) {
         QPainterPathStroker stroker;
         stroker.setWidth(shape.pen.widthF() + 2.0 * kToSpare);
         return shape.part != Background && (stroker.createStroke(shape.path).contains(pixel) ||
@@ -69,7 +69,7 @@ DrawnPart MechanismDrawing::partAt(QPointF pixel) const
 std::set<DrawnPart> MechanismDrawing::parts() const
 {
     std::set<DrawnPart> parts;
-    for (const Shape &shape : m_shapes) {
+    for (const DrawnShape &shape : m_shapes) {
         parts.insert(shape.part);
     }
     parts.erase(Background);

@@ -40,7 +40,7 @@ enum class DrawnPart {
     ForbiddenArc
 };
 
-struct Shape {
+struct DrawnShape {
     DrawnPart part = DrawnPart::Background;
     QPainterPath path;
     QPen pen;
@@ -72,7 +72,7 @@ public:
 
     std::set<DrawnPart> parts() const;
 
-    const std::vector<Shape> &shapes() const { return m_shapes; }
+    const std::vector<DrawnShape> &shapes() const { return m_shapes; }
     const std::vector<Label> &labels() const { return m_labels; }
     const SeriesColours &colours() const { return m_colours; }
 
@@ -108,7 +108,7 @@ protected:
     QColor m_muted; ///< text and lines of less importance
     QFont m_font;   ///< in pixels, so that text has the same size relative to the drawing on every device
     QFont m_smallFont;
-    std::vector<Shape> m_shapes;
+    std::vector<DrawnShape> m_shapes;
     std::vector<Label> m_labels;
 
 private:

@@ -75,23 +75,10 @@ QStringList deadCentreLines(const QString &name, const std::optional<DeadCentre>
             MechanismText::tr("slider at %1 mm").arg(valueText(centre->R4x, 0.0))};
 }
 
-QStringList forbiddenLines(const MechanismScene &scene)
-{
-    QStringList lines{MechanismText::tr("The mechanism cannot be assembled here: the coupler is too short.")};
-    for (const CrankRange &range : forbiddenRanges(scene.result->limits)) {
-        if (range.to - range.from < kTurn) {
-            lines << MechanismText::tr("θ₂ from %1° to %2°").arg(crankAngleText(range.from), crankAngleText(range.to));
-        }
-    }
-    return lines << MechanismText::tr("The crank makes full turns if b ≥ %1 mm.")
-                        .arg(atLeastText(shortestCouplerForFullTurn(scene.mechanism())));
-}
-
 QStringList partLines(const MechanismScene &scene, DrawnPart part)
 {
     const Mechanism &mechanism = scene.mechanism();
     const MotionLimits &limits = scene.result->limits;
-    const bool canMove = mechanism.omega2() != 0.0;
     using enum DrawnPart;
     switch (part) {
     case Background:
@@ -99,15 +86,11 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
     case Ground:
     case O2: return QStringList(MechanismText::tr("O₂, the fixed pivot of the crank")) + crankLines(scene);
     case A:
-        return QStringList(canMove
-                               ? MechanismText::tr("A: drag to move the mechanism, with Shift to change a.")
-                               : MechanismText::tr("A: drag with Shift to change a. The crank is at rest: ω₂ = 0.")) +
+        return QStringList(MechanismText::tr("A: drag to move the mechanism, with Shift to change a.")) +
                pointLines(scene, LinkagePoint::A);
     case Slider:
     case B:
-        return QStringList(canMove ? MechanismText::tr("B: drag to move the mechanism.")
-                                   : MechanismText::tr("B: the slider is at rest: ω₂ = 0.")) +
-               pointLines(scene, LinkagePoint::B);
+        return QStringList(MechanismText::tr("B: drag to move the mechanism.")) + pointLines(scene, LinkagePoint::B);
     case G3:
         return QStringList(MechanismText::tr("G₃, the coupler's centre of mass")) + pointLines(scene, LinkagePoint::G3);
     case Crank:
@@ -123,7 +106,10 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
                     .arg(lengthText(QStringLiteral("c"), mechanism.c()))};
     case OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outer);
     case InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.inner);
-    case ForbiddenArc: return forbiddenLines(scene);
+    case ForbiddenArc:
+        return {MechanismText::tr("The mechanism cannot be assembled here: the coupler is too short."),
+                MechanismText::tr("The crank makes full turns if b ≥ %1 mm.")
+                    .arg(atLeastText(shortestCouplerForFullTurn(mechanism)))};
     }
     return {};
 }

@@ -105,7 +105,7 @@ void Exports::chooseData()
     const QString plotted = tr("The six channels of the plots (*.csv)");
     const QString byAngle = tr("The six channels, every so many degrees of the crank (*.csv)");
     const SaveRequest request{tr("Export data"),
-                              {plotted, byAngle, tr("All 36 channels (*.csv)")},
+                              {plotted, tr("All 36 channels (*.csv)"), byAngle},
                               lastFolder(QStandardPaths::DocumentsLocation),
                               tr("motion.csv"),
                               [this, plotted, byAngle](const QString &path, const QString &filter) {
@@ -202,7 +202,7 @@ Animation Exports::animationOnShow() const
 
 void Exports::chooseAnimation()
 {
-    auto *form = new AnimationForm(animationOnShow(), m_session->parameters(), m_window);
+    auto *form = new AnimationForm(animationOnShow(), m_window);
     form->setAttribute(Qt::WA_DeleteOnClose);
     connect(form, &QDialog::accepted, this, [this, form] { chooseAnimationFile(form->animation()); });
     form->open();

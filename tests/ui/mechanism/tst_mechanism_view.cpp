@@ -216,7 +216,7 @@ private slots:
         QCOMPARE(drawn.partAt({0.0, -10.0}), DrawnPart::Crank);
         QVERIFY(!drawn.sketch->parts().contains(DrawnPart::Coupler));
         QVERIFY(!drawn.label(QStringLiteral("gap = 5 mm")).isNull());
-        const auto isCircleOfCoupler = [&drawn](const Shape &shape) {
+        const auto isCircleOfCoupler = [&drawn](const DrawnShape &shape) {
             const QRectF circle = shape.path.boundingRect();
             const QPointF away = circle.center() - drawn.sketch->toPixels({0.0, -20.0});
             return std::abs(circle.width() - 80.0 * drawn.sketch->scale) < 1e-6 && away.manhattanLength() < 1e-6;
@@ -425,7 +425,7 @@ private slots:
                 const QPointF tail = drawn.sketch->toPixels(at(0.37));
                 const QPointF tip = drawn.sketch->toPixels(at(0.37) + derivative * (scale.length / scale.amount));
                 const QPointF direction = unitVector(tip - tail);
-                return std::ranges::any_of(drawn.sketch->shapes(), [&](const Shape &shape) {
+                return std::ranges::any_of(drawn.sketch->shapes(), [&](const DrawnShape &shape) {
                     const QPointF end = shape.path.elementCount() == 2 ? QPointF(shape.path.elementAt(1)) : QPointF();
                     const double head = std::min(10.0, 0.6 * QLineF(tail, tip).length());
                     return shape.pen.color() == colour && (shape.path.elementAt(0) - tail).manhattanLength() < 1e-6 &&
@@ -467,7 +467,7 @@ private slots:
                     const QRectF box = drawn.label(name);
                     QVERIFY2(!box.isNull(), qPrintable(name));
                     ++labels;
-                    for (const Shape &shape : drawn.sketch->shapes()) {
+                    for (const DrawnShape &shape : drawn.sketch->shapes()) {
                         const bool isLink = shape.part == DrawnPart::Crank || shape.part == DrawnPart::Coupler;
                         overlaps += isLink && shape.path.intersects(box.adjusted(2.0, 4.0, -2.0, -4.0)) ? 1 : 0;
                     }
