@@ -4257,39 +4257,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
 <context>
     <name>slidercrank::PlotFigure</name>
     <message>
-        <source>does not exist</source>
-        <translation>no existe</translation>
-    </message>
-    <message>
         <source>% of peak</source>
         <translation>% del pico</translation>
     </message>
     <message>
-        <source>%1; %2</source>
-        <comment>units of the left and of the right axis</comment>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
         <source>not in the file</source>
         <translation>no está en el archivo</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>error</translation>
-    </message>
-    <message>
-        <source>no reference data</source>
-        <translation>sin datos de referencia</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>largest error: number with unit, quantity</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>max </source>
-        <comment>largest error, before the numbers</comment>
-        <translation>máx. </translation>
     </message>
     <message>
         <source>nothing to compare</source>
@@ -4300,85 +4273,64 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>modelo</translation>
     </message>
     <message>
-        <source>error of %1</source>
-        <translation>error de %1</translation>
-    </message>
-    <message>
         <source>file&apos;s rounding</source>
         <translation>redondeo del archivo</translation>
     </message>
     <message>
-        <source>reference is 0</source>
-        <translation>la referencia es 0</translation>
-    </message>
-    <message>
-        <source>no percentage, the reference is 0</source>
-        <translation>sin porcentaje: la referencia es 0</translation>
-    </message>
-    <message>
-        <source>error of %1: %2</source>
-        <translation>error de %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>textbook&apos;s θ₃ = θ³ + 180° = %1</source>
-        <translation>θ₃ de los libros de texto = θ³ + 180° = %1</translation>
-    </message>
-    <message>
-        <source>reference: %1</source>
-        <translation>referencia: %1</translation>
-    </message>
-    <message>
-        <source>reference: %1 at %2</source>
-        <translation>referencia: %1 en %2</translation>
-    </message>
-    <message>
-        <source>textbook&apos;s θ₃ = %1</source>
-        <translation>θ₃ de los libros = %1</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>diferencia</translation>
-    </message>
-    <message>
-        <source>difference of %1</source>
-        <translation>diferencia de %1</translation>
-    </message>
-    <message>
         <source>no difference</source>
-        <translation>ninguna diferencia</translation>
+        <translation>sin diferencia</translation>
     </message>
     <message>
-        <source>difference of %1: %2</source>
-        <translation>diferencia de %1: %2</translation>
+        <source>angle</source>
+        <translation>ángulo</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <comment>kept motion, its value</comment>
-        <translation>%1: %2</translation>
+        <source>position</source>
+        <translation>posición</translation>
     </message>
     <message>
-        <source>velocity </source>
-        <translation>velocidad </translation>
+        <source>velocity</source>
+        <translation>velocidad</translation>
     </message>
     <message>
-        <source>acceleration </source>
-        <translation>aceleración </translation>
+        <source>acceleration</source>
+        <translation>aceleración</translation>
     </message>
     <message>
-        <source>angle </source>
-        <translation>ángulo </translation>
+        <source>error [%1]</source>
+        <translation>error [%1]</translation>
     </message>
     <message>
-        <source>position </source>
-        <translation>posición </translation>
+        <source>difference [%1]</source>
+        <translation>diferencia [%1]</translation>
     </message>
     <message>
-        <source>infinite: the reference is 0</source>
-        <translation>infinito: la referencia es 0</translation>
+        <source>the mechanism cannot be assembled</source>
+        <translation>el mecanismo no se puede montar</translation>
+    </message>
+    <message>
+        <source>error of the coupler</source>
+        <translation>error de la biela</translation>
+    </message>
+    <message>
+        <source>error of the slider</source>
+        <translation>error de la corredera</translation>
+    </message>
+    <message>
+        <source>difference of the coupler</source>
+        <translation>diferencia de la biela</translation>
+    </message>
+    <message>
+        <source>difference of the slider</source>
+        <translation>diferencia de la corredera</translation>
+    </message>
+    <message>
+        <source>undefined: the reference is 0</source>
+        <translation>sin definir: la referencia es 0</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -4386,42 +4338,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>Plots of the motion</source>
         <translation>Gráficas del movimiento</translation>
-    </message>
-    <message>
-        <source>Coupler angle θ³ over time</source>
-        <translation>Ángulo de la biela θ³ en el tiempo</translation>
-    </message>
-    <message>
-        <source>Slider position R_x⁴ over time</source>
-        <translation>Posición de la corredera R_x⁴ en el tiempo</translation>
-    </message>
-    <message>
-        <source>Error of the positions over time</source>
-        <translation>Error de las posiciones en el tiempo</translation>
-    </message>
-    <message>
-        <source>Coupler angular velocity dθ³/dt over time</source>
-        <translation>Velocidad angular de la biela dθ³/dt en el tiempo</translation>
-    </message>
-    <message>
-        <source>Slider velocity dR_x⁴/dt over time</source>
-        <translation>Velocidad de la corredera dR_x⁴/dt en el tiempo</translation>
-    </message>
-    <message>
-        <source>Error of the velocities over time</source>
-        <translation>Error de las velocidades en el tiempo</translation>
-    </message>
-    <message>
-        <source>Coupler angular acceleration d²θ³/dt² over time</source>
-        <translation>Aceleración angular de la biela d²θ³/dt² en el tiempo</translation>
-    </message>
-    <message>
-        <source>Slider acceleration d²R_x⁴/dt² over time</source>
-        <translation>Aceleración de la corredera d²R_x⁴/dt² en el tiempo</translation>
-    </message>
-    <message>
-        <source>Error of the accelerations over time</source>
-        <translation>Error de las aceleraciones en el tiempo</translation>
     </message>
     <message>
         <source>&amp;Maximize this plot</source>
@@ -4478,6 +4394,26 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>Show all plots agai&amp;n</source>
         <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
+    </message>
+    <message>
+        <source>Error of the positions</source>
+        <translation>Error de las posiciones</translation>
+    </message>
+    <message>
+        <source>Error of the velocities</source>
+        <translation>Error de las velocidades</translation>
+    </message>
+    <message>
+        <source>Error of the accelerations</source>
+        <translation>Error de las aceleraciones</translation>
+    </message>
+    <message>
+        <source>textbook&apos;s θ₃ = %1°</source>
+        <translation>θ₃ del libro de texto = %1°</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;values here</source>
+        <translation>Copiar los &amp;valores de aquí</translation>
     </message>
 </context>
 <context>

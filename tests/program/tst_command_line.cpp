@@ -2579,8 +2579,8 @@ void TestCommandLine::reportsTheSameNumbersAsItCompares()
                                     .toArray()[0]
                                     .toObject()["channels"]
                                     .toArray();
-    const QStringList symbols{"Rₓ⁴ [mm]", "dRₓ⁴/dt [mm/s]", "d²Rₓ⁴/dt² [mm/s²]",
-                              "θ³ [°]",   "dθ³/dt [°/s]",   "d²θ³/dt² [°/s²]"};
+    const QStringList symbols{"Rₓ⁴ [mm]", "v⁴ [mm/s]", "a⁴ [mm/s²]",
+                              "θ³ [°]",   "ω³ [°/s]",   "α³ [°/s²]"};
     QCOMPARE(channels.size(), symbols.size());
     const QStringList lines = different.split(u'\n');
     for (qsizetype i = 0; i < symbols.size(); ++i) {

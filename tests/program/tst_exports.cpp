@@ -90,10 +90,10 @@ QStringList wordsIn(Subject subject)
 {
     switch (subject) {
     case Subject::Figure:
-        return {"t [s]",     "coupler angle θ³ [°]", "slider position Rₓ⁴ [mm]", "dθ³/dt [°/s]", "d²Rₓ⁴/dt² [mm/s²]",
-                "error [%]", "inventor_sample.csv"};
+        return {"t [s]",     "coupler angle θ³ [°]", "slider position Rₓ⁴ [mm]", "ω³ = dθ³/dt [°/s]", "a⁴ = dv⁴/dt [mm/s²]",
+                "error [% of peak]", "inventor_sample.csv"};
     case Subject::Plot: return {"t [s]", "coupler angle θ³ [°]", "model", "inventor_sample.csv"};
-    case Subject::Errors: return {"t [s]", "error [%]", "error of θ³"};
+    case Subject::Errors: return {"t [s]", "error [% of peak]", "error of the coupler"};
     case Subject::Mechanism: return {"mm", "-20", "60"};
     case Subject::Study: return {"closed form"};
     }
@@ -523,7 +523,7 @@ private slots:
                 QVERIFY(!picture.size.isEmpty() && !picture.isBlank());
             }
             const QString text = QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {report, "-"}));
-            for (const char *word : {"inventor_sample.csv", "θ³ [°]", "d²Rₓ⁴/dt² [mm/s²]", "Method"}) {
+            for (const char *word : {"inventor_sample.csv", "θ³ [°]", "a⁴ [mm/s²]", "Method"}) {
                 QVERIFY2(text.contains(QString::fromUtf8(word)), qPrintable(QString::fromUtf8(word) + text));
             }
             QVERIFY2(text.contains(checksum), qPrintable(text));

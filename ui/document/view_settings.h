@@ -40,8 +40,8 @@ inline QString plotName(std::size_t plot)
 }
 
 enum class ErrorMeasure {
-    Percent,  ///< |model - reference| / |reference|, as in the report; infinite where the reference is zero
-    Absolute, ///< |model - reference|, angles to the left axis, lengths to the right one
+    Percent,  ///< |model - reference| / |reference|, as in the reference report; undefined where the reference is zero
+    Absolute, ///< |model - reference|, angles on the left axis, lengths on the right one
     OfPeak    ///< |model - reference| / max |reference|
 };
 
@@ -49,7 +49,7 @@ enum class Abscissa { Time, CrankAngle };
 
 /// What the person chose to see.
 struct PlotSettings {
-    ErrorMeasure error = ErrorMeasure::Percent;
+    ErrorMeasure error = ErrorMeasure::OfPeak;
     bool logarithmicError = false;
     bool roundingBand = true; ///< half a rounding step of the file, under its errors
     Abscissa abscissa = Abscissa::Time;

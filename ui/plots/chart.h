@@ -24,7 +24,7 @@ class PlotDrawing;
 struct ChartSeries {
     enum class Line { None, Solid, Dashed, Steps }; ///< a step keeps the value of the point to its left
 
-    QString name; ///< in the legend; empty: not listed there
+    QString name = {}; ///< in the legend; empty: not listed there
     QColor SeriesColours::*colour = &SeriesColours::model;
     std::vector<QPointF> points = {}; ///< ascending in x
     Line line = Line::None;

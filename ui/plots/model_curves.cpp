@@ -47,7 +47,7 @@ double ModelCurves::value(std::size_t channel, double instant) const
 std::vector<CurvePoint> ModelCurves::points(std::size_t channel, const Interval &range, std::size_t columns)
 {
     if (!m_motion) {
-        return decimate(m_time, m_values[channel], pixelColumns(m_time, range, columns));
+        return decimate(m_time, m_values[channel], range, columns);
     }
     const auto known =
         std::ranges::find_if(m_views, [&](const View &view) { return view.range == range && view.columns == columns; });
@@ -64,7 +64,13 @@ std::vector<CurvePoint> ModelCurves::points(std::size_t channel, const Interval 
 
 std::optional<Interval> ModelCurves::extremes(std::size_t channel, const Interval &range) const
 {
-    return m_motion ? m_motion->extremes(channel, range) : extremesWithin(m_time, m_values[channel], range);
+    if (m_motion) {
+        return m_motion->extremes(channel, range);
+    }
+    constexpr std::size_t kColumns = 4096; // enough for every screen
+    constexpr double kAnything = 1e300;
+    const std::vector<CurvePoint> points = decimate(m_time, m_values[channel], range, kColumns);
+    return slidercrank::extremes(clip(points, range, {-kAnything, kAnything}));
 }
 
 } // namespace slidercrank

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The model's six plotted channels as curves over ascending time. In closed form they are the motion itself, whatever
-// the run's steps are; by Newton-Raphson the samples that it found, and nothing between them. Values are in the unit of
-// the author's files; NaN: does not exist.
+// The six plotted channels of a motion as curves over ascending time. In closed form they are the motion itself,
+// whatever the sampling is; by Newton-Raphson the samples that it found, and nothing between them. Values are in the
+// units of the reference files (mm, °, s); NaN: does not exist.
 
 #include "core/sampling/trajectory.h"
 #include "ui/plots/curve_sampling.h"
@@ -28,45 +28,46 @@ public:
     ModelCurves() = default; ///< nothing
     /// `result` must outlive it.
     explicit ModelCurves(const Result &result);
-    /// The motion itself, during that run (s).
+    /// The exact motion during that time (s).
     ModelCurves(const Mechanism &mechanism, const Interval &run)
         : m_motion(std::in_place, mechanism, run)
     {
     }
 
-    ModelCurves(ModelCurves &&) = default; // a copy would look into the memory of the other
+    ModelCurves(ModelCurves &&) = default; // a copy would refer to the memory of the original
     ModelCurves &operator=(ModelCurves &&) = default;
 
     bool empty() const { return !m_motion && m_time.empty(); }
 
-    /// Else samples.
+    /// Whether the curves are the exact motion, not samples.
     bool isMotion() const { return m_motion.has_value(); }
 
-    /// What can be read next to t (s): there, within the run, or at the nearest sample. Not of an empty one.
+    /// The time (s) nearest to t at which there are values. Requires that it is not empty.
     double instantNear(double t) const;
 
-    /// At one of these instants; the channel counts as in kPlottedChannels.
+    /// The value at a time that instantNear() returned; channels count as in kPlottedChannels.
     double value(std::size_t channel, double instant) const;
 
     /// What a plot of that range shows with so many pixel columns.
     std::vector<CurvePoint> points(std::size_t channel, const Interval &range, std::size_t columns);
-    /// Of what is to be seen in that range.
+
+    /// The extremes within that range.
     std::optional<Interval> extremes(std::size_t channel, const Interval &range) const;
 
 private:
     // Of samples.
     std::span<const double> m_time;
     std::array<std::span<const double>, kChannels> m_values;
-    std::vector<double> m_reversed; ///< time and channels in ascending order, where the run goes backwards in time
+    std::vector<double> m_reversed; ///< time and channels in ascending order, where the time runs backwards
 
-    // Of the motion.
+    // Of the exact motion.
     struct View {
         Interval range;
         std::size_t columns = 0;
         MotionCurves::Curves curves;
     };
     std::optional<MotionCurves> m_motion;
-    std::vector<View> m_views; ///< columns of plots can differ by a pixel
+    std::vector<View> m_views; ///< the last ones: plots may differ in width by a pixel
 };
 
 } // namespace slidercrank

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_figure.h"
 
-#include "ui/document/with.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/written_number.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace slidercrank
 {
@@ -15,305 +14,407 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kSmallestPart = 1e-10; // of the largest number on an axis: what one can zoom to
+constexpr double kSmallestPart = 1e-10; // of the largest number on an axis: the closest zoom
 
-Interval sampledRange(const Sampling &sampling)
-{
-    const double end = sampling.start + sampling.duration;
-    const Interval range{std::min(sampling.start, end), std::max(sampling.start, end)};
-    return range.length() > 0.0 ? range : Interval{range.lower - 0.5, range.upper + 0.5};
-}
+/// Dashes and gaps, px. Pinned motions are told apart by them, the first pinned first.
+const std::vector<double> kReferenceDashes{7.0, 6.0};
+const std::array<std::vector<double>, kMostKept> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
 
-Interval united(const Interval &a, const Interval &b)
+Interval unite(const Interval &a, const Interval &b)
 {
     return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
 }
 
-std::optional<Interval> united(const std::optional<Interval> &a, const std::optional<Interval> &b)
+std::optional<Interval> unite(const std::optional<Interval> &a, const std::optional<Interval> &b)
 {
-    return a && b ? united(*a, *b) : a ? a : b;
+    return a && b ? unite(*a, *b) : a ? a : b;
 }
 
-/// Shifted into the bounds, cut where it is longer than they are.
-Interval broughtInto(const Interval &bounds, Interval range)
+/// The values of a curve within a time range.
+std::optional<Interval> extentWithin(const std::vector<CurvePoint> &points, const Interval &time)
 {
-    if (range.length() >= bounds.length()) {
-        return bounds;
-    }
-    const double lower = std::clamp(range.lower, bounds.lower, bounds.upper - range.length());
-    return {lower, lower + range.length()};
-}
-
-/// Shrunk or widened about one of its points.
-Interval scaled(const Interval &range, double about, double factor)
-{
-    return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
+    return extremes(clip(points, time, {-1e300, 1e300}));
 }
 
 /// As many ticks as labels fit side by side.
 AxisScale timeScale(const Interval &range, bool isAngle, double width, double digitWidth)
 {
+    constexpr double kLeast = 44.0; // px from tick to tick
     constexpr double kSpace = 14.0;
-    double wanted = 44.0; // px from tick to tick
-    for (;;) {
-        const AxisScale scale = isAngle ? degreeScale(range, width / wanted) : axisScale(range, width / wanted);
-        const double needed = digitWidth * scale.labelLength(range) + kSpace;
-        const double between = scale.step / range.length() * width;
-        if (between >= needed || wanted >= width) {
-            return scale;
+    const auto scaleFor = [&](double pixels) {
+        return isAngle ? degreeScale(range, width / pixels) : axisScale(range, width / pixels);
+    };
+    return scaleFor(std::max(kLeast, digitWidth * scaleFor(kLeast).labelLength(range) + kSpace));
+}
+
+/// The axis of errors: from zero, or a few decades. Where errors grow beyond all bounds, nine tenths of them.
+Interval errorRange(const std::vector<CurvePoint> &points, const Interval &extent, bool isUnbounded, bool isLogarithmic)
+{
+    double largest = extent.upper;
+    if (isUnbounded) {
+        std::vector<double> values;
+        for (const CurvePoint &point : points) {
+            if (std::isfinite(point.value)) {
+                values.push_back(point.value);
+            }
         }
-        wanted = std::max(needed, 1.3 * wanted);
+        const auto last = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+        std::ranges::nth_element(values, last);
+        largest = *last;
     }
+    if (!isLogarithmic) {
+        return {0.0, roundedOutwards({0.0, largest}).upper};
+    }
+    constexpr double kMostDecades = 8.0;
+    const double upper = std::ceil(largest);
+    return {std::min(std::max(std::floor(extent.lower), upper - kMostDecades), upper - 1.0), upper};
 }
 
-/// In the chosen measure, as the axis has it; NaN where it is infinite or has no logarithm.
-double shownError(const ShownChannel &channel, const PlotSettings &settings, double difference, double reference)
+/// Cuts the curve off at the axes and drops the points that nobody would see.
+void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes)
 {
-    double error = std::abs(difference) * channel.perDifference;
-    if (settings.error == ErrorMeasure::Percent) {
-        error = reference == 0.0 ? kNoValue : error / std::abs(reference);
-    }
-    if (settings.logarithmicError) {
-        error = error > 0.0 ? std::log10(error) : kNoValue;
-    }
-    return error;
-}
-
-void setMeasure(ShownChannel &channel, ErrorMeasure measure, const ChannelComparison *comparison)
-{
-    constexpr double kPercent = 100.0;
-    switch (measure) {
-    case ErrorMeasure::Percent:
-        channel.perDifference = kPercent;
-        channel.largestError = comparison ? comparison->maxPercent : std::nullopt;
-        break;
-    case ErrorMeasure::Absolute: channel.largestError = comparison ? comparison->maxAbs : std::nullopt; break;
-    case ErrorMeasure::OfPeak: {
-        const std::optional<Interval> range = extremes(channel.reference);
-        const double peak = range ? std::max(std::abs(range->lower), std::abs(range->upper)) : 0.0;
-        channel.perDifference = peak > 0.0 ? kPercent / peak : kNoValue;
-        channel.largestError = comparison ? comparison->percentOfPeak : std::nullopt;
-        break;
-    }
-    }
-}
-
-/// Of a difference from a motion that was kept.
-void setMeasure(ShownChannel &channel, ErrorMeasure measure, const ChannelDifference &difference)
-{
-    const bool isOfPeak = measure == ErrorMeasure::OfPeak;
-    constexpr double kPercent = 100.0;
-    if (isOfPeak) {
-        channel.perDifference = difference.percentOfPeak ? kPercent / difference.peak : kNoValue;
-    }
-    channel.largestError = isOfPeak ? difference.percentOfPeak : difference.maxAbs;
-    if (channel.largestError && !std::isfinite(*channel.largestError)) {
-        channel.largestError.reset();
-    }
-}
-
-/// What an axis holds of differences: where they grow beyond all bounds, nine tenths of them.
-std::optional<Interval> extentOf(const std::vector<CurvePoint> &points, bool isBounded, bool isLogarithmic)
-{
-    std::vector<double> values;
-    for (const CurvePoint &point : points) {
-        if (std::isfinite(point.value)) {
-            values.push_back(point.value);
-        }
-    }
-    if (values.empty()) {
-        return std::nullopt;
-    }
-    constexpr std::size_t kOneInSoMany = 10;
-    const auto last = values.end() - 1 - (isBounded ? 0 : static_cast<std::ptrdiff_t>(values.size() / kOneInSoMany));
-    std::ranges::nth_element(values, last);
-    const double largest = *last;
-    constexpr double kDecades = 4.0; // down to where the motions cross it goes for ever
-    return Interval{isLogarithmic ? largest - kDecades : 0.0, largest};
-}
-
-/// The part of `whole` that lies as `part` lies in `of`.
-Interval correspondingRange(const Interval &part, const Interval &of, const Interval &whole)
-{
-    const double perUnit = whole.length() / of.length();
-    return {whole.lower + (part.lower - of.lower) * perUnit, whole.lower + (part.upper - of.lower) * perUnit};
-}
-
-/// Cuts it off at the axes and makes of it what is drawn.
-void finishCurve(PlotPicture::Curve &curve, const Interval &time, const Interval &values, const QSize &axes)
-{
-    const DashPattern pattern{curve.dashes.length, curve.dashes.gap, axes.width() / time.length(),
-                              axes.height() / values.length()};
     constexpr double kInvisible = 0.1; // px
-    constexpr double kPixelsPerDot = 12.0;
-    const bool areFew = static_cast<double>(curve.points.size()) * kPixelsPerDot < axes.width();
-    if (!curve.isJoined || (curve.isOfSamples && areFew)) {
-        std::ranges::copy_if(curve.points, std::back_inserter(curve.dots), [&](const CurvePoint &point) {
-            return time.contains(point.t) && values.contains(point.value);
-        });
-    }
-    if (!curve.isJoined) {
-        curve.points.clear();
-        return;
-    }
+    std::erase_if(curve.dots,
+                  [&](const CurvePoint &dot) { return !time.contains(dot.t) || !values.contains(dot.value); });
+    std::erase_if(curve.marks, [&](double t) { return !time.contains(t); });
     curve.points = clip(curve.points, time, values);
     if (curve.dots.empty()) {
         curve.dots = isolatedPoints(curve.points);
     }
-    curve.points = withoutNeedlessPoints(curve.points, kInvisible / pattern.perValue);
-    if (curve.dashes.gap > 0.0) {
-        curve.points = cutIntoDashes(curve.points, pattern);
+    curve.points = withoutNeedlessPoints(curve.points, kInvisible * values.length() / std::max(axes.height(), 1));
+    for (CurvePoint &point : curve.band) {
+        point.value = std::clamp(point.value, values.lower, values.upper);
     }
 }
 
-/// The errors' axis begins at zero; in decades, where the smallest that matters is.
-Interval errorRange(const Interval &extent, bool isLogarithmic)
+/// "coupler angular velocity ω³ = dθ³/dt [°/s]", and what to write where that is too long.
+QStringList titlesOf(Channel channel, const QString &unit)
 {
-    if (!isLogarithmic) {
-        return roundedOutwards(united(extent, Interval{0.0, 0.0}));
+    const QString name = quantityOf(channel);
+    const QString symbol = symbolOf(channel);
+    QStringList titles;
+    if (channel.order != Order::Position) {
+        const auto before = static_cast<Order>(static_cast<int>(channel.order) - 1);
+        titles << QStringLiteral("%1 %2 = d%3/dt").arg(name, symbol, symbolOf(Channel{channel.coordinate, before}));
     }
-    constexpr double kMostDecades = 12.0;
-    const double upper = std::ceil(extent.upper);
-    const double lower = std::max(std::floor(extent.lower), upper - kMostDecades);
-    return {std::min(lower, upper - 1.0), upper};
-}
-
-/// "coupler angular velocity ", and without the body, which the plot above names.
-std::array<QString, 2> wordsBefore(Channel channel)
-{
-    const QString whole = quantityOf(channel) + u' ';
+    titles << QStringLiteral("%1 %2").arg(name, symbol) << name;
     switch (channel.order) {
     case Order::Position:
-        return {whole, isAngle(channel.coordinate) ? PlotFigure::tr("angle ") : PlotFigure::tr("position ")};
-    case Order::Velocity: return {whole, PlotFigure::tr("velocity ")};
-    case Order::Acceleration: return {whole, PlotFigure::tr("acceleration ")};
+        titles << (isAngle(channel.coordinate) ? PlotFigure::tr("angle") : PlotFigure::tr("position"));
+        break;
+    case Order::Velocity: titles << PlotFigure::tr("velocity"); break;
+    case Order::Acceleration: titles << PlotFigure::tr("acceleration"); break;
     }
-    return {};
+    for (QString &title : titles) {
+        title += QStringLiteral(" [%1]").arg(unit);
+    }
+    return titles;
 }
 
 } // namespace
 
-QString quantity(std::size_t channel)
+void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
 {
-    // Derivatives as fractions: fonts set the dots of θ̇ and R̈ badly or not at all.
-    static const std::array<QString, kPlottedChannels.size()> kNames{
-        QStringLiteral("θ³"),      QStringLiteral("Rₓ⁴"),      QStringLiteral("dθ³/dt"),
-        QStringLiteral("dRₓ⁴/dt"), QStringLiteral("d²θ³/dt²"), QStringLiteral("d²Rₓ⁴/dt²")};
-    return kNames[channel];
-}
-
-QString channelUnit(std::size_t channel)
-{
-    return QString::fromUtf8(fileUnit(kPlottedChannels[channel]));
-}
-
-ShownData::ShownData(const Result &result, const PlotSettings &shown)
-    : settings(shown)
-    , model(result)
-{
-    for (std::size_t i = 0; result.difference && i < channels.size(); ++i) {
-        setMeasure(channels[i], settings.error, result.difference->channels[i]);
+    const Interval before = wholeRange();
+    const bool isFirst = !m_result;
+    m_result = result;
+    m_model.reset();
+    m_pinned.clear();
+    m_compared.reset();
+    if (isFirst || wholeRange() != before) {
+        zoom.time.reset();
     }
-    if (!result.reference) {
+}
+
+void PlotFigure::setSettings(const PlotSettings &settings)
+{
+    for (std::size_t plot = kErrorColumn; plot < kPlotCount; plot += kPlotColumns) {
+        zoom.values[plot].reset(); // another measure has other numbers
+    }
+    m_settings = settings;
+    m_compared.reset();
+}
+
+bool PlotFigure::hasErrors() const
+{
+    return m_result && (m_result->reference || (m_result->difference && !m_isPresentation));
+}
+
+Interval PlotFigure::wholeRange() const
+{
+    if (!m_result) {
+        return {};
+    }
+    const double start = m_result->sampling.start;
+    const double end = start + m_result->sampling.duration;
+    const Interval range{std::min(start, end), std::max(start, end)};
+    return range.length() > 0.0 ? range : Interval{range.lower - 0.5, range.upper + 0.5};
+}
+
+void PlotFigure::zoomTime(const Interval &range)
+{
+    Interval outer = wholeRange();
+    if (m_result && m_result->reference && !m_result->reference->data.time.empty()) {
+        const std::vector<double> &time = m_result->reference->data.time;
+        outer = unite(outer, Interval{time.front(), time.back()});
+    }
+    // Closer, neighbouring labels could not be told apart.
+    const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
+    if (range.length() < std::min(timeRange().length(), kSmallestPart * largest)) {
         return;
     }
-    const ReferenceData &data = result.reference->data;
-    referenceTime = data.time;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        ShownChannel &channel = channels[i];
-        channel.series = data.find(kPlottedChannels[i]);
-        if (!channel.series) {
-            continue;
+    const double length = std::min(range.length(), outer.length());
+    const double lower = std::clamp(range.lower, outer.lower, outer.upper - length);
+    zoom.time = Interval{lower, lower + length};
+    if (length == outer.length()) {
+        zoom.time = outer;
+    }
+    if (*zoom.time == wholeRange()) {
+        zoom.time.reset();
+    }
+}
+
+void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
+{
+    constexpr double kLargestValue = 1e60;
+    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
+    if (range.length() >= kSmallestPart * largest && largest <= kLargestValue) {
+        zoom.values[plot] = range;
+    }
+}
+
+bool PlotFigure::isOverAngle() const
+{
+    return m_settings.abscissa == Abscissa::CrankAngle && m_result && m_result->mechanism.omega2() != 0.0;
+}
+
+TimeAxis PlotFigure::timeAxis(double pixels, double digitWidth) const
+{
+    TimeAxis axis{timeRange()};
+    if (isOverAngle()) {
+        axis.perUnit = 1.0 / (m_result->mechanism.omega2() * kDegreesPerRadian);
+        axis.zero = -m_result->mechanism.theta20() / m_result->mechanism.omega2();
+    }
+    const double first = (axis.range.lower - axis.zero) / axis.perUnit;
+    const double last = (axis.range.upper - axis.zero) / axis.perUnit;
+    axis.scale = timeScale({std::min(first, last), std::max(first, last)}, isOverAngle(), pixels, digitWidth);
+    axis.title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(axis.scale.unit(QStringLiteral("°")))
+                               : QStringLiteral("t [%1]").arg(axis.scale.unit(QStringLiteral("s")));
+    return axis;
+}
+
+ModelCurves &PlotFigure::model()
+{
+    if (!m_model) {
+        m_model = m_result ? ModelCurves(*m_result) : ModelCurves();
+    }
+    return *m_model;
+}
+
+std::vector<ModelCurves> &PlotFigure::pinned()
+{
+    if (m_result && m_pinned.size() != m_result->kept.size()) {
+        m_pinned.clear();
+        for (const Parameters &parameters : m_result->kept) {
+            m_pinned.emplace_back(Mechanism(parameters), wholeRange());
         }
-        channel.reference = channel.series->values;
-        channel.modelAtReference = result.atReference[kPlottedChannels[i]];
-        const auto comparison = std::ranges::find(result.comparison, kPlottedChannels[i], &ChannelComparison::channel);
-        setMeasure(channel, settings.error, comparison == result.comparison.end() ? nullptr : &*comparison);
-        channel.errors.reserve(channel.reference.size());
-        for (std::size_t k = 0; k < channel.reference.size(); ++k) {
-            const double reference = channel.reference[k];
-            channel.errors.push_back(shownError(channel, settings, channel.modelAtReference[k] - reference, reference));
-            if (reference == 0.0 && settings.error == ErrorMeasure::Percent) {
-                channel.zeroReference.push_back(referenceTime[k]);
+    }
+    return m_pinned;
+}
+
+/// Null where there is nothing to compare with. Comparisons with a pinned motion are made for the pixels on show.
+const ComparedMotion *PlotFigure::compared(std::size_t columns)
+{
+    if (!hasErrors()) {
+        return nullptr;
+    }
+    const bool isOfFile = m_result->reference != nullptr;
+    if (!m_compared && isOfFile) {
+        m_compared.emplace(*m_result, m_settings);
+    }
+    if (!isOfFile && (!m_compared || m_comparedRange != timeRange() || m_comparedColumns != columns)) {
+        m_comparedRange = timeRange();
+        m_comparedColumns = columns;
+        m_compared.emplace(*m_result, m_settings, timeRange(), columns);
+    }
+    return &*m_compared;
+}
+
+PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes)
+{
+    constexpr double kPixelsPerTick = 30.0;
+    PlotPicture picture;
+    const std::size_t columns = static_cast<std::size_t>(std::max(axes.width(), 1));
+    const bool isError = isErrorPlot(plot);
+    const std::size_t channel = isError ? plot / kPlotColumns * kChannelsPerRow : channelOf(plot);
+    if (isError) {
+        addErrors(picture, plot / kPlotColumns, columns);
+    } else {
+        addMotions(picture, channel, columns);
+    }
+    if (zoom.values[plot] && picture.hasValues) {
+        picture.values = *zoom.values[plot];
+    }
+    const bool isLogarithmic = isError && m_settings.logarithmicError;
+    const double ticks = axes.height() / kPixelsPerTick;
+    picture.valueScale = isLogarithmic ? logarithmicScale(picture.values, ticks) : axisScale(picture.values, ticks);
+    QString unit = isError ? errorUnit(channel) : unitOf(kPlottedChannels[channel]);
+    unit = picture.hasValues ? picture.valueScale.unit(unit) : unit;
+    const QString error = m_result && m_result->reference ? tr("error [%1]") : tr("difference [%1]");
+    picture.titles = isError ? QStringList{error.arg(unit)} : titlesOf(kPlottedChannels[channel], unit);
+    for (PlotCurve &curve : picture.curves) {
+        fit(curve, timeRange(), picture.values, axes);
+    }
+    return picture;
+}
+
+void PlotFigure::addMotions(PlotPicture &picture, std::size_t channel, std::size_t columns)
+{
+    if (!m_result) {
+        return;
+    }
+    const Interval time = timeRange();
+    const auto isDense = [columns](const PlotCurve &curve) { return 2 * curve.points.size() >= 3 * columns; };
+    std::optional<Interval> extent;
+    for (std::size_t i = 0; i < pinned().size(); ++i) {
+        PlotCurve curve{keptText(m_result->kept[i], m_result->mechanism.parameters()), &SeriesColours::kept};
+        curve.points = m_pinned[i].points(channel, time, columns);
+        curve.dashes = isDense(curve) ? std::vector<double>() : kPinnedDashes[i];
+        curve.width = m_isPresentation ? curve.width : 1.0;
+        extent = unite(extent, m_pinned[i].extremes(channel, time));
+        picture.curves.push_back(curve);
+    }
+    PlotCurve curve{modelName()};
+    curve.points = model().points(channel, time, columns);
+    const std::optional<Interval> ofModel = model().extremes(channel, time);
+    if (!model().isMotion()) {
+        constexpr std::size_t kPixelsPerDot = 12;
+        const QString tooFew = fewSamplesSentence(m_result->mechanism, m_result->sampling);
+        if (!tooFew.isEmpty() || curve.points.size() * kPixelsPerDot < columns) {
+            curve.dots = curve.points;
+        }
+        if (!tooFew.isEmpty() && !isDense(curve)) { // dense ones are as good as a band
+            curve.points.clear();
+        }
+    }
+    picture.curves.push_back(curve);
+    extent = unite(extent, ofModel);
+    if (!ofModel) {
+        picture.note = tr("the mechanism cannot be assembled");
+    }
+    if (m_result->reference) {
+        const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
+        PlotCurve reference{m_result->reference->name, &SeriesColours::reference};
+        if (series) {
+            reference.points = decimate(m_result->reference->data.time, series->values, time, columns);
+            reference.dashes = kReferenceDashes;
+            extent = unite(extent, extentWithin(reference.points, time));
+        } else if (picture.note.isEmpty()) {
+            picture.note = tr("not in the file");
+        }
+        picture.curves.push_back(reference);
+    }
+    picture.hasValues = extent.has_value();
+    if (extent) {
+        picture.values = roundedOutwards(*extent);
+    }
+}
+
+void PlotFigure::addErrors(PlotPicture &picture, std::size_t row, std::size_t columns)
+{
+    const ComparedMotion *compared = this->compared(columns);
+    if (!compared) {
+        return;
+    }
+    std::array<std::optional<Interval>, kChannelsPerRow> ranges;
+    for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
+        const std::size_t index = row * kChannelsPerRow + i;
+        const ComparedChannel &channel = compared->channel(index);
+        PlotCurve curve{i == 0 ? tr("error of the coupler") : tr("error of the slider"),
+                        i == 0 ? &SeriesColours::error : &SeriesColours::errorOther};
+        if (!m_result->reference) {
+            curve.name = i == 0 ? tr("difference of the coupler") : tr("difference of the slider");
+        }
+        curve.width = 1.6; // errors are noise where all is well
+        const bool isAllZero = std::ranges::none_of(channel.errors, [this](double error) {
+            return m_settings.logarithmicError ? std::isfinite(error) : error > 0.0;
+        });
+        if (!channel.reference.empty() && !(isAllZero && !m_result->reference)) {
+            curve.points = decimate(compared->time(), channel.errors, timeRange(), columns);
+            for (std::size_t k = 0; m_settings.error == ErrorMeasure::Percent && k < channel.errors.size(); ++k) {
+                if (std::isfinite(channel.model[k]) && compared->isZero(index, channel.reference[k])) {
+                    curve.marks.push_back(compared->time()[k]);
+                }
+            }
+            if (channel.series && m_settings.roundingBand) {
+                constexpr double kHalf = 0.5;
+                curve.band = decimate(compared->time(), channel.reference, timeRange(), columns);
+                for (CurvePoint &point : curve.band) {
+                    const double half = kHalf * channel.series->rounding.stepAt(point.value);
+                    point.value = compared->error(index, point.value + half, point.value);
+                }
+            }
+            if (const std::optional<Interval> extent = extentWithin(curve.points, timeRange())) {
+                ranges[i] = errorRange(curve.points, *extent, channel.isUnbounded, m_settings.logarithmicError);
             }
         }
+        picture.curves.push_back(curve);
     }
-}
-
-std::vector<CurvePoint> ShownData::roundingBand(std::size_t index, const PixelColumns &pixels) const
-{
-    constexpr double kHalf = 0.5;
-    const ShownChannel &channel = channels[index];
-    std::vector<CurvePoint> band = decimate(referenceTime, channel.reference, pixels);
-    for (CurvePoint &point : band) {
-        point.value = shownError(channel, settings, kHalf * channel.series->rounding.stepAt(point.value), point.value);
+    const std::optional<Interval> both = unite(ranges[0], ranges[1]);
+    picture.hasValues = both.has_value();
+    if (!both) {
+        picture.note = missingErrors(row, picture);
+        return;
     }
-    return band;
+    picture.values = *both;
 }
 
-ShownData &PlotFigure::data()
+/// Why a plot shows no errors at all.
+QString PlotFigure::missingErrors(std::size_t row, const PlotPicture &picture)
 {
-    if (!m_data) {
-        m_data = result ? ShownData(*result, with(m_settings, &PlotSettings::error, measure())) : ShownData();
+    const std::size_t first = row * kChannelsPerRow;
+    const auto isInFile = [this](std::size_t channel) {
+        return !m_result->reference || m_result->reference->data.find(kPlottedChannels[channel]);
+    };
+    if (!isInFile(first) && !isInFile(first + 1)) {
+        return tr("not in the file");
     }
-    return *m_data;
-}
-
-std::vector<PlotFigure::KeptMotion> &PlotFigure::kept()
-{
-    const std::size_t count = result ? result->kept.size() : 0;
-    m_kept.erase(m_kept.begin() + static_cast<std::ptrdiff_t>(std::min(count, m_kept.size())), m_kept.end());
-    const Interval run = wholeRange();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Parameters &parameters = result->kept[i];
-        if (i < m_kept.size() && m_kept[i].parameters == parameters && m_kept[i].run == run) {
-            continue; // with what it has computed for the pixels
-        }
-        KeptMotion motion{parameters, run, ModelCurves(Mechanism(parameters), run)};
-        if (i < m_kept.size()) {
-            m_kept[i] = std::move(motion);
-        } else {
-            m_kept.push_back(std::move(motion));
-        }
+    if (!model().extremes(first, timeRange())) {
+        return tr("the mechanism cannot be assembled");
     }
-    return m_kept;
-}
-
-const DifferenceCurves &PlotFigure::differences()
-{
-    if (!m_differences) {
-        m_differences.emplace(result->mechanism, Mechanism(result->kept.back()), wholeRange());
+    if (std::ranges::any_of(picture.curves, [](const PlotCurve &curve) { return !curve.marks.empty(); })) {
+        return tr("undefined: the reference is 0");
     }
-    return *m_differences;
+    return m_result->difference && m_result->difference->channels[first].maxAbs == 0.0 ? tr("no difference")
+                                                                                       : tr("nothing to compare");
 }
 
-double PlotFigure::differenceAt(std::size_t channel, double t)
+/// In presentation mode what the model has that the motion pinned last has not, else "model".
+QString PlotFigure::modelName() const
 {
-    const ShownData &shown = data();
-    return shownError(shown.channels[channel], shown.settings, differences().value(channel, t), 0.0);
-}
-
-/// In the chosen measure, as the axis has them.
-std::vector<CurvePoint> PlotFigure::differencePoints(std::size_t channel, const Interval &range, std::size_t columns)
-{
-    if (!m_differenceView || m_differenceView->range != range || m_differenceView->columns != columns) {
-        m_differenceView = {range, columns, differences().curves(range, columns)};
+    const Parameters &model = m_result->mechanism.parameters();
+    const QString few = model.omega2 != 0.0 && m_result->solver.method == Method::Newton
+                            ? fewSamplesSentence(m_result->mechanism, m_result->sampling)
+                            : QString();
+    if (!few.isEmpty()) {
+        return few;
     }
-    const ShownData &shown = data();
-    std::vector<CurvePoint> points = m_differenceView->curves[channel];
-    for (CurvePoint &point : points) {
-        point.value = shownError(shown.channels[channel], shown.settings, point.value, 0.0);
-    }
-    return points;
+    const bool isNamed = m_isPresentation && !m_result->kept.empty() && m_result->kept.back() != model;
+    return isNamed ? keptText(model, m_result->kept.back()) : tr("model");
 }
 
-double PlotFigure::nearestInstant(double t)
+QString PlotFigure::errorUnit(std::size_t channel) const
 {
-    const ModelCurves &model = data().model;
-    return model.empty() ? t : model.instantNear(t);
+    switch (m_settings.error) {
+    case ErrorMeasure::Percent: return QStringLiteral("%");
+    case ErrorMeasure::Absolute:
+        return QStringLiteral("%1; %2").arg(unitOf(kPlottedChannels[channel]), unitOf(kPlottedChannels[channel + 1]));
+    case ErrorMeasure::OfPeak: return tr("% of peak");
+    }
+    return {};
 }
 
-double PlotFigure::pointedInstant(double t) const
+double PlotFigure::roundedTime(double t) const
 {
     constexpr double kPart = 1e-4; // of the range: less than a pixel
     const double place = std::pow(10.0, std::floor(std::log10(kPart * timeRange().length())));
@@ -321,336 +422,73 @@ double PlotFigure::pointedInstant(double t) const
     return std::isfinite(rounded) ? rounded : t;
 }
 
-void PlotFigure::setResult(const std::shared_ptr<const Result> &newResult)
+ReadTime PlotFigure::readTime(double t)
 {
-    if (!newResult || !result || sampledRange(newResult->sampling) != sampledRange(result->sampling)) {
-        timeZoom.reset();
-    }
-    result = newResult;
-    m_data.reset();
-    m_differences.reset();
-    m_differenceView.reset();
-}
-
-void PlotFigure::setSettings(const PlotSettings &settings)
-{
-    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-        if (isErrorPlot(plot)) {
-            valueZoom[plot].reset(); // another measure, other numbers
+    if (m_result && m_result->reference) {
+        const std::vector<double> &time = m_result->reference->data.time;
+        if (!time.empty() && t >= time.front() && t <= time.back()) {
+            const std::size_t row = nearestIndex(time, t);
+            return {time[row], row};
         }
     }
-    m_settings = settings;
-    m_data.reset();
+    return {model().empty() ? t : model().instantNear(t), std::nullopt};
 }
 
-bool PlotFigure::hasRightAxis(std::size_t plot) const
+std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time)
 {
-    return isErrorPlot(plot) && m_settings.error == ErrorMeasure::Absolute && hasErrors();
-}
-
-ErrorMeasure PlotFigure::measure() const
-{
-    const bool isOfFile = !result || !result->difference;
-    return isOfFile || m_settings.error == ErrorMeasure::Absolute ? m_settings.error : ErrorMeasure::OfPeak;
-}
-
-QString PlotFigure::errorUnit(std::size_t channel) const
-{
-    switch (measure()) {
-    case ErrorMeasure::Percent: return QStringLiteral("%");
-    case ErrorMeasure::Absolute: return channelUnit(channel);
-    case ErrorMeasure::OfPeak: return tr("% of peak");
+    std::vector<PlotReading> readings;
+    if (model().empty()) {
+        return readings;
     }
-    return {};
-}
-
-PlotPicture::TimeLabels PlotFigure::timeLabels(double width, double digitWidth) const
-{
-    PlotPicture::TimeLabels labels;
-    const double omega2 = result ? result->mechanism.omega2() : 0.0;
-    const bool isAngle = m_settings.abscissa == Abscissa::CrankAngle && omega2 != 0.0;
-    if (isAngle) {
-        labels.perUnit = 1.0 / (omega2 * kDegreesPerRadian);
-        labels.zero = -result->mechanism.theta20() / omega2;
-    }
-    const Interval range = timeRange();
-    const Interval shown{labels.at(range.lower), labels.at(range.upper)};
-    labels.scale =
-        timeScale({std::min(shown.lower, shown.upper), std::max(shown.lower, shown.upper)}, isAngle, width, digitWidth);
-    labels.title = isAngle ? QStringLiteral("θ₂ [%1]").arg(labels.scale.unit(QStringLiteral("°")))
-                           : QStringLiteral("t [%1]").arg(labels.scale.unit(QStringLiteral("s")));
-    return labels;
-}
-
-Interval PlotFigure::wholeRange() const
-{
-    return result ? sampledRange(result->sampling) : Interval{};
-}
-
-void PlotFigure::zoomTime(const Interval &range)
-{
-    const Interval outer = outerRange();
-    // Closer, neighbouring instants could not be told apart on the axis any more.
-    const double largest = std::max({std::abs(outer.lower), std::abs(outer.upper), outer.length()});
-    if (range.length() < std::min(timeRange().length(), kSmallestPart * largest)) {
-        return;
-    }
-    const Interval within = broughtInto(outer, range);
-    timeZoom = within;
-    if (within == wholeRange()) {
-        timeZoom.reset();
-    }
-}
-
-void PlotFigure::zoomTime(double about, double factor)
-{
-    zoomTime(scaled(timeRange(), about, factor));
-}
-
-void PlotFigure::zoomValues(std::size_t plot, const Interval &shown, double about, double factor)
-{
-    zoomValues(plot, scaled(shown, about, factor));
-}
-
-void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
-{
-    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
-    constexpr double kLargestValue = 1e60;
-    if (range.length() >= kSmallestPart * largest && largest <= kLargestValue) {
-        valueZoom[plot] = range;
-    }
-}
-
-Interval PlotFigure::outerRange() const
-{
-    const Interval whole = wholeRange();
-    if (!result || !result->reference || result->reference->data.time.empty()) {
-        return whole;
-    }
-    const std::vector<double> &instants = result->reference->data.time;
-    return united(whole, Interval{instants.front(), instants.back()});
-}
-
-/// What `extremesIn` tells of the time on show; of all there is where that is empty.
-template <class ExtremesIn>
-std::optional<Interval> PlotFigure::valuesSeen(const ExtremesIn &extremesIn) const
-{
-    const std::optional<Interval> seen = extremesIn(timeRange());
-    return seen || !timeZoom ? seen : extremesIn(outerRange());
-}
-
-PlotPicture PlotFigure::picture(std::size_t plot, const QSize &axes, double digitWidth)
-{
-    constexpr double kPixelsPerValueTick = 30.0;
-    PlotPicture picture;
-    picture.time = timeRange();
-    picture.timeLabels = timeLabels(axes.width(), digitWidth);
-    const std::size_t columns = static_cast<std::size_t>(std::max(axes.width(), 1));
-    if (isErrorPlot(plot)) {
-        fillErrorPicture(picture, plot / kPlotColumns, columns);
-    } else {
-        fillModelPicture(picture, channelOf(plot), columns);
-    }
-    if (valueZoom[plot] && picture.hasValues) {
-        if (picture.rightValues) { // both axes show the same part of theirs
-            picture.rightValues = correspondingRange(*valueZoom[plot], picture.values, *picture.rightValues);
+    const auto add = [&](double value, Ink ink, bool isLogarithm = false) {
+        if (std::isfinite(value)) {
+            readings.push_back({time.t, value, isLogarithm ? std::pow(10.0, value) : value, ink});
         }
-        picture.values = *valueZoom[plot];
-    }
-    const double ticks = axes.height() / kPixelsPerValueTick;
-    const bool isLogarithmic = isErrorPlot(plot) && m_settings.logarithmicError;
-    const auto scaleOf = [&](const Interval &range) {
-        return isLogarithmic ? logarithmicScale(range, ticks) : axisScale(range, ticks);
     };
-    picture.valueScale = scaleOf(picture.values);
-    const std::size_t channel = isErrorPlot(plot) ? plot / kPlotColumns * kChannelsPerRow : channelOf(plot);
-    QString unit = isErrorPlot(plot) ? errorUnit(channel) : channelUnit(channel);
-    if (picture.hasValues) {
-        unit = picture.valueScale.unit(unit);
+    const auto modelAt = [&](std::size_t channel) { // the file's time stamps are sampled for its own channels only
+        const std::span<const double> sampled = m_result->atReference[kPlottedChannels[channel]];
+        return time.row && *time.row < sampled.size() ? sampled[*time.row] : model().value(channel, time.t);
+    };
+    if (!isErrorPlot(plot)) {
+        const std::size_t channel = channelOf(plot);
+        add(modelAt(channel), &SeriesColours::model);
+        for (ModelCurves &motion : pinned()) {
+            add(motion.value(channel, time.t), &SeriesColours::kept);
+        }
+        if (time.row) {
+            const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
+            add(series ? series->values[*time.row] : kNoValue, &SeriesColours::reference);
+        }
+        return readings;
     }
-    if (picture.rightValues) {
-        picture.rightScale = scaleOf(*picture.rightValues);
-        unit = tr("%1; %2", "units of the left and of the right axis")
-                   .arg(unit, picture.rightScale.unit(errorUnit(channel + 1)));
+    const ComparedMotion *compared = this->compared(std::max<std::size_t>(m_comparedColumns, 1));
+    for (std::size_t i = 0; compared && i < kChannelsPerRow; ++i) {
+        const std::size_t channel = plot / kPlotColumns * kChannelsPerRow + i;
+        const ComparedChannel &errors = compared->channel(channel);
+        double error = kNoValue;
+        if (time.row && !errors.errors.empty()) {
+            error = errors.errors[*time.row];
+        } else if (!m_result->reference) {
+            error = compared->error(channel, modelAt(channel), pinned().back().value(channel, time.t));
+        }
+        add(error, i == 0 ? &SeriesColours::error : &SeriesColours::errorOther, m_settings.logarithmicError);
     }
-    picture.title = QStringLiteral("%1 [%2]").arg(picture.title, unit);
-    for (std::size_t i = 0; i < picture.curves.size(); ++i) {
-        const bool isRight = picture.rightValues && i == 1;
-        finishCurve(picture.curves[i], picture.time, isRight ? *picture.rightValues : picture.values, axes);
-    }
-    for (PlotPicture::Curve &curve : picture.kept) {
-        finishCurve(curve, picture.time, picture.values, axes);
-    }
-    return picture;
+    return readings;
 }
 
-void PlotFigure::fillModelPicture(PlotPicture &picture, std::size_t index, std::size_t columns)
+QString PlotFigure::timeText(double t) const
 {
-    ShownData &shown = data();
-    const ShownChannel &channel = shown.channels[index];
-    picture.title = quantity(index);
-    picture.words = wordsBefore(kPlottedChannels[index]);
-    picture.curves[0].ink = Ink::Model;
-    picture.curves[1].ink = Ink::Reference;
-    picture.curves[1].dashes = kReferenceDashes;
-    if (!result) {
-        return;
+    if (!isOverAngle()) {
+        return QStringLiteral("t = %1").arg(durationText(t));
     }
-    picture.curves[0].points = shown.model.points(index, picture.time, columns);
-    picture.curves[0].isOfSamples = !shown.model.isMotion();
-    // Where every pixel column has its samples, what joins them stays within it.
-    const bool areDense = 2 * picture.curves[0].points.size() >= 3 * columns;
-    picture.curves[0].isJoined = areDense || fewSamples().isEmpty();
-    picture.curves[1].isOfSamples = true;
-    if (!channel.reference.empty()) {
-        picture.curves[1].points =
-            decimate(shown.referenceTime, channel.reference, pixelColumns(shown.referenceTime, picture.time, columns));
-    } else if (result->reference) {
-        picture.remarks = picture.shortRemarks = {{tr("not in the file"), Ink::Reference}};
-    }
-    for (KeptMotion &motion : kept()) {
-        PlotPicture::Curve &curve = picture.kept.emplace_back();
-        curve.points = motion.curves.points(index, picture.time, columns);
-        curve.ink = Ink::Kept;
-        curve.dashes = kKeptDashes[picture.kept.size() - 1];
-    }
-    const std::optional<Interval> values = valuesSeen([&](const Interval &range) {
-        std::optional<Interval> seen =
-            united(shown.model.extremes(index, range), extremesWithin(shown.referenceTime, channel.reference, range));
-        for (const KeptMotion &motion : kept()) {
-            seen = united(seen, motion.curves.extremes(index, range));
-        }
-        return seen;
-    });
-    picture.hasValues = values.has_value();
-    if (values) {
-        picture.values = roundedOutwards(*values);
-    } else {
-        picture.note = tr("does not exist");
-    }
+    const double theta20 = m_result->mechanism.theta20() / m_result->mechanism.omega2();
+    return QStringLiteral("θ₂ = %1").arg(durationText(t + theta20));
 }
 
-void PlotFigure::fillErrorPicture(PlotPicture &picture, std::size_t row, std::size_t columns)
+QString PlotFigure::durationText(double seconds) const
 {
-    picture.title = result && result->difference ? tr("difference") : tr("error");
-    picture.curves[0].ink = Ink::Error;
-    picture.curves[1].ink = Ink::ErrorOther;
-    if (!hasErrors()) {
-        constexpr std::size_t kMiddleRow = 1;
-        if (row == kMiddleRow) {
-            picture.note = tr("no reference data");
-        }
-        return;
-    }
-    const ShownData &shown = data();
-    const PixelColumns pixels = pixelColumns(shown.referenceTime, picture.time, columns);
-    const bool isSplit = m_settings.error == ErrorMeasure::Absolute;
-    std::array<std::optional<Interval>, kChannelsPerRow> extents;
-    bool isCompared = false;
-    for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
-        const std::size_t index = row * kChannelsPerRow + i;
-        const ShownChannel &channel = shown.channels[index];
-        if (channel.reference.empty() && !(result->difference && result->difference->channels[index].maxAbs)) {
-            continue;
-        }
-        isCompared = true;
-        if (result->difference && channel.largestError == 0.0) {
-            continue;
-        }
-        PlotPicture::Curve &curve = picture.curves[i];
-        if (result->difference) {
-            curve.points = differencePoints(index, picture.time, columns);
-            extents[i] = extentOf(curve.points, channel.largestError.has_value(), m_settings.logarithmicError);
-        } else {
-            curve.points = decimate(shown.referenceTime, channel.errors, pixels);
-            if (m_settings.roundingBand) {
-                curve.band = shown.roundingBand(index, pixels);
-            }
-            curve.marks = channel.zeroReference;
-            extents[i] = valuesSeen(
-                [&](const Interval &range) { return extremesWithin(shown.referenceTime, channel.errors, range); });
-        }
-        if (channel.largestError) {
-            constexpr int kFewDigits = 2;
-            const double largest = *channel.largestError;
-            const QString unit = isSplit ? channelUnit(index) : QStringLiteral("%");
-            const QString number = QStringLiteral("%1 %2").arg(shortNumber(largest, kErrorDigits), unit);
-            if (!picture.remarks.empty()) {
-                picture.remarks.push_back({QStringLiteral(" · ")});
-                picture.shortRemarks.push_back({QStringLiteral(" · ")});
-            }
-            picture.remarks.push_back(
-                {tr("%1 %2", "largest error: number with unit, quantity").arg(number, quantity(index)), curve.ink});
-            picture.shortRemarks.push_back({shortNumber(largest, kFewDigits), curve.ink});
-        }
-    }
-    if (!picture.remarks.empty()) {
-        const InkedText largest{tr("max ", "largest error, before the numbers")};
-        picture.remarks.insert(picture.remarks.begin(), largest);
-        picture.shortRemarks.insert(picture.shortRemarks.begin(), largest);
-        if (!isSplit) {
-            picture.shortRemarks.push_back({QStringLiteral(" %")});
-        }
-    }
-    const std::optional<Interval> both = united(extents[0], extents[1]);
-    picture.hasValues = both.has_value();
-    if (!both) {
-        const bool isInfinite = !picture.curves[0].marks.empty() || !picture.curves[1].marks.empty();
-        picture.note = result->difference ? tr("no difference")
-                       : isInfinite       ? tr("infinite: the reference is 0")
-                       : isCompared       ? tr("nothing to compare")
-                                          : tr("not in the file");
-        return;
-    }
-    picture.values = errorRange(isSplit ? extents[0].value_or(*both) : *both, m_settings.logarithmicError);
-    if (isSplit) {
-        picture.rightValues = errorRange(extents[1].value_or(*both), m_settings.logarithmicError);
-    }
-}
-
-QString PlotFigure::fewSamples() const
-{
-    return result && result->solver.method == Method::Newton ? fewSamplesSentence(result->mechanism, result->sampling)
-                                                             : QString();
-}
-
-std::vector<LegendEntry> PlotFigure::legend(std::optional<std::size_t> only) const
-{
-    const bool hasModel = !only || !isErrorPlot(*only);
-    const bool showsErrors = !only || isErrorPlot(*only);
-    using Sample = LegendEntry::Sample;
-    std::vector<LegendEntry> entries;
-    if (hasModel) {
-        const QString few = fewSamples();
-        entries.push_back(few.isEmpty() ? LegendEntry{Sample::Solid, Ink::Model, tr("model")}
-                                        : LegendEntry{Sample::Dots, Ink::Model, few});
-    }
-    for (std::size_t i = 0; hasModel && result && i < result->kept.size(); ++i) {
-        const QString name = keptText(result->kept[i], result->mechanism.parameters());
-        const Dashes &dashes = kKeptDashes[i];
-        entries.push_back({dashes.gap > 0.0 ? Sample::Dashed : Sample::Solid, Ink::Kept, name, true, false, dashes});
-    }
-    if (showsErrors && result && result->difference) {
-        entries.push_back({Sample::Solid, Ink::Error, tr("difference of %1").arg(quantity(0)), false, true});
-        entries.push_back({Sample::Solid, Ink::ErrorOther, tr("difference of %1").arg(quantity(1)), false, true});
-    }
-    if (!result || !result->reference) {
-        return entries;
-    }
-    if (hasModel) {
-        entries.push_back({Sample::Dashed, Ink::Reference, result->reference->name, true});
-    }
-    if (showsErrors) {
-        entries.push_back({Sample::Solid, Ink::Error, tr("error of %1").arg(quantity(0)), false, true});
-        entries.push_back({Sample::Solid, Ink::ErrorOther, tr("error of %1").arg(quantity(1)), false, true});
-        if (m_settings.roundingBand) {
-            entries.push_back({Sample::Band, Ink::Error, tr("file's rounding"), false, true});
-        }
-        if (m_settings.error == ErrorMeasure::Percent) {
-            entries.push_back({Sample::Mark, Ink::Text, tr("reference is 0"), false, true});
-        }
-    }
-    return entries;
+    return isOverAngle() ? numberText(seconds * m_result->mechanism.omega2() * kDegreesPerRadian) + u'°'
+                         : tr("%1 s").arg(numberText(seconds));
 }
 
 } // namespace slidercrank

@@ -44,19 +44,18 @@ QString errorText(double value)
 
 QString symbolOf(Channel channel)
 {
-    const auto body = static_cast<int>(channel.coordinate) / 3;
     const auto axis = static_cast<int>(channel.coordinate) % 3;
-    const QString letter = isAngle(channel.coordinate) ? QStringLiteral("θ")
-                           : axis == 0                 ? QStringLiteral("Rₓ")
-                                                       : QStringLiteral("R_y");
     // The crank's angle is the drive's, too: one letter for both.
-    const QString symbol = channel.coordinate == Theta2 ? QStringLiteral("θ₂") : letter + QStringLiteral("¹²³⁴")[body];
-    switch (channel.order) {
-    case Order::Position: return symbol;
-    case Order::Velocity: return QStringLiteral("d%1/dt").arg(symbol);
-    case Order::Acceleration: return QStringLiteral("d²%1/dt²").arg(symbol);
-    }
-    return {};
+    const QString body =
+        channel.coordinate == Theta2 ? QStringLiteral("₂") : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);
+    const bool isRate = channel.order != Order::Position;
+    const QString direction = isAngle(channel.coordinate) || (channel.coordinate == R4x && isRate) ? QString()
+                              : axis == 0 ? QStringLiteral("ₓ")
+                                          : QStringLiteral("_y");
+    const auto order = static_cast<std::size_t>(channel.order);
+    const char *letter =
+        isAngle(channel.coordinate) ? std::array{"θ", "ω", "α"}[order] : std::array{"R", "v", "a"}[order];
+    return QString::fromUtf8(letter) + direction + body;
 }
 
 QString quantityOf(Channel channel)

@@ -22,8 +22,8 @@ QString listed(const QStringList &words);
 /// To three digits; "∞".
 QString errorText(double value);
 
-/// "θ³", "dRₓ⁴/dt", the crank's angle "θ₂" as on the controls: derivatives as quotients, for a dot over a letter is too
-/// small to be told from none.
+/// "θ³", "ω³", "Rₓ⁴", "v⁴"; the crank's angle is "θ₂" as on the controls. Rates have letters of their own: fonts misplace
+/// the dots of θ̇, and d²θ³/dt² reads as a cube.
 QString symbolOf(Channel channel);
 
 /// "coupler angle", "slider velocity".

@@ -301,6 +301,7 @@ void MainWindow::connectRooms()
     follow(&Session::resultChanged, m_rooms.errors, &ErrorPanel::setResult, m_session->result());
     follow(&Session::diagnosisChanged, m_rooms.errors, &ErrorPanel::setDiagnosis, m_session->diagnosis());
     connect(m_rooms.errors, &ErrorPanel::timeRequested, m_session, &Session::setTime);
+    connect(m_rooms.errors, &ErrorPanel::timeRequested, m_rooms.plots, &PlotGrid::showTime);
     connect(m_rooms.errors, &ErrorPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     connect(m_rooms.errors, &ErrorPanel::remedyRequested, m_messages, &Messages::remedy);
     connect(m_rooms.errors, &ErrorPanel::openReferenceRequested, this, &MainWindow::chooseReference);

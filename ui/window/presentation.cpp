@@ -60,6 +60,7 @@ void Presentation::setOn(bool on)
     m_window->statusBar()->setVisible(!on);
     m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // hidden, its keys would not work
     m_rooms.parameters->setBrief(on);
+    m_rooms.plots->setPresentation(on);
     m_window->centralWidget()->setFont(on ? largeFont(*m_window) : QFont());
     constexpr int kPartOfMechanism = 40; // of 100
     m_rooms.columns->setStretchFactor(0, on ? kPartOfMechanism : 0);

@@ -124,7 +124,7 @@ private slots:
         QVERIFY(table->isVisible());
         QCOMPARE(table->model()->rowCount(), 2);
         QCOMPARE(textOf(table, 0, Name), QString("θ³ [°]"));
-        QCOMPARE(textOf(table, 1, Name), QString("dRₓ⁴/dt [mm/s]"));
+        QCOMPARE(textOf(table, 1, Name), QString("v⁴ [mm/s]"));
         QCOMPARE(textOf(table, 0, LargestError), QString("0.00123"));
         QCOMPARE(textOf(table, 1, LargestError), QString("14.2"));
         QCOMPARE(textOf(table, 0, LargestErrorAt), QString("0.25"));

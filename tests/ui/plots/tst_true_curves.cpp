@@ -3,6 +3,7 @@
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/waiting.h"
 #include "ui/document/result.h"
+#include "ui/plots/figure_plot.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/theme.h"
 
@@ -11,7 +12,6 @@
 
 #include <QImage>
 #include <QTest>
-#include <qcustomplot.h>
 
 #include <algorithm>
 #include <array>
@@ -70,8 +70,8 @@ struct Passed {
 class Truth
 {
 public:
-    Truth(const Result &result, std::size_t channel, const QCustomPlot &plot)
-        : m_axes(plot.axisRect()->rect())
+    Truth(const Result &result, std::size_t channel, const QCPAxisRect &plot)
+        : m_axes(plot.rect())
         , m_passed(static_cast<std::size_t>(kPerPixel * (m_axes.width() + 2 * kMargin)))
     {
         const ClosedForm motion(result.mechanism);
@@ -84,11 +84,12 @@ public:
         const double looksPerRadian = 30.0 / std::clamp(width, 0.01, 0.3);
         Passed ofATurn;
         const auto rowOf = [&plot](double value) {
-            return std::isinf(value) ? -1e9 * value : std::clamp(plot.yAxis->coordToPixel(value), -1e9, 1e9);
+            return std::isinf(value) ? -1e9 * value
+                                     : std::clamp(plot.axis(QCPAxis::atLeft)->coordToPixel(value), -1e9, 1e9);
         };
         for (std::size_t i = 0; i < m_passed.size(); ++i) {
-            double from = plot.xAxis->pixelToCoord(xOf(i));
-            double to = plot.xAxis->pixelToCoord(xOf(i + 1));
+            double from = plot.axis(QCPAxis::atBottom)->pixelToCoord(xOf(i));
+            double to = plot.axis(QCPAxis::atBottom)->pixelToCoord(xOf(i + 1));
             from = std::max(from, std::min(run.start, runEnd));
             to = std::min(to, std::max(run.start, runEnd));
             if (!(from <= to)) {
@@ -192,39 +193,34 @@ private:
     std::vector<Passed> m_passed;
 };
 
-/// A grid whose model plots show nothing but their curves.
-struct BareGrid {
-    explicit BareGrid(const std::shared_ptr<const Result> &result)
-    {
-        grid.resize(720, 480);
-        grid.setResult(result);
-        grid.show();
-        settle();
-    }
+/// The six plots of the motion with nothing but their curves.
+struct BareFigure {
+    explicit BareFigure(const std::shared_ptr<const Result> &result) { show(result); }
 
-    void show(const std::shared_ptr<const Result> &result, const PlotZoom &zoom)
+    void show(const std::shared_ptr<const Result> &result, const PlotZoom &zoom = {})
     {
-        grid.setResult(result);
-        grid.setZoom(zoom);
-        settle();
-    }
-
-    QCustomPlot *plot(std::size_t index) const { return grid.findChild<QCustomPlot *>(plotName(index)); }
-
-    /// By how much each pixel is the model's colour, 0 … 1.
-    QImage curveOf(std::size_t index) const
-    {
-        QCustomPlot *plot = this->plot(index);
-        for (QCPAxis *axis : {plot->xAxis, plot->yAxis, plot->xAxis2, plot->yAxis2}) {
-            axis->grid()->setVisible(false);
-            axis->setBasePen(Qt::NoPen);
-            axis->setTickPen(Qt::NoPen);
+        figure.setResult(result);
+        figure.zoom = zoom;
+        plot.show(figure, size);
+        for (const std::size_t index : plot.plots()) {
+            for (QCPAxis *axis : plot.axes(index).axes()) {
+                axis->grid()->setVisible(false);
+                axis->setBasePen(Qt::NoPen);
+                axis->setTickPen(Qt::NoPen);
+            }
         }
-        plot->replot();
-        return plot->grab().toImage();
+        QPixmap pixmap(size);
+        plot.drawInto(pixmap);
+        picture = pixmap.toImage();
     }
 
-    PlotGrid grid;
+    const QCPAxisRect &axes(std::size_t index) const { return plot.axes(index); }
+
+    const QSize size{720, 480};
+    SeriesColours colours = seriesColours(paletteFor(Theme::Light));
+    PlotFigure figure;
+    FigurePlot plot{{0, 1, 3, 4, 6, 7}, PlotFonts(QFont()), colours};
+    QImage picture;
 };
 
 class Strength
@@ -243,14 +239,13 @@ private:
 };
 
 /// What is wrong with a plot; empty: nothing.
-QString faultOf(const BareGrid &shown, const Result &result, std::size_t plot)
+QString faultOf(const BareFigure &shown, const Result &result, std::size_t plot)
 {
-    const QImage image = shown.curveOf(plot);
-    const QRect axes = shown.plot(plot)->axisRect()->rect();
-    const SeriesColours colours = seriesColours(shown.grid.palette());
-    const Strength strength(colours.background, colours.model);
-    const Truth truth(result, channelOf(plot), *shown.plot(plot));
-    if (!shown.plot(plot)->yAxis->tickLabels()) {
+    const QImage &image = shown.picture;
+    const QRect axes = shown.axes(plot).rect();
+    const Strength strength(shown.colours.background, shown.colours.model);
+    const Truth truth(result, channelOf(plot), shown.axes(plot));
+    if (!shown.plot.hasValues(plot)) {
         return truth.isEmpty() ? QString() : QStringLiteral("it is said not to exist");
     }
     constexpr double kPainted = 0.3;
@@ -301,8 +296,8 @@ private slots:
     void everyPaintedPixelIsOfTheMotionAndAllOfItIsPainted()
     {
         RandomMechanisms random(8);
-        BareGrid shown(resultOf({}, {}));
-        for (int i = 0; i < numericRuns(200, 3000); ++i) {
+        BareFigure shown(resultOf({}, {}));
+        for (int i = 0; i < numericRuns(100, 3000); ++i) {
             Parameters p = random.next();
             if (i % 4 == 1) { // rockers, some of two arcs
                 const double shortest = std::max(0.0, std::abs(p.c) - p.a);
@@ -322,10 +317,7 @@ private slots:
             }
             const std::shared_ptr<const Result> result = resultOf(p, run);
             shown.show(result, zoom);
-            for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-                if (isErrorPlot(plot)) {
-                    continue;
-                }
+            for (const std::size_t plot : shown.plot.plots()) {
                 const QString fault = faultOf(shown, *result, plot);
                 QVERIFY2(fault.isEmpty(),
                          qPrintable(QStringLiteral("%1, %2: %3; a %4 b %5 c %6 ω %7 θ %8 %9, run %10 + "
@@ -345,34 +337,24 @@ private slots:
         }
     }
 
-    void axesReachThePeaks_data()
-    {
-        QTest::addColumn<double>("turnsPerMinute");
-        for (const double speed : {60.0, 3000.0, 6000.0, 60'000.0}) {
-            QTest::addRow("%g rpm", speed) << speed;
-        }
-    }
-
-    /// With the run's default of 200 steps: at 3000 rpm four to a turn, at 6000 rpm two.
+    /// With 200 steps: at 3000 rpm four to a turn, at 6000 rpm two.
     void axesReachThePeaks()
     {
-        QFETCH(const double, turnsPerMinute);
-        Parameters p;
-        p.omega2 = kTurnAngle * turnsPerMinute / 60.0;
-        const BareGrid shown(resultOf(p, {}));
-        for (const Peak &peak : motionPeaks(Mechanism(p))) {
-            const auto channel =
-                static_cast<std::size_t>(std::ranges::find(kPlottedChannels, peak.channel) - kPlottedChannels.begin());
-            for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-                if (isErrorPlot(plot) || channelOf(plot) != channel) {
-                    continue;
+        for (const double turnsPerMinute : {60.0, 3000.0, 6000.0, 60'000.0}) {
+            Parameters p;
+            p.omega2 = kTurnAngle * turnsPerMinute / 60.0;
+            const BareFigure shown(resultOf(p, {}));
+            const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+            for (const std::size_t plot : shown.plot.plots()) {
+                const auto peak = std::ranges::find(peaks, kPlottedChannels[channelOf(plot)], &Peak::channel);
+                if (peak == peaks.end()) {
+                    continue; // positions have no peak
                 }
-                const QCPRange axis = shown.plot(plot)->yAxis->range();
-                for (const PeakPlace &place : peak.places) {
-                    QVERIFY(axis.contains(toFileUnit(peak.channel, place.value)));
+                const QCPRange axis = shown.axes(plot).axis(QCPAxis::atLeft)->range();
+                for (const PeakPlace &place : peak->places) {
+                    QVERIFY(axis.contains(toFileUnit(peak->channel, place.value)));
                 }
-                const double magnitude = toFileUnit(peak.channel, peak.magnitude);
-                QVERIFY(std::max(-axis.lower, axis.upper) <= 1.3 * magnitude);
+                QVERIFY(std::max(-axis.lower, axis.upper) <= 1.3 * toFileUnit(peak->channel, peak->magnitude));
             }
         }
     }
@@ -381,16 +363,11 @@ private slots:
     {
         Parameters p;
         p.omega2 = kTurnAngle * 50.0;
-        BareGrid shown(resultOf(p, {0.0, 1.0, 200}));
-        std::vector<QImage> before;
-        for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-            before.push_back(shown.plot(plot)->grab().toImage());
-        }
+        BareFigure shown(resultOf(p, {0.0, 1.0, 200}));
+        const QImage before = shown.picture;
         for (const int steps : {2, 999, 1'000'000}) {
-            shown.show(resultOf(p, {0.0, 1.0, steps}), {});
-            for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-                QCOMPARE(shown.plot(plot)->grab().toImage(), before[plot]);
-            }
+            shown.show(resultOf(p, {0.0, 1.0, steps}));
+            QCOMPARE(shown.picture, before);
         }
     }
 
@@ -399,130 +376,59 @@ private slots:
     {
         Parameters p;
         p.omega2 = kTurnAngle * 50.0;
-        BareGrid shown(resultOf(p, {0.0, 1.0, 200}, Method::Newton));
-        QCOMPARE(shown.plot(0)->graph(0)->dataCount(), 0);
-        const SeriesColours colours = seriesColours(shown.grid.palette());
-        const Strength strength(colours.background, colours.model);
-        const QImage dots = shown.curveOf(0);
+        const auto curveOf = [&](int steps) {
+            PlotFigure figure;
+            figure.setResult(resultOf(p, {0.0, 1.0, steps}, Method::Newton));
+            return figure.picture(0, {300, 150}).curves.front();
+        };
         const std::shared_ptr<const Result> result = resultOf(p, {0.0, 1.0, 200}, Method::Newton);
-        for (std::size_t i = 0; i < result->trajectory.time.size(); ++i) {
-            const double x = shown.plot(0)->xAxis->coordToPixel(result->trajectory.time[i]);
-            const double y = shown.plot(0)->yAxis->coordToPixel(result->trajectory[kPlottedChannels[0]][i]);
-            QVERIFY(strength.of(dots.pixelColor(static_cast<int>(x), static_cast<int>(y))) > 0.5);
+        const PlotCurve few = curveOf(200);
+        QVERIFY(few.points.empty());
+        QCOMPARE(few.dots.size(), result->trajectory.time.size());
+        for (std::size_t i = 0; i < few.dots.size(); ++i) {
+            QCOMPARE(few.dots[i].value, result->trajectory[kPlottedChannels[0]][i]);
         }
-
-        shown.show(resultOf(p, {0.0, 1.0, 1000}, Method::Newton), {});
-        QVERIFY(shown.plot(0)->graph(0)->dataCount() > 0);
-
-        // So many turns that 1000 samples are few again: in every pixel column they are as good as a band.
-        p.omega2 *= 100.0;
-        shown.show(resultOf(p, {0.0, 1.0, 1000}, Method::Newton), {});
-        QVERIFY(shown.plot(0)->graph(0)->dataCount() > 0);
+        QVERIFY(!curveOf(1000).points.empty());
+        p.omega2 *= 100.0; // so many turns that the samples are as good as a band
+        QVERIFY(!curveOf(1000).points.empty());
     }
 
-    void fewSamplesAreSaidWithTheNumberThatWouldDo()
-    {
-        Parameters p;
-        p.omega2 = kTurnAngle * 50.0;
-        PlotFigure figure;
-        const auto isSaid = [&](Method method, int steps) {
-            figure.setResult(resultOf(p, {0.0, 1.0, steps}, method));
-            return figure.legend(std::nullopt).front().text;
-        };
-        QCOMPARE(isSaid(Method::Newton, 200),
-                 QStringLiteral("4 samples a turn are too few for a curve: 1,000 steps would do."));
-        QCOMPARE(isSaid(Method::Newton, 1000), QStringLiteral("model"));
-        QCOMPARE(isSaid(Method::ClosedForm, 2), QStringLiteral("model"));
-    }
-
-    /// Model and kept motion change places: what was the one's curve is the other's, to the last bit.
-    void aKeptCurveIsAsTrueAsTheModels_data()
-    {
-        QTest::addColumn<Interval>("time");
-        QTest::addColumn<double>("duration");
-        QTest::addColumn<double>("b");
-        QTest::newRow("one turn") << Interval{0.0, 1.0} << 1.0 << 80.0;
-        QTest::newRow("a part of it") << Interval{0.23, 0.26} << 1.0 << 80.0;
-        QTest::newRow("a thousand turns") << Interval{0.0, 1000.0} << 1000.0 << 80.0;
-        QTest::newRow("a moment of a thousand turns") << Interval{700.0, 700.5} << 1000.0 << 80.0;
-        QTest::newRow("a rocker") << Interval{0.0, 1.0} << 1.0 << 40.0;
-    }
-
-    void aKeptCurveIsAsTrueAsTheModels()
-    {
-        QFETCH(const Interval, time);
-        QFETCH(const double, duration);
-        QFETCH(const double, b);
-        Parameters kept;
-        kept.b = b;
-        const Parameters model;
-        SolverSettings solver;
-        solver.method = Method::ClosedForm;
-        const auto figureOf = [&](const Parameters &one, const Parameters &other) {
-            PlotFigure figure; // which showed something else before
-            figure.setResult(compute({Mechanism(other), {0.0, 0.1 * duration, 7}, solver, nullptr, {other, one}}, {}));
-            figure.picture(0, {300, 200}, 6.0);
-            figure.setResult(compute({Mechanism(one), {0.0, duration, 7}, solver, nullptr, {other}}, {}));
-            figure.timeZoom = time;
-            return figure;
-        };
-        PlotFigure figure = figureOf(model, kept);
-        PlotFigure swapped = figureOf(kept, model);
-        const ClosedForm motions[]{ClosedForm(Mechanism(model)), ClosedForm(Mechanism(kept))};
-        constexpr QSize kAxes(300, 200);
-        for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-            const PlotPicture picture = figure.picture(plot, kAxes, 6.0);
-            if (!isErrorPlot(plot)) {
-                const PlotPicture other = swapped.picture(plot, kAxes, 6.0);
-                QCOMPARE(picture.kept.size(), std::size_t(1));
-                QVERIFY(picture.values == other.values);
-                const std::vector<CurvePoint> &points = picture.kept.front().points;
-                const std::vector<CurvePoint> &wanted = other.curves[0].points;
-                QVERIFY(!points.empty() && points.size() == wanted.size());
-                for (std::size_t i = 0; i < points.size(); ++i) {
-                    QVERIFY(points[i].t == wanted[i].t &&
-                            (points[i].value == wanted[i].value ||
-                             (std::isnan(points[i].value) && std::isnan(wanted[i].value))));
-                }
-                continue;
-            }
-            for (std::size_t i = 0; i < picture.curves.size(); ++i) {
-                const std::size_t channel = plot / kPlotColumns * kChannelsPerRow + i;
-                const std::vector<CurvePoint> &points = picture.curves[i].points;
-                if (figure.result->difference->channels[channel].percentOfPeak) {
-                    QVERIFY(!points.empty());
-                }
-                const double perDifference = 100.0 / figure.result->difference->channels[channel].peak;
-                for (const CurvePoint &point : points) {
-                    const double difference =
-                        std::abs(valueAt(motions[0], channel, point.t) - valueAt(motions[1], channel, point.t));
-                    const bool isAtEdge = point.value == picture.values.upper; // cut off there
-                    QVERIFY2(
-                        isAtEdge || !(std::abs(point.value - perDifference * difference) > 1e-6 * picture.values.upper),
-                        qPrintable(
-                            QString("%1 at %2, not %3").arg(point.value).arg(point.t).arg(perDifference * difference)));
-                }
-            }
-        }
-    }
-
-    /// At 6000 rpm the samples of a run of 200 steps all show the same angle.
+    /// At 6000 rpm the samples of 200 steps all show the same angle.
     void readsTheMotionAtTheInstantThatIsWritten()
     {
         Parameters p;
         p.omega2 = kTurnAngle * 100.0;
-        BareGrid shown(resultOf(p, {0.0, 1.0, 200}));
-        QCustomPlot *plot = shown.plot(0);
+        PlotGrid grid;
+        grid.resize(720, 480);
+        grid.setResult(resultOf(p, {0.0, 1.0, 200}));
+        grid.show();
+        settle();
+        const auto *pane = grid.findChild<PlotPane *>(plotName(0));
         const ClosedForm motion{Mechanism(p)};
         for (const int x : {11, 40, 77, 101}) {
-            QTest::mouseMove(plot, plot->axisRect()->rect().topLeft() + QPoint(x, 20));
-            const auto *overlay = plot->findChild<PlotOverlay *>();
-            AWAIT(!overlay->text().isEmpty());
-            const QStringList rows = overlay->text().split(u'\n');
-            const double t = rows[0].section(u' ', 2, 2).toDouble();
-            const double value = rows[1].section(u' ', 2, 2).remove(u'°').toDouble();
-            QVERIFY(std::abs(t - plot->xAxis->pixelToCoord(plot->axisRect()->left() + x)) <= 1e-3);
-            QVERIFY2(std::abs(value - valueAt(motion, 0, t)) <= 1e-4, qPrintable(overlay->text()));
+            QTest::mouseMove(const_cast<PlotPane *>(pane), pane->axes().topLeft() + QPoint(x, 20));
+            AWAIT(!pane->text().isEmpty());
+            settle();
+            const QStringList lines = pane->text().split(u'\n');
+            const double t = lines[0].section(u' ', 2, 2).toDouble();
+            const double value = lines.last().toDouble();
+            QVERIFY(std::abs(t - static_cast<double>(x) / pane->axes().width()) <= 1.0 / pane->axes().width());
+            QVERIFY2(std::abs(value - valueAt(motion, 0, t)) <= 6e-3, qPrintable(pane->text()));
+        }
+    }
+
+    void aLongRunInClosedFormIsCountedButNotKept()
+    {
+        for (const double b : {65.0, 40.0, 45.0, 4.0}) {
+            Parameters p;
+            p.b = b;
+            const Sampling run{0.0, 2.0, 120'000};
+            const std::shared_ptr<const Result> result = resultOf(p, run);
+            QVERIFY(!result->isKept());
+            const Trajectory whole = sample(result->mechanism, run.instants(), plottedChannels(), result->solver);
+            for (std::size_t i = 0; i < kStatusCount; ++i) {
+                QCOMPARE(result->summary.statusCounts[i], whole.summary.count(static_cast<Status>(i)));
+            }
         }
     }
 };

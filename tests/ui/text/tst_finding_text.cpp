@@ -43,8 +43,8 @@ private slots:
     void writesChannelsAsTheAuthorDoes()
     {
         QCOMPARE(symbolOf(kTheta3), QString("θ³"));
-        QCOMPARE(symbolOf(kSliderSpeed), QString("dRₓ⁴/dt"));
-        QCOMPARE(symbolOf(Channel{R4y, Order::Acceleration}), QString("d²R_y⁴/dt²"));
+        QCOMPARE(symbolOf(kSliderSpeed), QString("v⁴"));
+        QCOMPARE(symbolOf(Channel{R4y, Order::Acceleration}), QString("a_y⁴"));
         QCOMPARE(columnNameOf(kSliderSpeed), QString("R4_x_diff"));
         QCOMPARE(unitOf(Channel{Theta3, Order::Acceleration}), QString("°/s²"));
     }
@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(words.size(), qsizetype(kChannelCount));
         QCOMPARE(symbols.size(), qsizetype(kChannelCount));
         QCOMPARE(symbolOf({Theta2, Order::Position}), QString("θ₂"));
-        QCOMPARE(symbolOf({Theta2, Order::Velocity}), QString("dθ₂/dt"));
+        QCOMPARE(symbolOf({Theta2, Order::Velocity}), QString("ω₂"));
         QCOMPARE(symbolOf({Theta3, Order::Position}), QString("θ³"));
     }
 

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/channel.h"
 #include "ui/panels/timeline.h"
-#include "ui/plots/plot_overlay.h"
+#include "ui/plots/plot_pane.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
@@ -53,8 +53,8 @@ QStringList textsOf(const QWidget &window)
             texts << combo->currentText();
         } else if (const auto *status = qobject_cast<const QStatusBar *>(widget)) {
             texts << status->currentMessage();
-        } else if (const auto *overlay = qobject_cast<const PlotOverlay *>(widget)) {
-            texts << overlay->text();
+        } else if (const auto *pane = qobject_cast<const PlotPane *>(widget)) {
+            texts << pane->text();
         } else if (const auto *table = qobject_cast<const QAbstractItemView *>(widget)) {
             const QAbstractItemModel &model = *table->model();
             for (int row = 0; row < model.rowCount(); ++row) {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/text_recorder.h"
+#include "tests/support/waiting.h"
+#include "ui/plots/chart.h"
+
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace slidercrank;
+
+namespace
+{
+
+ChartContent content(ChartContent::Legend legend = ChartContent::Legend::Above)
+{
+    QPainterPath square;
+    square.addRect(-4.0, -4.0, 8.0, 8.0);
+    return {.x = {"iteration", {0.0, 4.0}},
+            .y = {"residual", {1e-12, 1.0}, true},
+            .series = {{.name = "rough start",
+                        .points = {{0.0, 1e-1}, {1.0, 1e-2}, {2.0, 1e-4}, {3.0, 1e-8}},
+                        .line = ChartSeries::Line::Solid,
+                        .mark = square,
+                        .tips = {"0.1", "0.01", "1e-4", "1e-8"}},
+                       {.colour = &SeriesColours::warning,
+                        .points = {{0.0, 1e-6}, {4.0, 1e-6}},
+                        .line = ChartSeries::Line::Dashed,
+                        .labels = {{}, "tolerance"}}},
+            .legend = legend};
+}
+
+QStringList textsOf(Chart &chart, const QSize &size)
+{
+    TextRecorder recorder(size);
+    QPainter painter(&recorder);
+    chart.paint(painter, size, paletteFor(Theme::Light));
+    painter.end();
+    QStringList texts;
+    for (const auto &[text, place] : recorder.texts) {
+        texts << text;
+    }
+    return texts;
+}
+
+} // namespace
+
+class TestChart : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void placesPointsOnItsAxes()
+    {
+        Chart chart;
+        chart.resize(400, 300);
+        chart.setContent(content());
+        const QPointF first = chart.positionOf({0, 0});
+        const QPointF second = chart.positionOf({0, 1});
+        const QPointF third = chart.positionOf({0, 2});
+        QVERIFY(std::abs((third.x() - second.x()) - (second.x() - first.x())) < 1e-6); // linear
+        QVERIFY(std::abs((third.y() - second.y()) - 2.0 * (second.y() - first.y())) < 1e-6 && second.y() > first.y());
+    }
+
+    void aPointUnderThePointerSaysWhatItIs()
+    {
+        Chart chart;
+        chart.resize(400, 300);
+        chart.setContent(content());
+        chart.show();
+        settle();
+        QSignalSpy pointed(&chart, &Chart::pointed);
+        const QPointF place = chart.positionOf({0, 2});
+        QCOMPARE(chart.pointAt(place + QPointF(3.0, 3.0)), std::optional(Chart::Place{0, 2}));
+        QVERIFY(!chart.pointAt(place + QPointF(15.0, 15.0)));
+        QTest::mouseMove(&chart, place.toPoint());
+        AWAIT(pointed.count() == 1);
+        const QImage plain = chart.grab().toImage();
+        chart.setMarked(Chart::Place{0, 2});
+        QVERIFY(chart.grab().toImage() != plain);
+    }
+
+    void namesItsPartsWhereThereIsRoom()
+    {
+        for (const ChartContent::Legend legend : {ChartContent::Legend::Above, ChartContent::Legend::Right}) {
+            Chart chart;
+            chart.setContent(content(legend));
+            const QStringList texts = textsOf(chart, {500, 300});
+            for (const char *wanted : {"iteration", "residual", "rough start", "tolerance"}) {
+                QVERIFY2(texts.contains(QLatin1String(wanted)), wanted);
+            }
+            QVERIFY(texts.join(QString()).contains(QStringLiteral("10⁻⁶")));
+            QVERIFY(!textsOf(chart, {90, 60}).contains(QStringLiteral("rough start")));
+        }
+    }
+};
+
+QTEST_MAIN(TestChart)
+#include "tst_chart.moc"
