@@ -1,40 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What all subcommands share: how they end, and where their sentences are translated.
+// The command line of the program, as a library: from the arguments to what has to be done, and from there to an exit status.
+// Everything is written to two devices, so that a test can call it in its own process.
 
 #include <QCoreApplication>
+#include <QIODevice>
 #include <QString>
+#include <QStringList>
 
+#include <functional>
 #include <optional>
 
 namespace slidercrank
 {
 
-/// The exit status of the program. Where several hold, a failed file comes first, then NotAssemblable, NotSolved,
-/// Differs.
+/// The exit status of the program.
 enum class ExitStatus {
-    Done = 0,
-    Differs = 1, ///< --fail-on-difference, and a channel differs
-    WrongCommandLine = 2,
-    FileFailed = 3,     ///< a file cannot be read or written, or is not what it should be
-    NotAssemblable = 4, ///< at some instant
-    NotSolved = 5       ///< at some instant Newton-Raphson did not converge, or velocity and acceleration do not exist;
-                        ///< or no mechanism was found for a file
+    Success = 0,
+    Differs = 1,       ///< --fail-on-difference was given and a channel differs
+    UsageError = 2,    ///< the arguments are wrong
+    FileError = 3,     ///< a file cannot be read or written, or its content is not what it should be
+    NotAssemblable = 4, ///< the mechanism cannot be assembled at some time step
+    NotSolved = 5      ///< not converged or singular at some time step, or no mechanism was identified
 };
 
-/// Of two, which the program ends with.
-ExitStatus graver(ExitStatus x, ExitStatus y);
+/// The status to report when both apply: 3 before 4 before 5 before 1.
+ExitStatus moreSevere(ExitStatus x, ExitStatus y);
 
-/// The translation context of everything the command line says.
+/// The translation context of the command line.
 struct CommandLine {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::CommandLine)
 };
 
-/// One line on standard error.
-void say(const QString &sentence);
+/// Thrown while the arguments are read; becomes one line on standard error and the exit status.
+struct UsageError {
+    QString message;
+    ExitStatus status = ExitStatus::UsageError;
+};
 
-/// As it is typed: 5.03e-6. Three digits are what a person compares; a dash for what does not exist.
-QString rounded(std::optional<double> value, int digits = 3);
+/// Where a command writes.
+struct Streams {
+    QIODevice &output;
+    QIODevice &error;
+
+    /// Writes one line to `error`.
+    void report(const QString &message) const;
+};
+
+/// A command whose arguments are valid.
+struct Command {
+    enum class Platform {
+        None,      ///< runs with a QCoreApplication
+        Offscreen, ///< draws: needs a QApplication, but no display
+        Window     ///< opens the window: `run` must be called with a display, and its status means that the window may open
+    };
+    Platform platform = Platform::None;
+    std::function<ExitStatus(const Streams &)> run;
+
+    // Platform::Window only.
+    QString scene;               ///< empty: none
+    QStringList referenceFiles;  ///< of one motion; empty: none, or the scene's own
+    bool choosesPlatform = false; ///< an option such as -platform selects the display
+};
+
+/// Reads the arguments, the first of which is the name of the program. The returned command reports wrong arguments when it runs.
+Command parseCommandLine(const QStringList &arguments);
 
 } // namespace slidercrank

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/subcommands.h"
 
-#include "app/comparison_text.h"
-#include "app/diagnosis_json.h"
-#include "app/json_text.h"
-#include "app/output.h"
-#include "app/shortfall.h"
+// `slidercrank compare`: how far reference files are from the model.
+
+#include "app/commands.h"
+#include "app/reference_files.h"
+#include "app/time_step_report.h"
 #include "core/identification/diagnosis.h"
-#include "ui/document/reference_file.h"
 #include "ui/text/column_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/read_fault_text.h"
 
 #include <algorithm>
-#include <array>
-#include <memory>
-#include <optional>
-#include <variant>
-#include <vector>
 
 namespace slidercrank
 {
@@ -26,173 +19,145 @@ namespace slidercrank
 namespace
 {
 
-/// One reference, held against the mechanism.
-struct Compared {
-    QString file;
-    std::shared_ptr<const Reference> reference;
-    std::vector<ChannelComparison> channels;
-    std::optional<Diagnosis> diagnosis; ///< where it differs
-
-    Verdict worstVerdict() const
-    {
-        const auto worst = std::ranges::max_element(channels, {}, &ChannelComparison::verdict);
-        return worst == channels.end() ? Verdict::Differs : worst->verdict;
-    }
+struct CompareRequest {
+    Mechanism mechanism;
+    SolverSettings solver;
+    ReferenceFiles references;
+    bool failsOnDifference = false;
 };
 
-/// Why the file differs; none where it does not.
-QStringList explanationOf(const Compared &compared, const Mechanism &mechanism)
+QJsonArray jsonSkippedRows(const ReferenceData &data)
 {
-    return compared.diagnosis ? explanationLines(*compared.diagnosis, compared.reference->data, mechanism)
-                              : QStringList();
-}
-
-QByteArray jsonExplanation(const Compared &compared, const Mechanism &mechanism)
-{
-    if (!compared.diagnosis) {
-        return "null";
-    }
-    const Identification &found = compared.diagnosis->identification;
-    return "{\"sentence\":" + jsonString(explanationOf(compared, mechanism).join(u' ')) +
-           ",\"mechanism\":" + (found.stands() ? jsonMechanism(Mechanism(found.parameters)) : QByteArray("null")) +
-           ",\"conventions\":" + jsonOf(compared.diagnosis->conventions, compared.reference->data) + '}';
-}
-
-QByteArray jsonOf(const Compared &compared, const Mechanism &mechanism)
-{
-    const InEnglish inEnglish;
-    const ReferenceData &data = compared.reference->data;
-    QByteArrayList skipped;
+    QJsonArray rows;
     for (const SkippedRow &row : data.skipped) {
-        skipped += '{' + jsonFile(data.layout, row.file) + "\"line\":" + QByteArray::number(row.line) +
-                   ",\"column\":" + QByteArray::number(row.column) +
-                   ",\"text\":" + jsonString(QString::fromStdString(row.text)) +
-                   ",\"reason\":" + jsonString(reasonOf(row)) + '}';
-    }
-    QByteArrayList ignored;
-    for (const QString &heading : ignoredHeadings(data.layout)) {
-        ignored += jsonString(heading);
-    }
-    return "{\"file\":" + jsonString(compared.file) + ',' + jsonJoined(compared.reference->paths) +
-           "\"mechanism\":" + jsonMechanism(mechanism) + ",\"verdict\":\"" + wordOf(compared.worstVerdict()) +
-           "\",\"channels\":" + jsonOf(compared.channels) + ",\"columns\":" + jsonColumns(data.layout) +
-           ",\"explanation\":" + jsonExplanation(compared, mechanism) + ",\"skipped\":[" + skipped.join(',') +
-           "],\"ignoredColumns\":[" + ignored.join(',') + "]}";
-}
-
-QString textOf(const Compared &compared, const Mechanism &mechanism)
-{
-    constexpr int kDigits = 9;
-    QString text = headlineOf(compared.file, compared.reference->data);
-    text += CommandLine::tr("Model: %1").arg(mechanismText(mechanism, kDigits)) + QStringLiteral("\n\n");
-    text += tableOf(compared.channels, compared.reference->data) + u'\n' + summaryOf(compared.channels) + u'\n';
-    for (const QString &line : explanationOf(compared, mechanism)) {
-        text += line + u'\n';
-    }
-    return text;
-}
-
-QByteArray csvOf(const Compared &compared, const Mechanism &mechanism)
-{
-    const InEnglish inEnglish;
-    return csvOf(compared.file, compared.channels, compared.worstVerdict(),
-                 explanationOf(compared, mechanism).join(u' '));
-}
-
-QByteArray bytesOf(const Compared &compared, const CompareOptions &options)
-{
-    switch (options.format) {
-    case Format::Text: return textOf(compared, options.mechanism).toUtf8();
-    case Format::Csv: return csvOf(compared, options.mechanism);
-    case Format::Json: return jsonOf(compared, options.mechanism);
-    }
-    return {};
-}
-
-PartedOutput outputOf(const CompareOptions &options)
-{
-    switch (options.format) {
-    case Format::Text: return {options.output, {}, "\n"};
-    case Format::Csv: return {options.output, csvHeader(), {}};
-    case Format::Json: return {options.output, "{\"files\":[", ","};
-    }
-    return {options.output, {}, {}};
-}
-
-/// How many files agree, are close, differ; and how many could not be read.
-class Tally
-{
-public:
-    void add(Verdict verdict) { ++m_counts[static_cast<std::size_t>(verdict)]; }
-    void addUnreadable() { ++m_unreadable; }
-
-    QString sentence() const
-    {
-        const int all = m_counts[0] + m_counts[1] + m_counts[2] + m_unreadable;
-        QString text = CommandLine::tr("%1 files: %2 agree, %3 come close, %4 differ")
-                           .arg(all)
-                           .arg(m_counts[0])
-                           .arg(m_counts[1])
-                           .arg(m_counts[2]);
-        if (m_unreadable > 0) {
-            text += CommandLine::tr(", %1 could not be read").arg(m_unreadable);
+        QJsonObject object{{"line", static_cast<double>(row.line)},
+                           {"column", static_cast<double>(row.column)},
+                           {"text", QString::fromStdString(row.text)},
+                           {"reason", reasonOf(row)}};
+        if (row.file < data.layout.files.size()) {
+            object.insert("file", QString::fromUtf8(data.layout.files[row.file]));
         }
-        return text + u'.';
+        rows += object;
+    }
+    return rows;
+}
+
+/// The model by the chosen method, at the file's own time stamps.
+ExactComparison compareByMethod(const CompareRequest &request, const ReferenceData &data)
+{
+    if (request.solver.method == Method::ClosedForm) {
+        return compareExactly(request.mechanism, data);
+    }
+    const Trajectory model = sample(request.mechanism, data.time, channelsOf(data), request.solver);
+    return {compare(request.mechanism, model, data), model.status};
+}
+
+/// One reference, compared with the model.
+struct Compared {
+    const CompareRequest &request;
+    const Reference &reference;
+    ExactComparison comparison;
+    Verdict verdict = Verdict::Differs;
+    std::optional<Diagnosis> diagnosis; ///< if it differs
+
+    Compared(const CompareRequest &compareRequest, const Reference &file)
+        : request(compareRequest)
+        , reference(file)
+        , comparison(compareByMethod(request, reference.data))
+    {
+        const auto worst = std::ranges::max_element(comparison.channels, {}, &ChannelComparison::verdict);
+        verdict = worst == comparison.channels.end() ? Verdict::Differs : worst->verdict;
+        if (verdict == Verdict::Differs) {
+            diagnosis = diagnose(reference.data, request.mechanism);
+        }
     }
 
-private:
-    std::array<int, 3> m_counts{}; ///< by Verdict
-    int m_unreadable = 0;
+    QStringList explanation() const
+    {
+        return diagnosis ? explanationLines(*diagnosis, reference.data, request.mechanism) : QStringList();
+    }
+
+    QString text() const
+    {
+        QString text = headline(reference);
+        text += CommandLine::tr("Model: %1").arg(mechanismText(request.mechanism, 9)) + QStringLiteral("\n\n");
+        text += recordTable(comparisonFields(reference.data), comparison.channels) + u'\n' + summaryOf(comparison.channels);
+        return (QStringList(text) + explanation()).join(u'\n') + u'\n';
+    }
+
+    QJsonObject json() const
+    {
+        QJsonValue explanationObject;
+        if (diagnosis) {
+            const Identification &found = diagnosis->identification;
+            explanationObject = QJsonObject{
+                {"sentence", explanation().join(u' ')},
+                {"mechanism", found.stands() ? QJsonValue(jsonMechanism(found.parameters)) : QJsonValue()},
+                {"conventions", jsonConventions(diagnosis->conventions, reference.data)}};
+        }
+        QJsonObject object = jsonFileMembers(reference);
+        object.insert("mechanism", jsonMechanism(request.mechanism.parameters()));
+        object.insert("verdict", verdictName(verdict));
+        object.insert("channels", jsonComparisons(comparison.channels, reference.data));
+        object.insert("columns", jsonColumns(reference.data.layout));
+        object.insert("explanation", explanationObject);
+        object.insert("skipped", jsonSkippedRows(reference.data));
+        object.insert("ignoredColumns", QJsonArray::fromStringList(ignoredHeadings(reference.data.layout)));
+        return object;
+    }
+
+    QByteArray csv() const
+    {
+        QByteArray rows;
+        const Fields<ChannelComparison> fields = comparisonFields(reference.data);
+        for (const ChannelComparison &channel : comparison.channels) {
+            rows += QByteArrayList{csvCell(joinedName(reference.paths)), csvRecord(fields, channel),
+                                   csvCell(verdictName(verdict)), csvCell(explanation().join(u' '))}
+                        .join(',') +
+                    '\n';
+        }
+        return rows;
+    }
 };
+
+ReferenceAnswer compareOne(const Streams &streams, const CompareRequest &request, const Reference &reference)
+{
+    const Compared compared(request, reference);
+    ReferenceAnswer answer;
+    const EnglishTexts english(request.references.format != Format::Text);
+    switch (request.references.format) {
+    case Format::Text: answer.text = compared.text(); break;
+    case Format::Csv: answer.csv = compared.csv(); break;
+    case Format::Json: break;
+    }
+    answer.json = compared.json();
+    answer.category = compared.verdict == Verdict::Agrees  ? CommandLine::tr("agree")
+                      : compared.verdict == Verdict::Close ? CommandLine::tr("close")
+                                                           : CommandLine::tr("differ");
+    TimeStepReport steps;
+    steps.add(reference.data.time, compared.comparison.status);
+    const bool isOneOfSeveral = request.references.files.size() > 1;
+    answer.status = steps.finish(streams, request.mechanism, request.solver.newton,
+                                 isOneOfSeveral ? shownNameOf(joinedName(reference.paths)) + QStringLiteral(": ") : QString());
+    if (request.failsOnDifference && compared.verdict == Verdict::Differs) {
+        answer.status = moreSevere(answer.status, ExitStatus::Differs);
+    }
+    return answer;
+}
 
 } // namespace
 
-ExitStatus compareFiles(const CompareOptions &options)
+Command prepareCompare(OptionReader &options)
 {
-    const bool several = options.references.size() > 1;
-    ExitStatus status = ExitStatus::Done;
-    Tally tally;
-    PartedOutput output = outputOf(options);
-    for (const QStringList &files : options.references) {
-        const QString file = joinedName(files);
-        const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readTimed({files, {}, {}}, options.columns, options.mechanism);
-        if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            say(*sentence);
-            status = ExitStatus::FileFailed;
-            tally.addUnreadable();
-            continue;
-        }
-        Compared compared;
-        compared.file = file;
-        compared.reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        const ReferenceData &data = compared.reference->data;
-        ExactComparison exact = compareExactly(options.mechanism, data);
-        compared.channels = std::move(exact.channels);
-        if (compared.worstVerdict() == Verdict::Differs) {
-            compared.diagnosis = diagnose(data, options.mechanism);
-        }
-        if (!output.add(bytesOf(compared, options))) {
-            return graver(status, output.finish({}));
-        }
-        warnOf(file, data);
-
-        tally.add(compared.worstVerdict());
-        Shortfall shortfall;
-        shortfall.add(data.time, exact.status);
-        const QString before = several ? shownNameOf(file) + QStringLiteral(": ") : QString();
-        status = graver(status, shortfall.report(options.mechanism, SolverSettings().newton.maxIterations, before));
-        if (options.failOnDifference && compared.diagnosis) {
-            status = graver(status, ExitStatus::Differs);
-        }
-    }
-    QByteArray tail;
-    if (options.format == Format::Json) {
-        tail = "]}\n";
-    } else if (several && options.format == Format::Text) {
-        tail = '\n' + tally.sentence().toUtf8() + '\n';
-    }
-    return graver(status, output.finish(tail));
+    CompareRequest request{readMechanism(options), readSolver(options), readReferenceOptions(options),
+                           options.has("fail-on-difference")};
+    Command command;
+    command.run = [request](const Streams &streams) {
+        const QByteArray heading = "file," + csvHeading(comparisonFields({})) + ",fileVerdict,sentence";
+        return answerEach(streams, request.references, request.mechanism, heading,
+                          [&](const Reference &reference) { return compareOne(streams, request, reference); });
+    };
+    return command;
 }
 
 } // namespace slidercrank

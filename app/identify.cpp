@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/subcommands.h"
 
-#include "app/comparison_text.h"
-#include "app/diagnosis_json.h"
-#include "app/json_text.h"
-#include "app/output.h"
+// `slidercrank identify`: the mechanism that each reference file belongs to.
+
+#include "app/commands.h"
+#include "app/reference_files.h"
 #include "core/identification/diagnosis.h"
 #include "core/import/crank_angles.h"
-#include "ui/document/reference_file.h"
 #include "ui/text/convention_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
 
 #include <QLocale>
 
-#include <memory>
-#include <optional>
-#include <variant>
+#include <array>
 
 namespace slidercrank
 {
@@ -26,166 +22,148 @@ namespace
 
 using Outcome = Identification::Outcome;
 
-/// What was not found is null; what comes nearest is the mechanism only under that name.
-QByteArray jsonOf(const Reference &reference, const Diagnosis &diagnosis)
+struct IdentifyRequest {
+    Mechanism mechanism; ///< supplies what a file does not determine
+    ReferenceFiles references;
+};
+
+/// By Identification::Outcome.
+constexpr std::array kOutcomeNames{"identified", "ambiguous", "approximate", "insufficient", "nearest", "none"};
+
+/// By Identification::Alternative::Why.
+constexpr std::array kAlternativeNames{"mirror-image", "reversed", "other-assembly", "alias", "another-mechanism"};
+
+QString outcomeText(Outcome outcome)
 {
-    const InEnglish inEnglish;
-    const ReferenceData &data = reference.data;
-    const Identification &found = diagnosis.identification;
-    const bool isMechanism = found.stands() || found.outcome == Outcome::Nearest;
-    const QByteArray none("null");
-    QByteArrayList errors;
-    QByteArrayList identifiable;
-    for (const Parameter parameter : kParameters) {
-        const std::size_t i = indexOf(parameter);
-        const QByteArray name = '"' + QByteArray(wordOf(parameter)) + "\":";
-        errors += name + (found.identifiable[i] ? jsonNumber(found.standardError[i]) : none);
-        identifiable += name + (found.identifiable[i] ? "true" : "false");
+    switch (outcome) {
+    case Outcome::Identified: return CommandLine::tr("identified");
+    case Outcome::Approximate: return CommandLine::tr("approximate");
+    case Outcome::Ambiguous: return CommandLine::tr("ambiguous");
+    case Outcome::Insufficient:
+    case Outcome::Nearest:
+    case Outcome::None: return CommandLine::tr("not identified");
     }
-    QByteArrayList excludedRows;
-    for (const std::size_t line : found.excludedRows) {
-        excludedRows += QByteArray::number(line);
-    }
-    return "{\"file\":" + jsonString(joinedName(reference.paths)) + ',' + jsonJoined(reference.paths) +
-           "\"outcome\":\"" + wordOf(found.outcome) +
-           "\",\"mechanism\":" + (isMechanism ? jsonMechanism(Mechanism(found.parameters)) : none) +
-           ",\"standardError\":{" + errors.join(',') + "},\"identifiable\":{" + identifiable.join(',') +
-           "},\"alternatives\":" + jsonOf(found.alternatives) +
-           ",\"rounded\":" + (found.hasOneMechanism() ? jsonMechanism(Mechanism(diagnosis.rounded)) : none) +
-           ",\"noise\":" + jsonOf(found.noise) + ",\"iterations\":" + QByteArray::number(found.iterations) +
-           ",\"conditionNumber\":" + (found.stands() ? jsonNumber(found.conditionNumber) : none) +
-           ",\"channels\":" + jsonOf(diagnosis.identified) + ",\"columns\":" + jsonColumns(data.layout) +
-           ",\"conventions\":" + jsonOf(diagnosis.conventions, data) + ",\"leftOut\":" + jsonOf(found.leftOut) +
-           ",\"excludedRows\":[" + excludedRows.join(',') + ']' + ",\"summary\":" + jsonString(summaryOf(diagnosis)) +
-           '}';
+    return {};
 }
 
-/// "--a 20 --b …": to go on with.
+QJsonObject jsonIdentification(const Reference &reference, const Diagnosis &diagnosis)
+{
+    const Identification &found = diagnosis.identification;
+    const bool hasMechanism = found.stands() || found.outcome == Outcome::Nearest;
+    QJsonObject standardErrors, identifiable, noise;
+    for (const Parameter parameter : kParameters) {
+        const std::size_t i = indexOf(parameter);
+        const QLatin1String name(wordOf(parameter));
+        standardErrors.insert(name, found.identifiable[i] ? jsonNumber(found.standardError[i]) : QJsonValue());
+        identifiable.insert(name, found.identifiable[i]);
+    }
+    for (const Identification::Noise &column : found.noise) {
+        noise.insert(columnNameOf(column.channel), jsonNumber(column.rms));
+    }
+    QJsonArray alternatives, leftOut, excludedRows;
+    for (const Identification::Alternative &alternative : found.alternatives) {
+        alternatives += QJsonObject{{"mechanism", jsonMechanism(alternative.parameters)},
+                                    {"why", kAlternativeNames[static_cast<std::size_t>(alternative.why)]}};
+    }
+    for (const auto &column : found.leftOut) {
+        leftOut += QJsonObject{{"channel", columnNameOf(column.channel)},
+                               {"percentOfPeak", jsonNumber(column.percentOfPeak)}};
+    }
+    for (const std::size_t line : found.excludedRows) {
+        excludedRows += static_cast<double>(line);
+    }
+    QJsonObject object = jsonFileMembers(reference);
+    object.insert("outcome", kOutcomeNames[static_cast<std::size_t>(found.outcome)]);
+    object.insert("mechanism", hasMechanism ? QJsonValue(jsonMechanism(found.parameters)) : QJsonValue());
+    object.insert("standardError", standardErrors);
+    object.insert("identifiable", identifiable);
+    object.insert("alternatives", alternatives);
+    object.insert("rounded",
+                  found.outcome == Outcome::Identified ? QJsonValue(jsonMechanism(diagnosis.rounded)) : QJsonValue());
+    object.insert("noise", noise);
+    object.insert("iterations", found.iterations);
+    object.insert("conditionNumber", found.stands() ? jsonNumber(found.conditionNumber) : QJsonValue());
+    object.insert("channels", jsonComparisons(diagnosis.identified, reference.data));
+    object.insert("columns", jsonColumns(reference.data.layout));
+    object.insert("conventions", jsonConventions(diagnosis.conventions, reference.data));
+    object.insert("leftOut", leftOut);
+    object.insert("excludedRows", excludedRows);
+    object.insert("summary", summaryOf(diagnosis));
+    return object;
+}
+
+/// "--a 20 --b …": options for the next command.
 QString optionsFor(const Parameters &parameters)
 {
     QString text;
     for (const Parameter parameter : kParameters) {
-        text += QStringLiteral("--%1 %2 ")
+        text += QStringLiteral("--%1 %2%3 ")
                     .arg(QLatin1String(wordOf(parameter)),
-                         QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest));
+                         QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest),
+                         parameter == Parameter::Theta20 ? QStringLiteral("rad") : QString());
     }
-    return text +
-           (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
+    return text + (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
 }
 
-QString textOf(const QString &file, const ReferenceData &data, const Diagnosis &diagnosis)
+QString identificationText(const Reference &reference, const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
-    QString text = headlineOf(file, data);
+    const ReferenceData &data = reference.data;
     if (!found.stands()) {
-        return text + summaryOf(diagnosis) + u'\n';
+        return headline(reference) + summaryOf(diagnosis) + u'\n';
     }
+    QStringList lines{headline(reference).trimmed()};
     for (const ConventionFinding &finding : diagnosis.conventions) {
-        text += explanationOf(finding.convention, data) + u' ' + effectOf(finding) + u'\n';
+        lines += explanationOf(finding.convention, data) + u' ' + effectOf(finding);
     }
-    text += summaryOf(diagnosis) + u'\n';
+    lines += summaryOf(diagnosis);
     if (found.outcome != Outcome::Approximate) {
-        text += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
-                    .arg(found.iterations)
-                    .arg(rounded(found.conditionNumber)) +
-                u'\n';
+        lines += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
+                     .arg(QString::number(found.iterations), roundedText(found.conditionNumber));
     }
     const std::optional<ReferenceData> timed =
-        data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // what it was compared as
-    text += u'\n' + tableOf(diagnosis.identified, timed ? *timed : data) + u'\n';
-    if (found.noise.empty()) { // else it was said what is left
-        text += summaryOf(diagnosis.identified) + u'\n';
+        data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // the data that were compared
+    lines += u'\n' + recordTable(comparisonFields(timed ? *timed : data), diagnosis.identified);
+    if (found.noise.empty()) { // otherwise the summary has named the noise
+        lines += summaryOf(diagnosis.identified);
     }
-    if (const QString rounded = roundNumbersText(diagnosis); !rounded.isEmpty()) {
-        text += rounded + u'\n';
-    }
-    const QString goOn = found.hasOneMechanism() ? CommandLine::tr("To go on with it: %1")
-                                                 : CommandLine::tr("To go on with the first: %1");
-    return text + goOn.arg(optionsFor(diagnosis.rounded)) + u'\n';
+    lines += roundNumbersText(diagnosis);
+    lines += (found.outcome == Outcome::Ambiguous ? CommandLine::tr("Options for the first of them: %1")
+                                                  : CommandLine::tr("Options for this mechanism: %1"))
+                 .arg(optionsFor(diagnosis.rounded));
+    lines.removeAll(QString());
+    return lines.join(u'\n') + u'\n';
 }
 
-/// How many files have a mechanism, several, none; and how many could not be read.
-class OutcomeTally
+ReferenceAnswer identifyOne(const Streams &streams, const IdentifyRequest &request, const Reference &reference)
 {
-public:
-    void add(const Identification &found)
-    {
-        ++(found.outcome == Outcome::Identified    ? m_identified
-           : found.outcome == Outcome::Approximate ? m_approximate
-           : found.outcome == Outcome::Ambiguous   ? m_ambiguous
-                                                   : m_open);
+    const Diagnosis diagnosis = diagnose(reference.data, request.mechanism);
+    const bool isFound = diagnosis.identification.stands();
+    const bool isText = request.references.format == Format::Text;
+    ReferenceAnswer answer;
+    answer.category = outcomeText(diagnosis.identification.outcome);
+    answer.status = isFound ? ExitStatus::Success : ExitStatus::NotSolved;
+    if (!isFound && (!isText || request.references.files.size() == 1)) {
+        streams.report(QStringLiteral("%1: %2").arg(shownNameOf(joinedName(reference.paths)), summaryOf(diagnosis)));
+    } else if (isText) {
+        answer.text = identificationText(reference, diagnosis);
     }
-    void addUnreadable() { ++m_unreadable; }
-
-    QString sentence() const
-    {
-        QString text = CommandLine::tr("%1 files: %2 identified, %3 ambiguous, %4 not identified")
-                           .arg(m_identified + m_approximate + m_ambiguous + m_open + m_unreadable)
-                           .arg(m_identified)
-                           .arg(m_ambiguous)
-                           .arg(m_open);
-        if (m_approximate > 0) {
-            text += CommandLine::tr(", %1 approximated").arg(m_approximate);
-        }
-        if (m_unreadable > 0) {
-            text += CommandLine::tr(", %1 could not be read").arg(m_unreadable);
-        }
-        return text + u'.';
-    }
-
-private:
-    int m_identified = 0;
-    int m_approximate = 0;
-    int m_ambiguous = 0;
-    int m_open = 0;
-    int m_unreadable = 0;
-};
+    const EnglishTexts english(!isText);
+    answer.json = jsonIdentification(reference, diagnosis);
+    return answer;
+}
 
 } // namespace
 
-ExitStatus identifyFiles(const IdentifyOptions &options)
+Command prepareIdentify(OptionReader &options)
 {
-    const bool several = options.references.size() > 1;
-    const bool isJson = options.format == Format::Json;
-    ExitStatus status = ExitStatus::Done;
-    OutcomeTally tally;
-    PartedOutput output(options.output, isJson && several ? "{\"files\":[" : "", isJson ? "," : "\n");
-    for (const QStringList &files : options.references) {
-        const QString file = joinedName(files);
-        const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readTimed({files, {}, {}}, options.columns, options.mechanism);
-        if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            say(*sentence);
-            status = ExitStatus::FileFailed;
-            tally.addUnreadable();
-            continue;
-        }
-        const Reference &reference = *std::get<std::shared_ptr<const Reference>>(outcome);
-        const ReferenceData &data = reference.data;
-        const Diagnosis diagnosis = diagnose(data, options.mechanism);
-        const bool stands = diagnosis.identification.stands();
-        tally.add(diagnosis.identification);
-
-        // Of one file without a mechanism there is nothing for a person to read but the sentence that says so.
-        if ((stands || several || isJson) &&
-            !output.add(isJson ? jsonOf(reference, diagnosis) : textOf(file, data, diagnosis).toUtf8())) {
-            break;
-        }
-        warnOf(file, data);
-        if (!stands) {
-            status = graver(status, ExitStatus::NotSolved);
-            if (isJson || !several) {
-                say(QStringLiteral("%1: %2").arg(shownNameOf(file), summaryOf(diagnosis)));
-            }
-        }
-    }
-    QByteArray tail;
-    if (isJson) {
-        tail = several ? "]}\n" : "\n";
-    } else if (several) {
-        tail = '\n' + tally.sentence().toUtf8() + '\n';
-    }
-    return graver(status, output.finish(tail));
+    const IdentifyRequest request{readMechanism(options), readReferenceOptions(options)};
+    Command command;
+    command.run = [request](const Streams &streams) {
+        return answerEach(streams, request.references, request.mechanism, {},
+                          [&](const Reference &reference) { return identifyOne(streams, request, reference); });
+    };
+    return command;
 }
 
 } // namespace slidercrank

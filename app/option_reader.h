@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The values of options, each checked as it is taken, and what is said of a word that nobody knows.
+// The values of the options of one command, each checked when it is read. All functions throw UsageError.
 
 #include "app/command_line.h"
+#include "app/option_table.h"
 #include "core/import/unit_text.h"
 #include "ui/document/scene.h"
 
@@ -11,85 +12,63 @@
 #include <QString>
 #include <QStringList>
 
-#include <initializer_list>
 #include <optional>
-#include <utility>
+#include <vector>
 
 namespace slidercrank
 {
 
-/// The names that are nearest to a word or begin with it, at most four; none farther than a third of its letters.
-QStringList nearest(const QString &word, const QStringList &names);
-
 /// "x", "x or y", "x, y or z".
-QString alternatives(const QStringList &names);
+QString joinedByOr(const QStringList &names);
 
-/// The whole text as a number.
-std::optional<int> parsedInteger(const QString &text);
+/// Throws that there is no such name, with the most similar of the names that exist.
+[[noreturn]] void throwUnknownName(const QString &message, const QString &name, const QStringList &names);
 
-/// Takes checked values from what was parsed. The first fault is kept; after it the values mean nothing.
 class OptionReader
 {
 public:
-    explicit OptionReader(const QCommandLineParser &parser);
+    /// `arguments`: without the names of program and command.
+    OptionReader(Subcommand subcommand, const QStringList &arguments);
 
-    const std::optional<QString> &fault() const { return m_fault; }
-    const std::optional<QString> &fileFault() const { return m_fileFault; }
+    Subcommand subcommand() const { return m_subcommand; }
 
-    /// What holds where no option says otherwise.
+    /// What holds where no option says otherwise: the scene of --scene, or the defaults.
     const Scene &scene() const { return m_scene; }
-    void takeScene(const QString &path);
+    void readScene();
 
-    void refuse(const QString &sentence);
-    void refuseFile(const QString &sentence);
-
-    bool has(const char *name) const { return m_parser.isSet(QLatin1String(name)); }
+    bool has(const char *name) const;
     QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
+    QStringList texts(const char *name) const;
+    QStringList files() const { return m_parser.positionalArguments(); } ///< the arguments that are no options
 
-    /// All that were given, in their order, also where there is no such option.
-    QStringList texts(const char *name) const
+    /// In `unit`, whatever unit the number was given in; without a unit, a number alone.
+    double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {}) const;
+    double positiveNumber(const char *name, double defaultValue, const std::optional<Unit> &unit = {}) const;
+    int integer(const char *name, int defaultValue, int smallest, int largest) const;
+
+    /// The value of an option with a fixed list of words, "open|crossed" in the option table: the enumerator with the number that
+    /// the word has in the list.
+    template <typename Enum>
+    Enum choice(const char *name, Enum defaultValue) const
     {
-        return m_parser.optionNames().contains(QLatin1String(name)) ? m_parser.values(QLatin1String(name))
-                                                                    : QStringList();
+        return has(name) ? static_cast<Enum>(choiceIndex(name)) : defaultValue;
     }
 
-    /// In that unit, whatever unit was written behind it; without: a number alone.
-    double number(const char *name, double otherwise, const std::optional<Unit> &unit = {});
+    /// The option as the table describes it for this command; null if the command does not take it.
+    const OptionDescription *description(const char *name) const;
 
-    /// Of a magnitude that every computation bears.
-    double boundedNumber(const char *name, double otherwise, const Unit &unit);
-
-    int integer(const char *name, int otherwise, int smallest, int largest);
-
-    template <typename Choice>
-    Choice choice(const char *name, Choice otherwise, std::initializer_list<std::pair<const char *, Choice>> choices)
-    {
-        if (!has(name)) {
-            return otherwise;
-        }
-        QStringList words;
-        for (const auto &[word, meaning] : choices) {
-            if (text(name) == QLatin1String(word)) {
-                return meaning;
-            }
-            words += QLatin1String(word);
-        }
-        refuse(
-            CommandLine::tr("--%1 must be %2, not \"%3\".").arg(QLatin1String(name), alternatives(words), text(name)));
-        return otherwise;
-    }
-
-    /// Empty when not given.
-    QString file(const char *name);
-    QStringList files(const char *name); ///< all that were given
-
-    static QString tooLarge(const char *name);
+    /// Throws if any of these options was given, with a message that names the option.
+    void refuse(const std::vector<const char *> &names, const QString &message) const;
 
 private:
-    const QCommandLineParser &m_parser;
+    void checkSyntax(bool parsed) const;
+    qsizetype choiceIndex(const char *name) const;
+    void checkMagnitude(const char *name, double value) const;
+
+    Subcommand m_subcommand;
+    std::vector<OptionDescription> m_descriptions;
+    QCommandLineParser m_parser;
     Scene m_scene;
-    std::optional<QString> m_fault;
-    std::optional<QString> m_fileFault;
 };
 
 } // namespace slidercrank

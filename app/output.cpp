@@ -6,15 +6,14 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include <cstdio>
-
 namespace slidercrank
 {
 
-Output::Output(const QString &path)
-    : m_path(path)
-    , m_isStream(path.isEmpty() || isPipeOrDevice(QFileInfo(path)))
-    , m_stream(path)
+Output::Output(const Streams &streams, const QString &path)
+    : m_streams(streams)
+    , m_path(path)
+    , m_isPlainFile(!path.isEmpty() && !isPipeOrDevice(QFileInfo(path)))
+    , m_device(path)
     , m_file(path)
 {
 }
@@ -22,63 +21,48 @@ Output::Output(const QString &path)
 bool Output::fail(const QString &reason)
 {
     m_failed = true;
-    const QString why = withoutFullStop(reason);
-    say(m_path.isEmpty() ? CommandLine::tr("Standard output cannot be written: %1.").arg(why)
-                         : CommandLine::tr("%1 cannot be written: %2. Choose another file or folder with --output.")
-                               .arg(QDir::toNativeSeparators(m_path), why));
+    const QString withoutStop = withoutFullStop(reason);
+    m_streams.report(m_path.isEmpty()
+                         ? CommandLine::tr("Cannot write to standard output: %1.").arg(withoutStop)
+                         : CommandLine::tr("Cannot write %1: %2. Choose another file or folder with --output.")
+                               .arg(QDir::toNativeSeparators(m_path), withoutStop));
     return false;
 }
 
 bool Output::open()
 {
-    if (!m_isStream) {
+    if (m_isPlainFile) {
         return m_file.open() || fail(m_file.reason());
     }
-    return (m_path.isEmpty() ? m_stream.open(stdout, QIODevice::WriteOnly) : m_stream.open(QIODevice::WriteOnly)) ||
-           fail(m_stream.errorString());
+    return m_path.isEmpty() || m_device.open(QIODevice::WriteOnly) || fail(m_device.errorString());
 }
 
 bool Output::write(const QByteArray &bytes)
 {
-    m_failed = m_failed || !(m_isStream ? m_stream.write(bytes) == bytes.size() : m_file.write(bytes));
+    if (!m_failed && m_isPlainFile) {
+        m_failed = !m_file.write(bytes);
+    } else if (!m_failed) {
+        m_failed = (m_path.isEmpty() ? m_streams.output : m_device).write(bytes) != bytes.size();
+    }
     return !m_failed;
 }
 
 ExitStatus Output::finish()
 {
-    const bool written = !m_failed && (m_isStream ? m_stream.flush() : m_file.commit());
-    return written || fail(m_isStream ? m_stream.errorString() : m_file.reason()) ? ExitStatus::Done
-                                                                                  : ExitStatus::FileFailed;
-}
-
-PartedOutput::PartedOutput(const QString &path, const QByteArray &head, const QByteArray &between)
-    : m_output(path)
-    , m_head(head)
-    , m_between(between)
-{
-}
-
-bool PartedOutput::add(const QByteArray &part)
-{
-    const QByteArray &before = m_isOpen ? m_between : m_head;
-    m_isOpen = m_isOpen ? *m_isOpen : m_output.open();
-    return *m_isOpen && m_output.write(before + part);
-}
-
-ExitStatus PartedOutput::finish(const QByteArray &tail)
-{
-    if (!m_isOpen.value_or(false)) {
-        return m_isOpen ? ExitStatus::FileFailed : ExitStatus::Done;
+    if (m_isPlainFile) {
+        return (!m_failed && m_file.commit()) || fail(m_file.reason()) ? ExitStatus::Success : ExitStatus::FileError;
     }
-    m_output.write(tail);
-    return m_output.finish();
+    QIODevice &device = m_path.isEmpty() ? m_streams.output : m_device;
+    QFileDevice *const file = qobject_cast<QFileDevice *>(&device);
+    const bool written = !m_failed && (!file || file->flush());
+    return written || fail(device.errorString()) ? ExitStatus::Success : ExitStatus::FileError;
 }
 
-ExitStatus writeAll(const QString &path, const QByteArray &bytes)
+ExitStatus writeOutput(const Streams &streams, const QString &path, const QByteArray &bytes)
 {
-    Output output(path);
+    Output output(streams, path);
     if (!output.open()) {
-        return ExitStatus::FileFailed;
+        return ExitStatus::FileError;
     }
     output.write(bytes);
     return output.finish();

@@ -1,25 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/subcommands.h"
 
-#include "app/comparison_text.h"
-#include "app/shortfall.h"
+// `slidercrank render`: what the window shows, drawn into a file by the window's own views.
+
+#include "app/commands.h"
+#include "app/option_groups.h"
+#include "app/reference_files.h"
+#include "app/time_step_report.h"
+#include "core/comparison/reference_pose.h"
+#include "core/identification/diagnosis.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
 #include "ui/export/report.h"
+#include "ui/mechanism/mechanism_scene.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
 
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QPalette>
+#include <QRegularExpression>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <memory>
-#include <optional>
 #include <span>
-#include <variant>
 
 namespace slidercrank
 {
@@ -27,211 +35,353 @@ namespace slidercrank
 namespace
 {
 
-/// Figure and report belong to the run, so their cursor does too; the mechanism alone has a pose at any instant, and a
-/// run is put around that.
-Sampling runAround(const RenderOptions &options)
-{
-    Sampling run = options.sampling;
-    if (options.subject == RenderOptions::Subject::Mechanism) {
-        run.start = options.poseInstant;
+enum class Subject { Figure, Mechanism, Plot, Report, Frames };
+
+constexpr int kLargestSide = 20'000; // pixels; more than anybody can have meant, less than a PNG can hold
+
+struct RenderRequest {
+    Subject subject = Subject::Figure;
+    QString plot;    ///< Subject::Plot: the name of a channel, or error_position, error_velocity, error_acceleration
+    Choices choices; ///< without the reference
+    Scene scene;     ///< supplies what the window showed
+    std::optional<ReferenceSource> reference;
+    std::vector<NamedChoice> columns; ///< of the reference
+    double time = 0.0;                ///< s, of the drawing and of the cursor in the plots
+    QString output;
+    FigureSize size;
+    double speed = 1.0; ///< Subject::Frames: seconds of the motion per second
+    Theme theme = Theme::Light;
+
+    Mechanism mechanism() const { return Mechanism(choices.parameters); }
+
+    Animation animation() const
+    {
+        Animation animation;
+        animation.start = choices.sampling.start;
+        animation.duration = choices.sampling.duration;
+        animation.speed = speed;
+        animation.size = size;
+        return animation;
     }
-    return run;
+};
+
+void readSubject(const OptionReader &options, RenderRequest &request)
+{
+    const QString what = options.has("what") ? options.text("what") : QStringLiteral("figure");
+    QStringList plots{"error_position", "error_velocity", "error_acceleration"};
+    for (const Channel channel : kPlottedChannels) {
+        plots += columnNameOf(channel);
+    }
+    const qsizetype index = QStringList{"figure", "mechanism", "", "report", "frames"}.indexOf(what);
+    if (index < 0 && !plots.contains(what)) {
+        throw UsageError{CommandLine::tr("--what must be figure, mechanism, frames, report or one of the plots %1, not \"%2\".")
+                             .arg(joinedByOr(plots), what)};
+    }
+    request.subject = index < 0 ? Subject::Plot : static_cast<Subject>(index);
+    request.plot = what;
+    constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(900, 600), QSize(), QSize(900, 700)}; // by Subject
+    request.size.size = kSizes[static_cast<std::size_t>(request.subject)];
 }
 
-/// Returns when everything is computed. A sentence when that failed.
-std::optional<QString> settle(Session &session, const RenderOptions &options,
-                              const std::shared_ptr<const Reference> &reference)
+/// --size and --scale.
+void readSize(const OptionReader &options, RenderRequest &request)
 {
-    bool busy = false;
+    if (options.has("size")) {
+        static const QRegularExpression syntax(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$"));
+        const QRegularExpressionMatch match = syntax.match(options.text("size"));
+        const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+        if (!match.hasMatch() || std::max(size.width(), size.height()) > kLargestSide) {
+            throw UsageError{CommandLine::tr("--size must be width x height in pixels, each from 100 to %1, such as 900x600, "
+                                             "not \"%2\".")
+                                 .arg(QString::number(kLargestSide), options.text("size"))};
+        }
+        request.size.size = size;
+    }
+    request.size.scale = options.number("scale", 1.0);
+    if (!(request.size.scale >= 0.1 && request.size.scale <= 10.0)) {
+        throw UsageError{CommandLine::tr("--scale must be from 0.1 to 10, not %1.").arg(options.text("scale"))};
+    }
+    if (request.size.scale * std::max(request.size.size.width(), request.size.size.height()) > kLargestSide) {
+        throw UsageError{CommandLine::tr("The picture would be larger than %1 pixels: choose a smaller --size or --scale.")
+                             .arg(kLargestSide)};
+    }
+}
+
+/// The name of the file has to suit the subject.
+void checkOutput(const RenderRequest &request)
+{
+    const std::optional<FigureFormat> format = figureFormatOf(request.output);
+    if (request.output.isEmpty()) {
+        throw UsageError{CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf.")};
+    }
+    if (request.subject == Subject::Report && format != FigureFormat::Pdf) {
+        throw UsageError{CommandLine::tr("A report is a PDF: --output must end in .pdf, not \"%1\".").arg(request.output)};
+    }
+    if (request.subject == Subject::Frames && format) {
+        throw UsageError{CommandLine::tr("Frames are written to a new folder or as a video: --output must not end in .%1.")
+                             .arg(QFileInfo(request.output).suffix())};
+    }
+    if (request.subject != Subject::Frames && !format) {
+        throw UsageError{CommandLine::tr("--output must end in .png, .svg or .pdf, not \"%1\".").arg(request.output)};
+    }
+}
+
+/// Frames show the whole time range, everything else one time.
+void readTime(const OptionReader &options, RenderRequest &request)
+{
+    const Sampling &sampling = request.choices.sampling;
+    const double end = sampling.start + sampling.duration;
+    if (request.subject == Subject::Frames) {
+        options.refuse({"at", "at-angle"}, CommandLine::tr("Frames show the whole time range: remove %1, or choose the range "
+                                                           "with --start and --duration."));
+        request.speed = options.positiveNumber("speed", request.speed);
+        if (request.animation().frameCount() > Animation::kMostFrames) {
+            throw UsageError{CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater "
+                                             "--speed.")
+                                 .arg(Animation::kMostFrames)};
+        }
+    } else {
+        options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
+    }
+    const double sceneTime = options.has("scene") ? std::clamp(request.scene.time, sampling.start, end) : sampling.start;
+    request.time = readTimeStamp(options, request.mechanism(), sampling.start).value_or(sceneTime);
+    if (request.subject != Subject::Mechanism && (request.time < sampling.start || request.time > end)) {
+        throw UsageError{CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or "
+                                         "another --start or --duration.")
+                             .arg(roundedText(request.time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
+    }
+}
+
+/// Returns when the session has computed everything; the message if that failed.
+std::optional<QString> computeResult(Session &session, const RenderRequest &request,
+                                     const std::shared_ptr<const Reference> &reference)
+{
+    bool isBusy = false;
     std::optional<QString> problem;
     QEventLoop loop;
-    QObject::connect(&session, &Session::problemFound, &loop, [&](const QString &sentence) { problem = sentence; });
-    QObject::connect(&session, &Session::busyChanged, &loop, [&](bool now) {
-        busy = now;
+    QObject::connect(&session, &Session::problemFound, &loop, [&](const QString &message) { problem = message; });
+    QObject::connect(&session, &Session::busyChanged, &loop, [&](bool busy) {
+        isBusy = busy;
         if (!busy) {
             loop.quit();
         }
     });
-    session.open({options.mechanism.parameters(), runAround(options), options.solver, reference, options.kept},
-                 options.poseInstant, {});
-    if (busy) {
+    Choices choices = request.choices;
+    choices.reference = reference;
+    if (request.subject == Subject::Mechanism) {
+        choices.sampling.start = request.time; // the mechanism can be drawn at any time, and the session shows its time range
+    }
+    session.open(choices, request.time, {});
+    if (isBusy) {
         loop.exec();
-        session.setTime(options.poseInstant);
+        session.setTime(request.time);
     }
     return problem;
 }
 
-/// The lengths of the linkage as the file has it, where that is another than the model's; none where the file reads
-/// otherwise.
-std::optional<Mechanism> ghostOf(const Diagnosis &diagnosis, const RenderOptions &options)
-{
-    if (!diagnosis.conventions.empty() || diagnosis.isOfMechanismAtHand) {
-        return std::nullopt;
-    }
-    return diagnosis.identification.stands() ? Mechanism(diagnosis.identification.parameters) : options.mechanism;
-}
+std::atomic<int> interruption = 0; // the signal that asked the program to end
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may write nothing else");
 
-Animation filmOf(const RenderOptions &options)
+/// Handles the signals that ask the program to end, except those that are ignored, as under nohup.
+void handleTermination(void (*handler)(int))
 {
-    Animation film;
-    film.start = options.sampling.start;
-    film.duration = options.sampling.duration;
-    film.speed = options.speed;
-    film.size = {options.size, options.scale};
-    return film;
-}
-
-std::atomic<int> interruption = 0; // the signal that asks to end, e.g. of Control C
-static_assert(std::atomic<int>::is_always_lock_free, "what a signal's handler may write");
-
-/// Of all that ask to end but those that were ignored from the start, as under nohup.
-void handleEndings(void (*handler)(int))
-{
-    constexpr int kEndings[] = {
+    constexpr int kSignals[] = {
         SIGINT, SIGTERM,
 #ifdef SIGHUP
-        SIGHUP, // the terminal was closed
+        SIGHUP,
 #endif
     };
-    for (const int signal : kEndings) {
+    for (const int signal : kSignals) {
         if (std::signal(signal, SIG_IGN) != SIG_IGN) {
             std::signal(signal, handler);
         }
     }
 }
 
-/// Writes frames or a video. Interrupted, it leaves nothing behind and ends as the signal asks for.
-std::optional<QString> exportFilm(const RenderOptions &options, const FrameDrawing &draw)
+/// Writes frames or a video; the message if that failed. After an interruption nothing is left on the disk, and the function does
+/// not return.
+std::optional<QString> exportFrames(const RenderRequest &request, const FrameDrawing &draw)
 {
-    handleEndings([](int which) { interruption = which; });
+    handleTermination([](int signal) { interruption = signal; });
     const std::optional<QString> problem =
-        exportAnimation(options.output, filmOf(options), draw, [](int) { return interruption == 0; });
-    handleEndings(SIG_DFL);
+        exportAnimation(request.output, request.animation(), draw, [](int) { return interruption == 0; });
+    handleTermination(SIG_DFL);
     if (const int signal = interruption; signal != 0) {
-        std::raise(signal); // so that who started the program sees how it ended
+        std::raise(signal); // whoever started the program sees how it ended
     }
     return problem;
 }
 
-Shortfall shortfallOf(const RenderOptions &options, const Session &session)
+ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request, const Session &session)
 {
-    Shortfall shortfall;
-    if (options.subject == RenderOptions::Subject::Frames) {
-        const Animation film = filmOf(options);
-        for (int frame = 0; frame < film.frameCount(); ++frame) {
-            const Pose pose = poseAt(options.mechanism.parameters(), film.timeOfFrame(frame));
-            shortfall.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
+    TimeStepReport steps;
+    const auto addPose = [&steps](const Pose &pose) { steps.add(std::span(&pose.time, 1), std::span(&pose.status, 1)); };
+    if (request.subject == Subject::Frames) {
+        const Animation animation = request.animation();
+        for (int frame = 0; frame < animation.frameCount(); ++frame) {
+            addPose(poseAt(request.choices.parameters, animation.timeOfFrame(frame)));
         }
-    } else if (options.subject == RenderOptions::Subject::Mechanism) {
-        const Pose pose = session.pose();
-        shortfall.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
+    } else if (request.subject == Subject::Mechanism) {
+        addPose(session.pose());
     } else {
         const Result &result = *session.result();
-        if (result.isKept()) {
-            shortfall.add(result.trajectory.time, result.trajectory.status);
-        } else {
-            const auto add = [&shortfall](const Trajectory &piece) {
-                shortfall.add(piece.time, piece.status);
-                return true;
-            };
-            sampleInPieces(result.mechanism, result.sampling, {}, result.solver, add);
-        }
-        shortfall.add(result.atReference.time, result.atReference.status);
+        sampleInPieces(result.mechanism, result.sampling, {}, result.solver, [&steps](const Trajectory &piece) {
+            steps.add(piece.time, piece.status);
+            return true;
+        });
+        steps.add(result.atReference.time, result.atReference.status);
     }
-    return shortfall;
+    return steps.finish(streams, request.mechanism(), request.choices.solver.newton);
+}
+
+/// The views of the window, with everything that the request shows.
+class Views
+{
+public:
+    Views(const RenderRequest &request, const Session &session, const std::shared_ptr<const Reference> &reference)
+        : m_request(request)
+        , m_reference(reference)
+        , m_palette(paletteFor(request.theme))
+    {
+        m_content.result = session.result();
+        m_plots.setSettings(request.scene.plots);
+        m_plots.setResult(session.result());
+        m_plots.setZoom(request.scene.zoom);
+        if (request.time != request.choices.sampling.start) {
+            m_plots.markTime(request.time);
+        }
+        m_mechanism.setResult(session.result());
+        m_mechanism.setSettings(request.scene.mechanism);
+        m_mechanism.setZoom(request.scene.mechanismFrame);
+        m_mechanism.setPose(session.pose());
+        chooseGhost();
+        showGhost(request.time);
+        m_content.hasGhost = m_mechanism.hasGhost();
+    }
+
+    /// Draws the subject into the file; the message if that failed.
+    std::optional<QString> draw()
+    {
+        const FigureDrawing figure = [this](QPainter &painter, const QSize &size) {
+            m_plots.paintFigure(painter, size, m_palette);
+        };
+        const FigureDrawing drawing = [this](QPainter &painter, const QSize &size) {
+            m_mechanism.paintMechanism(painter, size, m_palette);
+        };
+        const FigureDrawing plot = [this](QPainter &painter, const QSize &size) {
+            m_plots.paintPlot(painter, QStringLiteral("plot_") + m_request.plot, size, m_palette);
+        };
+        switch (m_request.subject) {
+        case Subject::Figure: return drawInto(figure);
+        case Subject::Plot: return drawInto(plot);
+        case Subject::Mechanism: return drawInto(withParameters(drawing, m_request.mechanism(), m_palette));
+        case Subject::Report:
+            m_content.checksums = m_reference ? checksumsOf(*m_reference) : QByteArrayList();
+            return exportReport(m_request.output, m_content, {drawing, figure});
+        case Subject::Frames:
+            return exportFrames(m_request, [this](QPainter &painter, const QSize &size, double time) {
+                m_mechanism.setPose(poseAt(m_request.choices.parameters, time));
+                showGhost(time);
+                m_mechanism.paintMechanism(painter, size, m_palette);
+            });
+        }
+        return std::nullopt;
+    }
+
+private:
+    std::optional<QString> drawInto(const FigureDrawing &draw) const
+    {
+        return exportFigure(m_request.output, m_request.size, CommandLine::tr("Motion of an offset slider-crank"), draw);
+    }
+
+    /// The linkage of the file, or of the motion pinned last, under the model's.
+    void chooseGhost()
+    {
+        const Result &result = *m_content.result;
+        if (m_reference && m_request.subject != Subject::Figure && m_request.subject != Subject::Plot) {
+            m_content.diagnosis = diagnose(m_reference->data, m_request.mechanism());
+            const Diagnosis &diagnosis = m_content.diagnosis;
+            if (diagnosis.conventions.empty() && !diagnosis.isOfMechanismAtHand) {
+                m_ghost = diagnosis.identification.stands() ? Mechanism(diagnosis.identification.parameters)
+                                                            : m_request.mechanism();
+                m_mechanism.setGhostBounds(motionBounds(*m_ghost, motionLimits(*m_ghost)));
+            }
+        } else if (result.difference && result.kept.back() != m_request.choices.parameters) {
+            m_ghost = Mechanism(result.kept.back());
+            m_mechanism.setGhostBounds(motionBounds(*m_ghost, motionLimits(*m_ghost)));
+        }
+    }
+
+    void showGhost(double time)
+    {
+        m_mechanism.setGhost(!m_ghost      ? ReferencePose()
+                           : m_reference ? referencePoseAt(m_reference->data, *m_ghost, time)
+                                         : referencePoseAt(*m_ghost, time));
+    }
+
+    const RenderRequest &m_request;
+    std::shared_ptr<const Reference> m_reference;
+    QPalette m_palette;
+    PlotGrid m_plots;
+    MechanismView m_mechanism;
+    ReportContent m_content;
+    std::optional<Mechanism> m_ghost;
+};
+
+ExitStatus render(const Streams &streams, const RenderRequest &request)
+{
+    std::shared_ptr<const Reference> reference;
+    if (request.reference) {
+        const auto outcome = readTimedReference(*request.reference, request.columns, request.mechanism());
+        if (const QString *message = std::get_if<QString>(&outcome)) {
+            streams.report(*message);
+            return ExitStatus::FileError;
+        }
+        reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        reportDoubts(streams, *reference);
+    }
+    Session session;
+    std::optional<QString> problem = computeResult(session, request, reference);
+    if (!problem) {
+        problem = Views(request, session, reference).draw();
+    }
+    if (problem) {
+        streams.report(*problem);
+        return ExitStatus::FileError;
+    }
+    return reportTimeSteps(streams, request, session);
 }
 
 } // namespace
 
-ExitStatus render(const RenderOptions &options)
+Command prepareRender(OptionReader &options)
 {
-    std::shared_ptr<const Reference> reference;
-    if (options.reference) {
-        const std::variant<std::shared_ptr<const Reference>, QString> outcome =
-            readTimed(*options.reference, options.columns, options.mechanism);
-        if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            say(*sentence);
-            return ExitStatus::FileFailed;
-        }
-        reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        warnOf(joinedName(reference->paths), reference->data);
+    RenderRequest request;
+    request.scene = options.scene();
+    readSubject(options, request);
+    request.output = readOutput(options, options.texts("reference"));
+    checkOutput(request);
+    request.choices = {readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.kept};
+    request.reference = request.scene.reference;
+    if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
+        request.reference = ReferenceSource{files, {}, {}};
     }
-    Session session;
-    if (const std::optional<QString> problem = settle(session, options, reference)) {
-        say(*problem);
-        return ExitStatus::FileFailed;
+    request.columns = readColumns(options);
+    if (!request.columns.empty() && !request.reference) {
+        throw UsageError{CommandLine::tr("--column describes a reference file: name the file with --reference.")};
     }
-
-    PlotGrid plots;
-    MechanismView mechanism;
-    plots.setSettings(options.plots);
-    plots.setResult(session.result());
-    plots.setZoom(options.zoom);
-    if (options.poseInstant != options.sampling.start) {
-        plots.markTime(options.poseInstant);
+    request.theme = options.choice("theme", 0) == 0 ? Theme::Light : Theme::Dark;
+    if (request.subject == Subject::Report) {
+        options.refuse({"size", "scale", "theme"}, CommandLine::tr("A report is printed on A4, black on white: remove %1."));
+    } else {
+        readSize(options, request);
     }
-    mechanism.setResult(session.result());
-    mechanism.setSettings(options.mechanismSettings);
-    mechanism.setZoom(options.mechanismFrame);
-    mechanism.setPose(session.pose());
-    ReportContent content{session.result(), {}, false};
-    std::optional<Mechanism> ghost;
-    const auto showGhost = [&](double instant) {
-        mechanism.setGhost(!ghost      ? ReferencePose()
-                           : reference ? referencePoseAt(reference->data, *ghost, instant)
-                                       : referencePoseAt(*ghost, instant));
-    };
-    if (reference && options.subject != RenderOptions::Subject::Figure &&
-        options.subject != RenderOptions::Subject::Plot) {
-        content.diagnosis = diagnose(reference->data, options.mechanism);
-        ghost = ghostOf(content.diagnosis, options);
-        if (ghost) {
-            mechanism.setGhostBounds(motionBounds(*ghost, motionLimits(*ghost)));
-        }
-    } else if (session.result()->difference && options.kept.back() != options.mechanism.parameters()) {
-        ghost = Mechanism(options.kept.back());
-        mechanism.setGhostBounds(motionBounds(*ghost, motionLimits(*ghost)));
-    }
-    showGhost(options.poseInstant);
-    content.hasGhost = mechanism.hasGhost();
-
-    const QPalette palette = paletteFor(options.theme);
-    const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {
-        plots.paintFigure(painter, size, palette);
-    };
-    const FigureDrawing drawMechanism = [&](QPainter &painter, const QSize &size) {
-        mechanism.paintMechanism(painter, size, palette);
-    };
-    const FigureDrawing drawPlot = [&](QPainter &painter, const QSize &size) {
-        plots.paintPlot(painter, QStringLiteral("plot_") + options.plot, size, palette);
-    };
-    const FrameDrawing drawFrame = [&](QPainter &painter, const QSize &size, double instant) {
-        mechanism.setPose(poseAt(options.mechanism.parameters(), instant));
-        showGhost(instant);
-        mechanism.paintMechanism(painter, size, palette);
-    };
-    const auto exported = [&](const FigureDrawing &draw) {
-        return exportFigure(options.output, {options.size, options.scale},
-                            CommandLine::tr("Motion of an offset slider-crank"),
-                            withParameters(draw, options.mechanism, palette));
-    };
-    std::optional<QString> failure;
-    switch (options.subject) {
-    case RenderOptions::Subject::Figure: failure = exported(drawFigure); break;
-    case RenderOptions::Subject::Plot: failure = exported(drawPlot); break;
-    case RenderOptions::Subject::Mechanism: failure = exported(drawMechanism); break;
-    case RenderOptions::Subject::Frames: failure = exportFilm(options, drawFrame); break;
-    case RenderOptions::Subject::Report:
-        content.checksums = reference ? checksumsOf(*reference) : QByteArrayList();
-        failure = exportReport(options.output, content, {drawMechanism, drawFigure});
-        break;
-    }
-    if (failure) {
-        say(*failure);
-        return ExitStatus::FileFailed;
-    }
-    const Shortfall shortfall = shortfallOf(options, session);
-    return shortfall.report(options.mechanism, options.solver.newton.maxIterations);
+    readTime(options, request);
+    refuseFiles(options);
+    Command command;
+    command.platform = Command::Platform::Offscreen;
+    command.run = [request](const Streams &streams) { return render(streams, request); };
+    return command;
 }
 
 } // namespace slidercrank

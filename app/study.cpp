@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/subcommands.h"
 
+// `slidercrank study`: speed against error of every method.
+
+#include "app/commands.h"
+#include "app/option_groups.h"
 #include "app/output.h"
+#include "app/records.h"
 #include "core/study/study.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/study_text.h"
 
 #include <QStringList>
 
-#include <array>
-#include <numeric>
+#include <algorithm>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -17,106 +21,100 @@ namespace slidercrank
 namespace
 {
 
-QString wordFor(Status status)
-{
-    switch (status) {
-    case Status::Solved: return CommandLine::tr("solved");
-    case Status::Singular: return CommandLine::tr("singular");
-    case Status::IterationLimit: return CommandLine::tr("iteration-limit");
-    case Status::NotAssemblable: return CommandLine::tr("not-assemblable");
-    case Status::NotFinite: return CommandLine::tr("not-finite");
-    }
-    return {};
-}
-
 /// "solved", or "190 solved, 11 singular".
-QString outcomeOf(const MethodResult &row, std::size_t instants)
+QString outcomeText(const MethodResult &method)
 {
+    const QStringList names{CommandLine::tr("solved"), CommandLine::tr("singular"), CommandLine::tr("iteration-limit"),
+                            CommandLine::tr("not-assemblable"), CommandLine::tr("not-finite")}; // by Status
     QStringList parts;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
-        if (row.counts[i] == instants) {
-            return wordFor(static_cast<Status>(i));
-        }
-        if (row.counts[i] > 0) {
-            parts += QString::number(row.counts[i]) + u' ' + wordFor(static_cast<Status>(i));
+        if (method.counts[i] > 0) {
+            parts += QString::number(method.counts[i]) + u' ' + names[static_cast<qsizetype>(i)];
         }
     }
-    return parts.join(QStringLiteral(", "));
+    return parts.size() == 1 ? parts.front().section(u' ', 1) : parts.join(QStringLiteral(", "));
 }
 
-/// As wide as anything that comes there.
-constexpr std::array kWidths{25, 9, 8, 10, 9, 10, 9, 9};
-
-QString lineOf(const QStringList &cells)
+QString caseTable(const CaseResult &result)
 {
-    QString line = cells.front().leftJustified(kWidths[0]);
-    for (qsizetype i = 1; i < static_cast<qsizetype>(kWidths.size()); ++i) {
-        line += u' ' + cells[i].rightJustified(kWidths[static_cast<std::size_t>(i)]);
-    }
-    return line + QStringLiteral("  ") + cells.back() + u'\n';
-}
-
-QString tableOf(const CaseResult &which)
-{
-    constexpr int kDigits = 9;
-    QString text = CommandLine::tr("%1: %2; %3 instants")
-                       .arg(caseText(which.traits), mechanismText(Mechanism(which.parameters), kDigits),
-                            QString::number(which.instants)) +
+    QString text = CommandLine::tr("%1: %2; %3 time stamps")
+                       .arg(caseText(result.traits), mechanismText(Mechanism(result.parameters), 9),
+                            QString::number(result.instants)) +
                    u'\n';
-    text += lineOf({CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
-                    CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),
-                    CommandLine::tr("error"), CommandLine::tr("rounding"), CommandLine::tr("outcome")});
-    for (const MethodResult &row : which.methods) {
-        QString outcome = outcomeOf(row, std::accumulate(row.counts.begin(), row.counts.end(), std::size_t{0}));
-        if (row.silentFailures.value_or(0) > 0) {
-            outcome += CommandLine::tr(", %1 of them silently wrong").arg(*row.silentFailures);
+    std::vector<QStringList> rows{{CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
+                                   CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),
+                                   CommandLine::tr("error"), CommandLine::tr("rounding"), CommandLine::tr("outcome")}};
+    for (const MethodResult &method : result.methods) {
+        QString outcome = outcomeText(method);
+        if (method.silentFailures.value_or(0) > 0) {
+            outcome += CommandLine::tr(", %1 of them wrong without a warning").arg(*method.silentFailures);
         }
-        text += lineOf({QString::fromStdString(nameOf(row.method)), rounded(row.tolerance),
-                        QString::number(row.channels), rounded(row.nsPerState, 4), rounded(row.spread),
-                        rounded(row.iterationsPerState), rounded(row.maxError), rounded(row.errorBound), outcome});
+        rows.push_back({QString::fromStdString(nameOf(method.method)), roundedText(method.tolerance),
+                        QString::number(method.channels), roundedText(method.nsPerState, 4), roundedText(method.spread),
+                        roundedText(method.iterationsPerState), roundedText(method.maxError),
+                        roundedText(method.errorBound), outcome});
     }
-    if (const QString sentence = closedFormSentence(which); !sentence.isEmpty()) {
-        text += sentence + u'\n';
-    }
-    return text;
+    text += alignedTable(rows, {false, true, true, true, true, true, true, true, false});
+    const QString sentence = closedFormSentence(result);
+    return sentence.isEmpty() ? text : text + sentence + u'\n';
 }
 
-QString textOf(const StudyResult &result)
+QString studyText(const StudyResult &result)
 {
     QString text;
     std::size_t silentFailures = 0;
-    for (const CaseResult &which : result.cases) {
-        text += tableOf(which) + u'\n';
-        for (const MethodResult &row : which.methods) {
-            silentFailures += row.silentFailures.value_or(0);
+    for (const CaseResult &each : result.cases) {
+        text += caseTable(each) + u'\n';
+        for (const MethodResult &method : each.methods) {
+            silentFailures += method.silentFailures.value_or(0);
         }
     }
     text += CommandLine::tr(
                 "Errors are the worst of the six plotted channels, relative to the channel's peak, against "
-                "50 to 100 digits, over the\n"
-                "instants that a method calls solved. Rounding: what rounding the given numbers may cost by itself.\n"
-                "Silently wrong instants: %1. Machine: %2. Done in %3 s.\n")
-                .arg(QString::number(silentFailures), machineText(result.machine), rounded(result.seconds));
+                "50 to 100 digits,\n"
+                "over the time stamps that a method reports as solved. Rounding: the error that rounding the parameters "
+                "causes by itself.\n"
+                "Time stamps that are wrong without a warning: %1. Machine: %2. Time: %3 s.\n")
+                .arg(QString::number(silentFailures), machineText(result.machine), roundedText(result.seconds));
     return text;
+}
+
+enum class CaseChoice { Nominal, Hard, All };
+
+std::vector<Case> readCases(const OptionReader &options, const Mechanism &mechanism)
+{
+    const CaseChoice choice = options.choice("cases", CaseChoice::Nominal);
+    std::vector<Case> cases;
+    if (choice == CaseChoice::Nominal || mechanism != Mechanism()) {
+        cases.push_back(studyCase(mechanism.parameters()));
+    }
+    if (choice == CaseChoice::All) {
+        std::ranges::copy(nominalCases(), std::back_inserter(cases));
+    }
+    if (choice != CaseChoice::Nominal) {
+        std::ranges::copy(hardCases(), std::back_inserter(cases));
+    }
+    return cases;
 }
 
 } // namespace
 
-ExitStatus study(const StudyOptions &options)
+Command prepareStudy(OptionReader &options)
 {
-    Output output(options.output);
-    if (!output.open()) {
-        return ExitStatus::FileFailed;
-    }
     StudyRequest request;
-    request.cases = options.cases;
-    const StudyResult result = runStudy(request);
-    switch (options.format) {
-    case Format::Text: output.write(textOf(result).toUtf8()); break;
-    case Format::Csv: output.write(QByteArray::fromStdString(studyCsv(result))); break;
-    case Format::Json: output.write(QByteArray::fromStdString(studyJson(result))); break;
-    }
-    return output.finish();
+    request.cases = readCases(options, readMechanism(options));
+    const Format format = readFormat(options, Format::Text);
+    const QString output = readOutput(options);
+    refuseFiles(options);
+    Command command;
+    command.run = [request, format, output](const Streams &streams) {
+        const StudyResult result = runStudy(request);
+        const QByteArray bytes = format == Format::Text  ? studyText(result).toUtf8()
+                                 : format == Format::Csv ? QByteArray::fromStdString(studyCsv(result))
+                                                         : QByteArray::fromStdString(studyJson(result));
+        return writeOutput(streams, output, bytes);
+    };
+    return command;
 }
 
 } // namespace slidercrank

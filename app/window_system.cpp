@@ -1,66 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_system.h"
 
+#include <array>
+#include <algorithm>
+
 namespace slidercrank
 {
 
 namespace
 {
 
-/// Qt takes them with one dash or two.
-QString nameOf(const QString &argument)
-{
-    if (!argument.startsWith(u'-')) {
-        return {};
-    }
-    return argument.mid(argument.startsWith(QStringLiteral("--")) ? 2 : 1);
-}
+/// Options of Qt that are followed by a value. Qt takes them with one dash or two.
+constexpr std::array kWithValue{"display", "geometry", "platform", "platformtheme", "qwindowgeometry",
+                                "qwindowtitle", "session", "style", "stylesheet", "title"};
 
-/// The value is the next argument.
-bool takesValue(const QString &name)
+bool isOptionOfQt(const QString &argument)
 {
-    static const QStringList names{
-        QStringLiteral("display"),       QStringLiteral("geometry"),     QStringLiteral("icon"),
-        QStringLiteral("name"),          QStringLiteral("platform"),     QStringLiteral("platformpluginpath"),
-        QStringLiteral("platformtheme"), QStringLiteral("plugin"),       QStringLiteral("qwindowgeometry"),
-        QStringLiteral("qwindowicon"),   QStringLiteral("qwindowtitle"), QStringLiteral("session"),
-        QStringLiteral("style"),         QStringLiteral("stylesheet"),   QStringLiteral("title")};
-    return names.contains(name);
-}
-
-bool standsAlone(const QString &name)
-{
-    static const QStringList names{QStringLiteral("reverse"), QStringLiteral("nograb"), QStringLiteral("dograb"),
-                                   QStringLiteral("widgetcount")};
-    return names.contains(name) || name.startsWith(QStringLiteral("style=")) ||
-           name.startsWith(QStringLiteral("stylesheet="));
+    return std::ranges::any_of(kWithValue, [&](const char *name) {
+        return argument == u'-' + QLatin1String(name) || argument == QStringLiteral("--") + QLatin1String(name);
+    });
 }
 
 } // namespace
 
 QStringList withoutWindowSystemOptions(const QStringList &arguments)
 {
-    QStringList own;
+    QStringList rest;
     for (qsizetype i = 0; i < arguments.size(); ++i) {
-        const QString name = nameOf(arguments[i]);
-        if (takesValue(name) && i + 1 < arguments.size()) {
+        if (isOptionOfQt(arguments[i])) {
             ++i;
-        } else if (!standsAlone(name)) {
-            own += arguments[i];
+        } else {
+            rest += arguments[i];
         }
     }
-    return own;
+    return rest;
 }
 
-bool chooseDisplay(const QStringList &arguments)
+bool choosesPlatform(const QStringList &arguments)
 {
-    for (const QString &argument : arguments) {
-        const QString name = nameOf(argument);
-        if (name == QStringLiteral("platform") || name == QStringLiteral("display")) {
-            return true;
-        }
-    }
-    return false;
+    return arguments.filter(QStringLiteral("-platform")).size() + arguments.filter(QStringLiteral("-display")).size() > 0;
 }
 
 } // namespace slidercrank

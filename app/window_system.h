@@ -13,6 +13,6 @@ namespace slidercrank
 QStringList withoutWindowSystemOptions(const QStringList &arguments);
 
 /// Whether they say where the window is to be.
-bool chooseDisplay(const QStringList &arguments);
+bool choosesPlatform(const QStringList &arguments);
 
 } // namespace slidercrank

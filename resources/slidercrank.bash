@@ -10,9 +10,12 @@ _slidercrank() {
     # shellcheck disable=SC2086 # no word at all where there is no command
     help=$(LC_ALL=C.UTF-8 LANGUAGE=en "${COMP_WORDS[0]}" $command --help 2>/dev/null)
     COMPREPLY=()
+    [[ $previous == -o ]] && previous=--output
     if [[ $previous == --* ]]; then
-        line=$(grep -m 1 -- "^  $previous " <<<"$help")
-        choices=${line#"  $previous "}
+        line=$(grep -m 1 -E -- "^  $previous[ ,]" <<<"$help")
+        choices=${line#"  $previous"}
+        choices=${choices#, -?}
+        choices=${choices# }
         choices=${choices%% *}
         case $choices in
         FILE*) mapfile -t COMPREPLY < <(compgen -f -- "$current") && return ;;
@@ -31,7 +34,7 @@ _slidercrank() {
     fi
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
     if ((COMP_CWORD == 1)); then
-        mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "solve limits compare identify study render" -- "$current")
+        mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "solve limits compare identify study render help" -- "$current")
     fi
 }
 

@@ -36,6 +36,13 @@ endfunction()
 
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${PROJECT_NAME})
 install_compressed(${CMAKE_CURRENT_LIST_DIR}/changelog ${CMAKE_INSTALL_DATADIR}/doc/${PROJECT_NAME})
-install_compressed(${PROJECT_SOURCE_DIR}/resources/slidercrank.1 ${CMAKE_INSTALL_MANDIR}/man1)
+
+# The program writes its manual page itself.
+set(manual ${CMAKE_CURRENT_BINARY_DIR}/slidercrank.1.gz)
+add_custom_command(OUTPUT ${manual} DEPENDS slidercrank VERBATIM
+    COMMAND sh -c "LC_ALL=C.UTF-8 \"$1\" help --man-page | \"$2\" --best --no-name > \"$3\"" sh
+        $<TARGET_FILE:slidercrank> ${GZIP} ${manual})
+add_custom_target(slidercrank_manual ALL DEPENDS ${manual})
+install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 include(CPack)

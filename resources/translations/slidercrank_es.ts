@@ -540,18 +540,6 @@
         <translation>no finitos</translation>
     </message>
     <message>
-        <source>%1 files: %2 agree, %3 come close, %4 differ</source>
-        <translation>%1 archivos: %2 coinciden, %3 se aproximan, %4 difieren</translation>
-    </message>
-    <message>
-        <source>, %1 could not be read</source>
-        <translation>, %1 no se pudieron leer</translation>
-    </message>
-    <message>
-        <source>%1: t = %3 s to %4 s, %2 instants</source>
-        <translation>%1: de t = %3 s a %4 s, %2 instantes</translation>
-    </message>
-    <message>
         <source>channel</source>
         <translation>canal</translation>
     </message>
@@ -592,64 +580,16 @@
         <translation>veredicto</translation>
     </message>
     <message>
-        <source>%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
-        <translation>%1: filas que no se pudieron leer y se omitieron: %2; la primera, en la línea %3, columna %4 («%5»): %6.</translation>
-    </message>
-    <message>
-        <source>coupler length A-B, &gt; 0 (65)</source>
-        <translation>longitud de la biela A-B, &gt; 0 (65)</translation>
-    </message>
-    <message>
         <source>crank speed, constant (2π)</source>
         <translation>velocidad de la manivela, constante (2π)</translation>
-    </message>
-    <message>
-        <source>crank angle at t = 0 (0)</source>
-        <translation>ángulo de la manivela en t = 0 (0)</translation>
-    </message>
-    <message>
-        <source>assembly: slider to the right of A, or to the left (open)</source>
-        <translation>configuración: la corredera a la derecha de A, o a la izquierda (open)</translation>
-    </message>
-    <message>
-        <source>length of the run, &gt; 0 (1)</source>
-        <translation>duración del recorrido, &gt; 0 (1)</translation>
-    </message>
-    <message>
-        <source>first instant (0)</source>
-        <translation>primer instante (0)</translation>
-    </message>
-    <message>
-        <source>residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer falls (1e-8)</source>
-        <translation>residuo ‖C‖ con el que Newton-Raphson se detiene; 0: cuando deja de disminuir (1e-8)</translation>
-    </message>
-    <message>
-        <source>unit of the angles written (deg)</source>
-        <translation>unidad de los ángulos que se escriben (deg)</translation>
-    </message>
-    <message>
-        <source>exit status 1 when a channel differs</source>
-        <translation>estado de salida 1 cuando un canal difiere</translation>
     </message>
     <message>
         <source>colours (light)</source>
         <translation>colores (light)</translation>
     </message>
     <message>
-        <source>instant of the pose, marked in the plots (--start)</source>
-        <translation>instante de la posición dibujada, marcado en las gráficas (--start)</translation>
-    </message>
-    <message>
-        <source>this text</source>
-        <translation>este texto</translation>
-    </message>
-    <message>
         <source>Mechanism</source>
         <translation>Mecanismo</translation>
-    </message>
-    <message>
-        <source>Instants</source>
-        <translation>Instantes</translation>
     </message>
     <message>
         <source>Method</source>
@@ -664,74 +604,12 @@
         <translation>Otras</translation>
     </message>
     <message>
-        <source>Usage: slidercrank solve [options]
-
-Computes the motion and writes a row an instant: time (s), then the channels asked for: positions
-(R1_x, R1_y, theta1, R2_x … theta4; mm, °), their first derivatives (theta3_diff) and their
-second (theta3_diff2), 17 significant digits, nan where a value does not exist.
-</source>
-        <translation>Uso: slidercrank solve [opciones]
-
-Calcula el movimiento y escribe una fila por instante: el tiempo (s) y los canales pedidos: posiciones
-(R1_x, R1_y, theta1, R2_x … theta4; mm, °), sus primeras derivadas (theta3_diff) y las segundas
-(theta3_diff2), con 17 cifras significativas; nan donde no existe un valor.
-</translation>
-    </message>
-    <message>
-        <source>A header name stands alone for mm, ° and s; any other unit stands behind it: theta3_diff [rad/s].
-
-JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;method&quot;:&quot;newton&quot;|&quot;closed-form&quot;,
-       &quot;units&quot;:{&quot;length&quot;:&quot;mm&quot;,&quot;angle&quot;:&quot;deg&quot;|&quot;rad&quot;,&quot;time&quot;:&quot;s&quot;}, &quot;time&quot;:[…], &quot;channels&quot;:{&quot;theta3&quot;:[…],…}};
-      the mechanism in mm and rad as in the options, null where a value does not exist.
-</source>
-        <translation>Un encabezado va solo para mm, ° y s; cualquier otra unidad se escribe detrás: theta3_diff [rad/s].
-
-JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;method&quot;:&quot;newton&quot;|&quot;closed-form&quot;,
-       &quot;units&quot;:{&quot;length&quot;:&quot;mm&quot;,&quot;angle&quot;:&quot;deg&quot;|&quot;rad&quot;,&quot;time&quot;:&quot;s&quot;}, &quot;time&quot;:[…], &quot;channels&quot;:{&quot;theta3&quot;:[…],…}};
-      el mecanismo en mm y rad como en las opciones; null donde no existe un valor.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;machine&quot;, &quot;cases&quot;:[{&quot;name&quot;, &quot;methods&quot;:[…]}]}; a method is
-      {&quot;method&quot;,&quot;tolerance&quot;,&quot;channels&quot;,&quot;nsPerState&quot;,&quot;spread&quot;,&quot;iterationsPerState&quot;,&quot;maxError&quot;,
-       &quot;errorBound&quot;,&quot;status&quot;,&quot;counts&quot;,&quot;silentFailures&quot;}; spread: between the quartiles, in ns; status: the worst;
-       counts: instants by status; silentFailures: instants called solved and wrong; null where there is none.
-CSV: the case&apos;s name, then the same columns, a column a status.
-</source>
-        <translation>JSON: {&quot;machine&quot;, &quot;cases&quot;:[{&quot;name&quot;, &quot;methods&quot;:[…]}]}; un método es
-      {&quot;method&quot;,&quot;tolerance&quot;,&quot;channels&quot;,&quot;nsPerState&quot;,&quot;spread&quot;,&quot;iterationsPerState&quot;,&quot;maxError&quot;,
-       &quot;errorBound&quot;,&quot;status&quot;,&quot;counts&quot;,&quot;silentFailures&quot;}; spread: entre los cuartiles, en ns; status: el peor;
-       counts: instantes por estado; silentFailures: instantes dados por resueltos y erróneos; null donde no lo hay.
-CSV: el nombre del caso y las mismas columnas, una por estado.
-</translation>
-    </message>
-    <message>
         <source>± one standard deviation; %1 iterations, condition number %2.</source>
         <translation>± una desviación estándar; %1 iteraciones, número de condición %2.</translation>
     </message>
     <message>
-        <source>To go on with it: %1</source>
-        <translation>Para seguir con él: %1</translation>
-    </message>
-    <message>
-        <source>The settings in %1 cannot be written: remove them there.</source>
-        <translation>No se pueden escribir los ajustes de %1: elimínelos allí.</translation>
-    </message>
-    <message>
-        <source>There is no display to open the window on: set DISPLAY, or use solve, limits, compare, identify, study or render, which need none.</source>
-        <translation>No hay pantalla en la que abrir la ventana: defina DISPLAY, o use solve, limits, compare, identify, study o render, que no la necesitan.</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 o %2</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank --help&quot; lists them.</source>
-        <translation>«slidercrank --help» las enumera.</translation>
-    </message>
-    <message>
-        <source>&quot;slidercrank %1 --help&quot; lists them.</source>
-        <translation>«slidercrank %1 --help» las enumera.</translation>
     </message>
     <message>
         <source>--%1 must be a number with a decimal point, such as 60 or -0.5, not &quot;%2&quot;.</source>
@@ -758,60 +636,16 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>--%1 debe ser mayor que 0, y no %2.</translation>
     </message>
     <message>
-        <source>--duration must be greater than 0, not %1.</source>
-        <translation>--duration debe ser mayor que 0, y no %1.</translation>
-    </message>
-    <message>
-        <source>The instants lie too close together to be told apart: choose fewer --steps, a longer --duration or a --start nearer to 0.</source>
-        <translation>Los instantes están demasiado juntos para distinguirlos: elija menos --steps, una --duration mayor o un --start más cercano a 0.</translation>
-    </message>
-    <message>
         <source>--tolerance must be 0 or more, not %1.</source>
         <translation>--tolerance debe ser 0 o más, y no %1.</translation>
-    </message>
-    <message>
-        <source>The crank stands still (--omega2 0) and never comes to %1°: choose another --omega2, or set its angle with --theta20.</source>
-        <translation>La manivela está quieta (--omega2 0) y nunca llega a %1°: elija otro --omega2, o fije su ángulo con --theta20.</translation>
-    </message>
-    <message>
-        <source>The crank turns too slowly to come to %1° within 1e12 s: choose a larger --omega2.</source>
-        <translation>La manivela gira demasiado despacio para llegar a %1° en 1e12 s: elija un --omega2 mayor.</translation>
-    </message>
-    <message>
-        <source>--channels: there is no channel &quot;%1&quot;; there are %2.</source>
-        <translation>--channels: no hay ningún canal «%1»; hay %2.</translation>
-    </message>
-    <message>
-        <source>--channels: there is no channel &quot;%1&quot;; did you mean %2?</source>
-        <translation>--channels: no hay ningún canal «%1»; ¿quiso decir %2?</translation>
     </message>
     <message>
         <source>&quot;slidercrank %1&quot; takes options only: remove &quot;%2&quot;.</source>
         <translation>«slidercrank %1» solo admite opciones: quite «%2».</translation>
     </message>
     <message>
-        <source>--output would overwrite %1, which is to be read: choose another name.</source>
-        <translation>--output sobrescribiría %1, que se va a leer: elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>--at-angle asks for one instant and --%1 for a run: remove one of them.</source>
-        <translation>--at-angle pide un instante y --%1 un recorrido: quite uno de los dos.</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
         <translation>«slidercrank render» necesita --output con un nombre que termine en .png, .svg o .pdf.</translation>
-    </message>
-    <message>
-        <source>A report is a PDF: --output must end in .pdf, not be &quot;%1&quot;.</source>
-        <translation>Un informe es un PDF: --output debe terminar en .pdf, y no ser «%1».</translation>
-    </message>
-    <message>
-        <source>--output must end in .png, .svg or .pdf, not be &quot;%1&quot;.</source>
-        <translation>--output debe terminar en .png, .svg o .pdf, y no ser «%1».</translation>
-    </message>
-    <message>
-        <source>A report is always on A4, black on white: remove --%1.</source>
-        <translation>Un informe va siempre en A4, negro sobre blanco: quite --%1.</translation>
     </message>
     <message>
         <source>--size must be width x height in pixels, each from 100 to %1, such as 900x600, not &quot;%2&quot;.</source>
@@ -826,68 +660,20 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>La imagen tendría más de %1 píxeles: elija un --size o una --scale menor.</translation>
     </message>
     <message>
-        <source>--at and --at-angle both choose the instant: remove one of them.</source>
-        <translation>--at y --at-angle eligen ambos el instante: quite uno de los dos.</translation>
-    </message>
-    <message>
-        <source>The cursor&apos;s instant, t = %1 s, lies outside the run from %2 s to %3 s: choose another instant, or another --start or --duration.</source>
-        <translation>El instante del cursor, t = %1 s, queda fuera del recorrido de %2 s a %3 s: elija otro instante, u otro --start u otra --duration.</translation>
-    </message>
-    <message>
-        <source>--reset-settings opens no window: remove what stands beside it.</source>
-        <translation>--reset-settings no abre ninguna ventana: quite lo que hay junto a ella.</translation>
-    </message>
-    <message>
         <source>The command must come first: slidercrank %1 …</source>
         <translation>La orden debe ir primero: slidercrank %1 …</translation>
-    </message>
-    <message>
-        <source>There is no command &quot;%1&quot;: use solve, limits, compare, identify, study or render, or no word at all, or a scene&apos;s file, for the window.</source>
-        <translation>No existe la orden «%1»: use solve, limits, compare, identify, study o render; para la ventana, ninguna palabra o el archivo de una escena.</translation>
-    </message>
-    <message>
-        <source>The window opens one scene, not %1: remove &quot;%2&quot;.</source>
-        <translation>La ventana abre una escena, no %1: quite «%2».</translation>
     </message>
     <message>
         <source>There is no option %1 here</source>
         <translation>Aquí no existe la opción %1</translation>
     </message>
     <message>
-        <source>%1; did you mean %2?</source>
-        <translation>%1; ¿quiso decir %2?</translation>
-    </message>
-    <message>
         <source>--%1 is given more than once: keep one of them.</source>
         <translation>--%1 se da más de una vez: deje una sola.</translation>
     </message>
     <message>
-        <source>--%1 needs a value: --%1 %2.</source>
-        <translation>--%1 necesita un valor: --%1 %2.</translation>
-    </message>
-    <message>
-        <source>Standard output cannot be written: %1.</source>
-        <translation>No se puede escribir en la salida estándar: %1.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. Choose another file or folder with --output.</source>
-        <translation>No se puede escribir %1: %2. Elija otro archivo u otra carpeta con --output.</translation>
-    </message>
-    <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
-    </message>
-    <message>
-        <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to turn round (--b).</source>
-        <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé la vuelta completa (--b).</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson did not converge at %1: allow more iterations than %2 (--max-iterations), or a larger residual (--tolerance).</source>
-        <translation>Newton-Raphson no convergió en %1: permita más de %2 iteraciones (--max-iterations), o un residuo mayor (--tolerance).</translation>
-    </message>
-    <message>
-        <source>The motion is too large to be a number at %1: choose a smaller --omega2, or instants nearer to 0.</source>
-        <translation>El movimiento es demasiado grande para ser un número en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
     </message>
     <message>
         <source>method</source>
@@ -922,403 +708,64 @@ CSV: el nombre del caso y las mismas columnas, una por estado.
         <translation>resultado</translation>
     </message>
     <message>
-        <source>, %1 of them silently wrong</source>
-        <translation>, %1 de ellos erróneos sin aviso</translation>
-    </message>
-    <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
-    </message>
-    <message>
-        <source>forget what the window remembers: layout, recent files, language, theme, choices of columns</source>
-        <translation>olvida lo que la ventana recuerda: disposición, archivos recientes, idioma, tema, elecciones de columnas</translation>
-    </message>
-    <message>
-        <source>Forgotten: layout, recent files, language, theme, choices of columns.</source>
-        <translation>Olvidados: disposición, archivos recientes, idioma, tema, elecciones de columnas.</translation>
     </message>
     <message>
         <source>--what must be figure, mechanism, frames, report or one of the plots %1, not &quot;%2&quot;.</source>
         <translation>--what debe ser figure, mechanism, frames, report o una de las gráficas %1, y no «%2».</translation>
     </message>
     <message>
-        <source>--speed is of --what frames: remove it.</source>
-        <translation>--speed es de --what frames: quítela.</translation>
-    </message>
-    <message>
-        <source>Frames show the whole run: remove --%1, or choose the run with --start and --duration.</source>
-        <translation>Los fotogramas muestran el recorrido completo: quite --%1, o elija el recorrido con --start y --duration.</translation>
-    </message>
-    <message>
-        <source>--speed must be greater than 0, not %1.</source>
-        <translation>--speed debe ser mayor que 0, y no %1.</translation>
-    </message>
-    <message>
         <source>There would be more than %1 frames: choose a shorter --duration or a greater --speed.</source>
         <translation>Habría más de %1 fotogramas: elija una --duration menor o una --speed mayor.</translation>
-    </message>
-    <message>
-        <source>the time</source>
-        <comment>a column is taken for</comment>
-        <translation>el tiempo</translation>
     </message>
     <message>
         <source>&quot;%1&quot; as %2 (%3)</source>
         <translation>&quot;%1&quot; como %2 (%3)</translation>
     </message>
     <message>
-        <source>Usage: slidercrank render --output FILE.png|.svg|.pdf [options]
-
-Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene)
-also brings what was on show: arrows, path, names, dimensions and zoom of the mechanism; zoom, abscissa and
-measure of the errors of the plots.
-</source>
-        <translation>Uso: slidercrank render --output ARCHIVO.png|.svg|.pdf [opciones]
-
-Dibuja en un archivo lo que muestra la ventana, o escribe un informe de ello. No necesita pantalla. Una escena
-(--scene) trae además lo que estaba a la vista: flechas, trayectoria, nombres, cotas y zoom del mecanismo; zoom,
-abscisa y medida de los errores de las gráficas.
-</translation>
-    </message>
-    <message>
-        <source>To go on with the first: %1</source>
-        <translation>Para seguir con el primero: %1</translation>
-    </message>
-    <message>
-        <source>Exit status: 0 done; 1 --fail-on-difference and a channel differs; 2 the command line is wrong; 3 a file or
-standard output cannot be read or written, or a file is not what it should be; 4 the mechanism cannot be
-assembled at some instant (the others are still written); 5 Newton-Raphson did not converge, or velocity and
-acceleration do not exist, somewhere, or a file&apos;s mechanism was neither identified nor ambiguous. Of several, 3,
-4, 5, 1 in this order.
-</source>
-        <translation>Estado de salida: 0 hecho; 1 --fail-on-difference y un canal difiere; 2 la línea de órdenes es incorrecta; 3 un archivo
-o la salida estándar no se puede leer o escribir, o un archivo no es lo que debería; 4 el mecanismo no se puede
-ensamblar en algún instante (los demás se escriben igualmente); 5 Newton-Raphson no convergió, o la velocidad y la
-aceleración no existen, en algún instante, o el mecanismo de un archivo no quedó ni identificado ni ambiguo. De varios: 3,
-4, 5, 1, en ese orden.
-</translation>
-    </message>
-    <message>
-        <source>--%1 must be a number, alone or with %2 behind it, not &quot;%3&quot;.</source>
-        <translation>--%1 debe ser un número, solo o seguido de %2, y no «%3».</translation>
-    </message>
-    <message>
-        <source>A unit behind a number is understood: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</source>
-        <translation>Se entiende una unidad tras el número: 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
-        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
-    </message>
-    <message>
         <source>There is no file %1.</source>
         <translation>No existe el archivo %1.</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank limits [options]
-
-Whether the crank turns round and why, dead centres, stroke, the strokes&apos; angles and times, time ratio, transmission
-angle, mean and peak speeds, peak accelerations, and where and when they are. A rocker has fewer of them; exit status 4
-where there is no pose at all.
-</source>
-        <translation>Uso: slidercrank limits [opciones]
-
-Si la manivela da la vuelta completa y por qué, puntos muertos, carrera, ángulos y tiempos de las carreras, relación de tiempos,
-ángulo de transmisión, velocidades medias y máximas, aceleraciones máximas, y dónde y cuándo se dan. Si la manivela oscila hay
-menos; código de salida 4 si no hay ninguna posición.
-</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;mobility&quot;:&quot;full-turn&quot;|&quot;rocker&quot;|&quot;locked&quot;|&quot;impossible&quot;,
-       &quot;reason&quot;, &quot;limits&quot;:[{&quot;name&quot;,&quot;value&quot;,&quot;unit&quot;,&quot;theta2&quot;,&quot;time&quot;}]}; theta2 in degrees, time in s, the
-      first from 0 on; null where there is none. CSV: a row a limit.
-</source>
-        <translation>JSON: {&quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;mobility&quot;:&quot;full-turn&quot;|&quot;rocker&quot;|&quot;locked&quot;|&quot;impossible&quot;,
-       &quot;reason&quot;, &quot;limits&quot;:[{&quot;name&quot;,&quot;value&quot;,&quot;unit&quot;,&quot;theta2&quot;,&quot;time&quot;}]}; theta2 en grados, time en s, el primero
-      desde 0; null donde no hay. CSV: una fila por límite.
-</translation>
     </message>
     <message>
         <source>, t = %1 s</source>
         <translation>, t = %1 s</translation>
     </message>
     <message>
-        <source>name and version of the program, and what it is built of</source>
-        <translation>nombre y versión del programa, y con qué está compilado</translation>
-    </message>
-    <message>
         <source>rounding</source>
         <translation>redondeo</translation>
-    </message>
-    <message>
-        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits, over the
-instants that a method calls solved. Rounding: what rounding the given numbers may cost by itself.
-Silently wrong instants: %1. Machine: %2. Done in %3 s.
-</source>
-        <translation>El error es el mayor de los seis canales representados, relativo al pico del canal, frente a un cálculo de 50 a
-100 cifras, en los instantes que el método da por resueltos. Redondeo: lo que puede costar por sí solo redondear
-los datos. Instantes erróneos sin aviso: %1. Máquina: %2. Terminado en %3 s.
-</translation>
     </message>
     <message>
         <source>Model: %1</source>
         <translation>Modelo: %1</translation>
     </message>
     <message>
-        <source>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[as of identify]}, where it differs,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; a channel is
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} in mm, ° and s; null where there is none.
-CSV: the file&apos;s name, then the same columns; behind them fileVerdict, that of the whole file, and sentence,
-     why it differs.
-</source>
-        <translation>JSON: {&quot;files&quot;:[{&quot;file&quot;, &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;verdict&quot;, &quot;channels&quot;:[…],
-       &quot;columns&quot;:[{&quot;heading&quot;,&quot;unit&quot;,&quot;channel&quot;,&quot;guessed&quot;,&quot;why&quot;}],
-       &quot;explanation&quot;:{&quot;sentence&quot;,&quot;mechanism&quot;,&quot;conventions&quot;:[como en identify]}, donde difiere,
-       &quot;skipped&quot;:[{&quot;line&quot;,&quot;column&quot;,&quot;text&quot;,&quot;reason&quot;}], &quot;ignoredColumns&quot;:[…]}]}; un canal es
-      {&quot;name&quot;,&quot;unit&quot;,&quot;count&quot;,&quot;maxAbs&quot;,&quot;timeOfMaxAbs&quot;,&quot;rms&quot;,&quot;maxPercent&quot;,&quot;timeOfMaxPercent&quot;,
-       &quot;zeroReference&quot;,&quot;percentOfPeak&quot;,&quot;roundingStep&quot;,&quot;verdict&quot;} en mm, ° y s; null donde no lo hay.
-CSV: el nombre del archivo y las mismas columnas; detrás, fileVerdict, el veredicto de todo el archivo, y sentence, por
-     qué difiere.
-</translation>
-    </message>
-    <message>
-        <source>%1: %2; %3 instants</source>
-        <translation>%1: %2; %3 instantes</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank %1&quot; needs a file: slidercrank %1 FILE…</source>
         <translation>«slidercrank %1» necesita un archivo: slidercrank %1 ARCHIVO…</translation>
-    </message>
-    <message>
-        <source>%1 files: %2 identified, %3 ambiguous, %4 not identified</source>
-        <translation>%1 archivos: %2 identificados, %3 ambiguos, %4 sin identificar</translation>
     </message>
     <message>
         <source>Standard input can be read only once: give one &quot;-&quot;.</source>
         <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
     </message>
     <message>
-        <source>The window opens files: save what comes from standard input as one first.</source>
-        <translation>La ventana abre archivos: guarde antes en uno lo que llega por la entrada estándar.</translation>
-    </message>
-    <message>
-        <source>--column: there is no channel &quot;%1&quot;; there are %2.</source>
-        <translation>--column: no existe el canal «%1»; existen %2.</translation>
-    </message>
-    <message>
-        <source>--column: there is no channel &quot;%1&quot;; did you mean %2?</source>
-        <translation>--column: no existe el canal «%1»; ¿quiso decir %2?</translation>
-    </message>
-    <message>
-        <source>--column: &quot;%1&quot; is no unit of %2.</source>
-        <translation>--column: «%1» no es una unidad de %2.</translation>
-    </message>
-    <message>
-        <source>--column must be a heading, = and what it is, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
-        <translation>--column debe ser un encabezado, = y lo que es, como «slider.s=R4_x [m]», «#1=time» o «id=ignored», y no «%1».</translation>
-    </message>
-    <message>
-        <source>--column says twice what &quot;%1&quot; is: keep one of them.</source>
-        <translation>--column dice dos veces qué es «%1»: deje solo una.</translation>
-    </message>
-    <message>
-        <source>--column is of a reference: give its file with --reference.</source>
-        <translation>--column se refiere a una referencia: dé su archivo con --reference.</translation>
-    </message>
-    <message>
-        <source>what a column of the files is, over what its name says, any number of times: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
-        <translation>qué es una columna de los archivos, por encima de lo que diga su nombre, tantas veces como haga falta: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
-    </message>
-    <message>
         <source>Files</source>
         <translation>Archivos</translation>
-    </message>
-    <message>
-        <source>what the first column of the files is: the time, or the crank&apos;s angle, of which --omega2 and --theta20 make the time (by its name)</source>
-        <translation>qué es la primera columna de los archivos: el tiempo, o el ángulo de la manivela, del que --omega2 y --theta20 dan el tiempo (según su nombre)</translation>
-    </message>
-    <message>
-        <source>%1: what these columns are is guessed: %2. Where that is wrong, say it with --column.</source>
-        <translation>%1: qué son estas columnas se ha supuesto: %2. Donde no sea así, dígalo con --column.</translation>
-    </message>
-    <message>
-        <source>figure (all plots), mechanism, frames (of the mechanism moving), report (on A4, PDF), or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation>figure (todas las gráficas), mechanism (el mecanismo), frames (fotogramas del mecanismo en movimiento), report (un informe en A4, PDF), o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
         <source>Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
         <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
     </message>
     <message>
-        <source>crank length O₂-A, &gt; 0 (20)</source>
-        <translation>longitud de la manivela O₂-A, &gt; 0 (20)</translation>
-    </message>
-    <message>
         <source>offset of the slider&apos;s line from O₂ (25)</source>
         <translation>excentricidad: de O₂ a la línea de la corredera (25)</translation>
-    </message>
-    <message>
-        <source>a scene saved by the window: these and all else come from it; an option beside it wins</source>
-        <translation>una escena guardada en la ventana: de ella salen estos valores y todo lo demás; una opción escrita junto a ella prevalece</translation>
-    </message>
-    <message>
-        <source>equal steps of the run; N + 1 instants, both ends (200)</source>
-        <translation>pasos iguales del recorrido; N + 1 instantes, con ambos extremos (200)</translation>
-    </message>
-    <message>
-        <source>one instant instead of a run: the first from --start on with the crank at this angle</source>
-        <translation>un instante en vez de un recorrido: el primero desde --start con la manivela en este ángulo</translation>
-    </message>
-    <message>
-        <source>most iterations of Newton-Raphson at an instant, &gt;= 1 (10)</source>
-        <translation>iteraciones máximas de Newton-Raphson por instante, &gt;= 1 (10)</translation>
-    </message>
-    <message>
-        <source>absolute: ‖C‖ in mm and rad as they are; relative: lengths divided by a + b + |c| (absolute)</source>
-        <translation>absolute: ‖C‖ en mm y rad tal cual; relative: longitudes divididas entre a + b + |c| (absolute)</translation>
     </message>
     <message>
         <source>all, or names separated by commas: theta3,R4_x_diff (all)</source>
         <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
     </message>
     <message>
-        <source>form of the output (csv)</source>
-        <translation>formato de la salida (csv)</translation>
-    </message>
-    <message>
-        <source>write to this file, not to standard output</source>
-        <translation>escribe en este archivo, y no en la salida estándar</translation>
-    </message>
-    <message>
-        <source>form of the output (text: a table)</source>
-        <translation>formato de la salida (text: una tabla)</translation>
-    </message>
-    <message>
-        <source>form of the output (text)</source>
-        <translation>formato de la salida (text)</translation>
-    </message>
-    <message>
-        <source>nominal: the mechanism of these options; hard: the hard cases, after the mechanism if one is given; all: ten ordinary and the hard cases (nominal)</source>
-        <translation>nominal: el mecanismo de estas opciones; hard: los casos difíciles, después del mecanismo si se da uno; all: diez casos corrientes y los difíciles (nominal)</translation>
-    </message>
-    <message>
-        <source>pixels of a PNG for each one of --size, 0.1 to 10 (1)</source>
-        <translation>píxeles de un PNG por cada uno de --size, de 0.1 a 10 (1)</translation>
-    </message>
-    <message>
-        <source>the same by crank angle: the first instant from --start on with the crank at this angle</source>
-        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start con la manivela en ese ángulo</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank study [options]
-
-Times every method on the same instants and measures its error against the exact motion in 50 to 100 digits: the
-worst of the six plotted channels, relative to the channel&apos;s peak, over the instants that the method calls
-solved. Beside it, what rounding the given numbers may cost by itself. newton-dense is the
-report&apos;s way, with its absolute tolerance; the others measure the residual relative to a + b + |c|.
-finite-difference differentiates positions sampled 200 times a turn; harmonic-N keeps N harmonics.
-Times depend on the machine: compare them within one run.
-</source>
-        <translation>Uso: slidercrank study [opciones]
-
-Cronometra cada método en los mismos instantes y mide su error frente al movimiento exacto con 50 a 100 cifras: el
-peor de los seis canales representados, relativo al pico del canal, en los instantes que el método da por resueltos. Al
-lado, lo que puede costar por sí solo redondear los datos. newton-dense es el procedimiento del informe,
-con su tolerancia absoluta; los demás miden el residuo relativo a a + b + |c|. finite-difference deriva posiciones
-muestreadas 200 veces por vuelta; harmonic-N conserva N armónicos.
-Los tiempos dependen de la máquina: compárelos dentro de una misma ejecución.
-</translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants, first at t = %3 s (θ₂ = %4°)</source>
-        <translation>%1 de %2 instantes, el primero en t = %3 s (θ₂ = %4°)</translation>
-    </message>
-    <message>
-        <source>for frames, 30 a second: seconds of motion in a second of film (1)</source>
-        <translation>para frames, a 30 por segundo: segundos de movimiento en un segundo de película (1)</translation>
-    </message>
-    <message>
         <source>at θ₂ = %1°</source>
         <translation>en θ₂ = %1°</translation>
-    </message>
-    <message>
-        <source>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[as of compare, against it], &quot;columns&quot;:[as of compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      in mm and rad as the options; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; or &quot;another-mechanism&quot;;
-      channel: one, or several with commas; before, after: largest error, % of peak; null where there is none.
-      With the outcome nearest, the mechanism is no more than the nearest one.
-      Of several files: {&quot;files&quot;:[…]}.
-</source>
-        <translation>JSON: {&quot;file&quot;, &quot;outcome&quot;:&quot;identified&quot;|&quot;ambiguous&quot;|&quot;insufficient&quot;|&quot;nearest&quot;|&quot;none&quot;,
-       &quot;mechanism&quot;:{&quot;a&quot;,&quot;b&quot;,&quot;c&quot;,&quot;omega2&quot;,&quot;theta20&quot;,&quot;branch&quot;}, &quot;standardError&quot;:{&quot;a&quot;,…}, &quot;identifiable&quot;:{&quot;a&quot;:true,…},
-       &quot;alternatives&quot;:[{&quot;mechanism&quot;,&quot;why&quot;}], &quot;rounded&quot;:{&quot;a&quot;,…}, &quot;noise&quot;:{&quot;theta3&quot;:rms,…}, &quot;iterations&quot;,
-       &quot;conditionNumber&quot;, &quot;channels&quot;:[como en compare, frente a él], &quot;columns&quot;:[como en compare],
-       &quot;conventions&quot;:[{&quot;name&quot;,&quot;channel&quot;,&quot;amount&quot;,&quot;unit&quot;,&quot;explanation&quot;,&quot;before&quot;,&quot;after&quot;}], &quot;summary&quot;};
-      en mm y rad como las opciones; why: &quot;mirror-image&quot;, &quot;reversed&quot;, &quot;other-assembly&quot;, &quot;alias&quot; o &quot;another-mechanism&quot;;
-      channel: uno, o varios separados por comas; before, after: error máximo, % del pico; null donde no lo hay.
-      Con el resultado nearest, el mecanismo no es más que el más cercano.
-      De varios archivos: {&quot;files&quot;:[…]}.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank compare FILE… [options]
-
-Reads simulations&apos; CSV files (time,R4_x,theta3_diff,… as Inventor exports them) and tells how far each of their
-columns is from the exact motion of the mechanism at the file&apos;s own instants. Rounding makes a value uncertain by half
-a unit of its last digit, and by how far the motion goes in half a unit of its instant&apos;s (evenly spaced instants count
-as exact). A column agrees when at least 95 % of its errors are within that and none beyond ten times as much, is close
-when none is beyond a hundred times, and differs otherwise; also where an error goes beyond its rounding by 1 % of half
-the motion&apos;s range. Where one differs, the text says what explains it. A file that cannot be read is named on
-standard error, and the others are still compared. FILE may be - for standard input.
-</source>
-        <translation>Uso: slidercrank compare ARCHIVO… [opciones]
-
-Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,… como los exporta Inventor) y dice cuánto se aparta cada
-columna del movimiento exacto del mecanismo en los instantes del propio archivo. El redondeo hace incierto un valor en media
-unidad de su última cifra, y en lo que el movimiento avanza en media unidad de la de su instante (los instantes a
-intervalos iguales cuentan como exactos). Una columna coincide cuando al menos el 95&#xa0;% de sus errores no pasa de eso y ninguno de diez veces tanto;
-se aproxima cuando ninguno pasa de cien veces, y en otro caso difiere; también donde un error rebasa su redondeo en un
-1&#xa0;% de la mitad del recorrido. Donde una difiere, el texto dice qué lo explica. De un archivo que no se puede leer se
-informa en la salida de errores, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.
-</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank identify FILE… [options]
-
-Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, theta3, R4_x and their derivatives
-above all, and how certain each of its parameters is. Where the file means something else by a column than its
-heading says (radians, another origin, the textbook&apos;s angle, another sign, …), that is said, and the file is read so.
-The options of the mechanism give what the file cannot fix. R4_x and R4_y are measured from the crank&apos;s pivot O₂,
-angles counter-clockwise from x. A file that cannot be read is named on standard error, and the others are still
-looked at. FILE may be - for standard input.
-
-identified    what is left is rounding, or noise that looks like noise
-ambiguous     several mechanisms explain the file equally: all are listed
-insufficient  too few values, instants a turn or columns to tell
-nearest       no mechanism found explains the file: the nearest, as no more than that
-none          not even that
-</source>
-        <translation>Uso: slidercrank identify ARCHIVO… [opciones]
-
-Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, sobre todo de theta3, R4_x
-y sus derivadas, y con qué certeza se conoce cada parámetro. Donde el archivo entiende por una columna otra cosa que su
-encabezado (radianes, otro origen, el ángulo de los libros, otro signo, …), se dice, y el archivo se lee así. Las opciones
-del mecanismo dan lo que el archivo no puede determinar. R4_x y R4_y se miden desde el pivote O₂ de la manivela, los ángulos
-en sentido antihorario desde x. De un archivo que no se puede leer se informa en la salida de errores, y los demás se
-examinan igualmente. ARCHIVO puede ser - para la entrada estándar.
-
-identified    lo que queda es redondeo, o ruido que parece ruido
-ambiguous     varios mecanismos explican el archivo por igual: se dan todos
-insufficient  muy pocos valores, instantes por vuelta o columnas para decidir
-nearest       ningún mecanismo hallado explica el archivo: el más cercano, solo como tal
-none          ni siquiera eso
-</translation>
     </message>
     <message>
         <source>%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°</source>
@@ -1329,73 +776,514 @@ none          ni siquiera eso
         <translation>en θ₂ [°]</translation>
     </message>
     <message>
-        <source>the crank angle</source>
-        <comment>a column is taken for</comment>
-        <translation>el ángulo de la manivela</translation>
-    </message>
-    <message>
-        <source>a simulation&apos;s CSV file to draw beside it; the files of one motion, a plot each, one by one</source>
-        <translation>un archivo CSV de una simulación, para dibujarlo al lado; los de un mismo movimiento, una gráfica cada uno, de uno en uno</translation>
-    </message>
-    <message>
-        <source>a simulation&apos;s CSV file to open; the files of one motion, a plot each, one by one</source>
-        <translation>un archivo CSV de una simulación, para abrirlo; los de un mismo movimiento, una gráfica cada uno, de uno en uno</translation>
-    </message>
-    <message>
-        <source>Usage: slidercrank [FILE…] [options]           opens the window, with a scene or a reference
-       slidercrank solve [options]             the motion as CSV or JSON
-       slidercrank limits [options]            dead centres, stroke, transmission angle, peaks
-       slidercrank compare FILE… [options]     how far simulations&apos; files are from the model
-       slidercrank identify FILE… [options]    the mechanism that each file belongs to
-       slidercrank study [options]             speed against error of every method
-       slidercrank render --output FILE [...]  a picture or a report: PNG, SVG or PDF
-
-Motion of an offset slider-crank. &quot;slidercrank solve --help&quot; and so on tell the options of each.
-Several files for the window are of one motion, a plot each: they are read as one reference.
-</source>
-        <translation>Uso: slidercrank [ARCHIVO…] [opciones]        abre la ventana, con una escena o una referencia
-     slidercrank solve [opciones]             el movimiento como CSV o JSON
-     slidercrank limits [opciones]            puntos muertos, carrera, ángulo de transmisión, máximos
-     slidercrank compare ARCHIVO… [opciones]  cuánto se apartan del modelo los archivos de simulaciones
-     slidercrank identify ARCHIVO… [opciones] el mecanismo al que pertenece cada archivo
-     slidercrank study [opciones]             velocidad y error de cada método
-     slidercrank render --output ARCHIVO […]  una imagen o un informe: PNG, SVG o PDF
-
-Movimiento de un mecanismo manivela-corredera excéntrico. «slidercrank solve --help», etc., dicen las opciones de cada uno.
-Varios archivos para la ventana son de un mismo movimiento, una gráfica cada uno: se leen como una sola referencia.
-</translation>
-    </message>
-    <message>
-        <source>the files are of one motion, a plot each: read them as one, whose columns count on from file to file</source>
-        <translation>los archivos son de un mismo movimiento, una gráfica cada uno: se leen como uno solo, cuyas columnas se cuentan de corrido</translation>
-    </message>
-    <message>
-        <source>%1 is a scene: open it by itself, and files of one motion together.</source>
-        <translation>%1 es una escena: ábrala sola, y los archivos de un mismo movimiento juntos.</translation>
-    </message>
-    <message>
         <source>%1: these columns were not used: %2.</source>
         <translation>%1: estas columnas no se usaron: %2.</translation>
-    </message>
-    <message>
-        <source>%1: t = %2 s, one instant</source>
-        <translation>%1: t = %2 s, un instante</translation>
-    </message>
-    <message>
-        <source>, %1 approximated</source>
-        <translation>, %1 aproximados</translation>
     </message>
     <message>
         <source>how the motion is computed (closed-form)</source>
         <translation>cómo se calcula el movimiento (closed-form)</translation>
     </message>
     <message>
-        <source>a name that ends in .png, .svg or .pdf; for frames a new folder or, with ffmpeg, a video that ends in .mp4, .webm or .gif; needed</source>
-        <translation>un nombre que termine en .png, .svg o .pdf; para fotogramas, una carpeta nueva o, con ffmpeg, un vídeo que termine en .mp4, .webm o .gif; obligatorio</translation>
+        <source>There is no help for &quot;%1&quot;: choose one of %2.</source>
+        <translation>No hay ayuda sobre «%1»: elija una de %2.</translation>
     </message>
     <message>
-        <source>Frames are written to a folder or as a video: --output must name a new folder or end in .mp4, .webm or .gif, not be &quot;%1&quot;.</source>
-        <translation>Los fotogramas se escriben en una carpeta o como vídeo: --output debe nombrar una carpeta nueva o terminar en .mp4, .webm o .gif, no ser «%1».</translation>
+        <source>agree</source>
+        <translation>coinciden</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>próximos</translation>
+    </message>
+    <message>
+        <source>differ</source>
+        <translation>difieren</translation>
+    </message>
+    <message>
+        <source>opens the window</source>
+        <translation>abre la ventana</translation>
+    </message>
+    <message>
+        <source>the motion as CSV or JSON</source>
+        <translation>el movimiento como CSV o JSON</translation>
+    </message>
+    <message>
+        <source>dead centres, stroke, transmission angle, peaks</source>
+        <translation>puntos muertos, carrera, ángulo de transmisión, máximos</translation>
+    </message>
+    <message>
+        <source>how far simulations&apos; files are from the model</source>
+        <translation>cuánto se apartan del modelo los archivos de una simulación</translation>
+    </message>
+    <message>
+        <source>the mechanism that each file belongs to</source>
+        <translation>el mecanismo al que pertenece cada archivo</translation>
+    </message>
+    <message>
+        <source>speed against error of every method</source>
+        <translation>velocidad y error de cada método</translation>
+    </message>
+    <message>
+        <source>a picture, an animation or a report</source>
+        <translation>una imagen, una animación o un informe</translation>
+    </message>
+    <message>
+        <source>Motion of an offset slider-crank. Several CSV files are read as one motion. &quot;slidercrank help COMMAND&quot; describes a command.</source>
+        <translation>Movimiento de un mecanismo biela-manivela descentrado. Varios archivos CSV se leen como un solo movimiento. «slidercrank help ORDEN» describe una orden.</translation>
+    </message>
+    <message>
+        <source>Computes the motion and writes a row for each time step: time, then the channels: positions (R1_x, R1_y, theta1, R2_x … theta4), first derivatives (theta3_diff) and second derivatives (theta3_diff2), with 17 significant digits. A value that does not exist is nan in CSV and null in JSON. A column name stands alone if its unit is mm, ° or s; any other unit follows the name: theta3_diff [rad/s].</source>
+        <translation>Calcula el movimiento y escribe una fila por cada paso de tiempo: el tiempo y después los canales: posiciones (R1_x, R1_y, theta1, R2_x … theta4), primeras derivadas (theta3_diff) y segundas derivadas (theta3_diff2), con 17 cifras significativas. Un valor que no existe es nan en CSV y null en JSON. El nombre de una columna va solo si su unidad es mm, ° o s; cualquier otra unidad sigue al nombre: theta3_diff [rad/s].</translation>
+    </message>
+    <message>
+        <source>Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times of both strokes, the time ratio, the minimum transmission angle, mean and peak speeds and peak accelerations, and where and when they occur. Angles in JSON and CSV are in degrees. The exit status is 4 if the mechanism cannot be assembled at all.</source>
+        <translation>Indica si la manivela da vueltas completas y por qué, los puntos muertos, la carrera, los ángulos y tiempos de ida y de retorno, la relación de tiempos, el ángulo de transmisión mínimo, las velocidades medias y máximas y las aceleraciones máximas, y dónde y cuándo se dan. En JSON y CSV los ángulos están en grados. El estado de salida es 4 si el mecanismo no se puede ensamblar en ninguna posición.</translation>
+    </message>
+    <message>
+        <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. It also differs if an error exceeds its bound by 1 % of half the range of the motion. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
+        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.</translation>
+    </message>
+    <message>
+        <source>Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, and how certain each parameter is. Where a column means something else than its heading says (radians, another origin, another sign …), the program says so and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains the file and the nearest one is printed; none, there is no such mechanism either.</source>
+        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro. Si una columna significa algo distinto de lo que dice su encabezado (radianes, otro origen, otro signo …), el programa lo dice y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. ARCHIVO puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, tampoco hay un mecanismo así.</translation>
+    </message>
+    <message>
+        <source>Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run.</source>
+        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 50 a 100 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición.</translation>
+    </message>
+    <message>
+        <source>Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure.</source>
+        <translation>Dibuja en un archivo lo que muestra la ventana, o escribe un informe. No necesita pantalla. Una escena (--scene) aporta también lo que mostraba la ventana: flechas, trayectoria, nombres, cotas, ampliación, abscisa y medida del error.</translation>
+    </message>
+    <message>
+        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written); 5 not converged or singular at some time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.</source>
+        <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente); 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
+    </message>
+    <message>
+        <source>A number alone is in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are understood.</source>
+        <translation>Un número solo está en la unidad indicada; se entienden 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
+    </message>
+    <message>
+        <source>Usage:</source>
+        <translation>Uso:</translation>
+    </message>
+    <message>
+        <source>identified</source>
+        <translation>identificados</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>aproximados</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>ambiguos</translation>
+    </message>
+    <message>
+        <source>not identified</source>
+        <translation>sin identificar</translation>
+    </message>
+    <message>
+        <source>Options for the first of them: %1</source>
+        <translation>Opciones para el primero de ellos: %1</translation>
+    </message>
+    <message>
+        <source>Options for this mechanism: %1</source>
+        <translation>Opciones para este mecanismo: %1</translation>
+    </message>
+    <message>
+        <source>--vary must name a parameter and its range, such as b=50..120, not &quot;%1&quot;.</source>
+        <translation>--vary debe indicar un parámetro y su intervalo, como b=50..120, y no «%1».</translation>
+    </message>
+    <message>
+        <source>--vary: &quot;%1&quot; is not a range of valid values of %2.</source>
+        <translation>--vary: «%1» no es un intervalo de valores válidos de %2.</translation>
+    </message>
+    <message>
+        <source>--design must be such as stroke=80,time-ratio=1.2,transmission-angle=40, not &quot;%1&quot;.</source>
+        <translation>--design debe ser como stroke=80,time-ratio=1.2,transmission-angle=40, y no «%1».</translation>
+    </message>
+    <message>
+        <source>The stroke must be greater than 0.</source>
+        <translation>La carrera debe ser mayor que 0.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: a crank that makes full turns has a time ratio below 3, not %1.</source>
+        <translation>No existe tal mecanismo: una manivela que da vueltas completas tiene una relación de tiempos menor que 3, y no de %1.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; an angle of %3° needs a time ratio below %4.</source>
+        <translation>No existe tal mecanismo: con una relación de tiempos de %1 el ángulo de transmisión mínimo es de %2° como mucho; un ángulo de %3° exige una relación de tiempos menor que %4.</translation>
+    </message>
+    <message>
+        <source>--design computes a, b and c: remove %1.</source>
+        <translation>--design calcula a, b y c: quite %1.</translation>
+    </message>
+    <message>
+        <source>--vary writes a table: add --format csv or --format json.</source>
+        <translation>--vary escribe una tabla: añada --format csv o --format json.</translation>
+    </message>
+    <message>
+        <source>--count belongs to --vary: remove it.</source>
+        <translation>--count pertenece a --vary: quítelo.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory: choose fewer steps or a smaller file.</source>
+        <translation>No hay memoria suficiente: elija menos pasos o un archivo menor.</translation>
+    </message>
+    <message>
+        <source>There is no display for the window: set DISPLAY, or use a command, such as solve, which needs none.</source>
+        <translation>No hay pantalla para la ventana: defina DISPLAY, o use una orden, como solve, que no la necesita.</translation>
+    </message>
+    <message>
+        <source>--%1 %2: add a unit, %2deg or %2rad.</source>
+        <translation>--%1 %2: añada una unidad, %2deg o %2rad.</translation>
+    </message>
+    <message>
+        <source>--column: there is no channel &quot;%1&quot;</source>
+        <translation>--column: no existe el canal «%1»</translation>
+    </message>
+    <message>
+        <source>--column: &quot;%1&quot; is not a unit of %2.</source>
+        <translation>--column: «%1» no es una unidad de %2.</translation>
+    </message>
+    <message>
+        <source>The time steps are too short to be distinguished: choose fewer --steps, a longer --duration or a --start nearer to 0.</source>
+        <translation>Los pasos de tiempo son demasiado cortos para distinguirse: elija menos --steps, una --duration mayor o un --start más cercano a 0.</translation>
+    </message>
+    <message>
+        <source>--at and --at-angle both choose a time: remove one of them.</source>
+        <translation>--at y --at-angle eligen ambos un instante: quite uno de los dos.</translation>
+    </message>
+    <message>
+        <source>The crank stands still (--omega2 0) and never reaches %1°: choose another --omega2, or set the angle with --theta20.</source>
+        <translation>La manivela está en reposo (--omega2 0) y nunca llega a %1°: elija otro --omega2, o fije el ángulo con --theta20.</translation>
+    </message>
+    <message>
+        <source>The crank does not reach %1° within 1e12 s: choose a larger --omega2.</source>
+        <translation>La manivela no llega a %1° en 1e12 s: elija un --omega2 mayor.</translation>
+    </message>
+    <message>
+        <source>--column must be a heading, = and a meaning, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
+        <translation>--column debe ser un encabezado, = y un significado, como «slider.s=R4_x [m]», «#1=time» o «id=ignored», y no «%1».</translation>
+    </message>
+    <message>
+        <source>--column gives &quot;%1&quot; two meanings: keep one of them.</source>
+        <translation>--column da dos significados a «%1»: deje uno.</translation>
+    </message>
+    <message>
+        <source>--output would overwrite the input file %1: choose another name.</source>
+        <translation>--output sobrescribiría el archivo de entrada %1: elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>%1: choose one of %2.</source>
+        <translation>%1: elija uno de %2.</translation>
+    </message>
+    <message>
+        <source>%1: did you mean %2?</source>
+        <translation>%1: ¿quiso decir %2?</translation>
+    </message>
+    <message>
+        <source>--%1 must be a number, alone or followed by %2, not &quot;%3&quot;.</source>
+        <translation>--%1 debe ser un número, solo o seguido de %2, y no «%3».</translation>
+    </message>
+    <message>
+        <source>Time steps</source>
+        <translation>Pasos de tiempo</translation>
+    </message>
+    <message>
+        <source>crank length O₂A (20)</source>
+        <translation>longitud de la manivela O₂A (20)</translation>
+    </message>
+    <message>
+        <source>coupler length AB (65)</source>
+        <translation>longitud de la biela AB (65)</translation>
+    </message>
+    <message>
+        <source>crank angle at t = 0, with its unit: 30deg or 0.5rad (0)</source>
+        <translation>ángulo de la manivela en t = 0, con su unidad: 30deg o 0.5rad (0)</translation>
+    </message>
+    <message>
+        <source>assembly: the slider to the right or to the left of A (open)</source>
+        <translation>configuración: la corredera a la derecha o a la izquierda de A (open)</translation>
+    </message>
+    <message>
+        <source>take every setting from a scene that the window saved; options override it</source>
+        <translation>toma todos los ajustes de una escena guardada por la ventana; las opciones tienen prioridad</translation>
+    </message>
+    <message>
+        <source>number of equal steps; N + 1 rows, both ends included (200)</source>
+        <translation>número de pasos iguales; N + 1 filas, ambos extremos incluidos (200)</translation>
+    </message>
+    <message>
+        <source>time span (1)</source>
+        <translation>intervalo de tiempo (1)</translation>
+    </message>
+    <message>
+        <source>first time stamp (0)</source>
+        <translation>primer instante (0)</translation>
+    </message>
+    <message>
+        <source>instead: a row every so many degrees of the crank, over one revolution</source>
+        <translation>en su lugar: una fila cada tantos grados de la manivela, durante una vuelta</translation>
+    </message>
+    <message>
+        <source>instead: one time stamp</source>
+        <translation>en su lugar: un solo instante</translation>
+    </message>
+    <message>
+        <source>instead: the first time from --start on at which the crank is at this angle</source>
+        <translation>en su lugar: el primer instante desde --start en que la manivela está en este ángulo</translation>
+    </message>
+    <message>
+        <source>maximum iterations of Newton-Raphson per time step (10)</source>
+        <translation>máximo de iteraciones de Newton-Raphson por paso de tiempo (10)</translation>
+    </message>
+    <message>
+        <source>residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer decreases (1e-8)</source>
+        <translation>residuo ‖C‖ con el que termina Newton-Raphson; 0: cuando deja de disminuir (1e-8)</translation>
+    </message>
+    <message>
+        <source>absolute: ‖C‖ in mm and rad; relative: lengths divided by a + b + |c| (absolute)</source>
+        <translation>absolute: ‖C‖ en mm y rad; relative: longitudes divididas por a + b + |c| (absolute)</translation>
+    </message>
+    <message>
+        <source>the files are of one motion: read them as one; their columns are numbered on from file to file</source>
+        <translation>los archivos son de un mismo movimiento: se leen como uno solo; la numeración de las columnas continúa de archivo en archivo</translation>
+    </message>
+    <message>
+        <source>a simulation&apos;s CSV file; repeat it for several files of one motion</source>
+        <translation>el archivo CSV de una simulación; se repite para varios archivos de un mismo movimiento</translation>
+    </message>
+    <message>
+        <source>overrides the meaning of a column, may be repeated: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
+        <translation>fija el significado de una columna, se puede repetir: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
+    </message>
+    <message>
+        <source>the first column holds time stamps, or crank angles, which --omega2 and --theta20 turn into time</source>
+        <translation>la primera columna contiene instantes, o ángulos de la manivela, que --omega2 y --theta20 convierten en tiempo</translation>
+    </message>
+    <message>
+        <source>unit of the angles in the output (deg)</source>
+        <translation>unidad de los ángulos de la salida (deg)</translation>
+    </message>
+    <message>
+        <source>output format (csv)</source>
+        <translation>formato de la salida (csv)</translation>
+    </message>
+    <message>
+        <source>output format (text)</source>
+        <translation>formato de la salida (text)</translation>
+    </message>
+    <message>
+        <source>a row of limits for each of several values of a parameter: b=50..120 (csv or json)</source>
+        <translation>una fila de límites por cada uno de varios valores de un parámetro: b=50..120 (csv o json)</translation>
+    </message>
+    <message>
+        <source>number of values of --vary (100)</source>
+        <translation>número de valores de --vary (100)</translation>
+    </message>
+    <message>
+        <source>the mechanism with this stroke and time ratio: stroke=80,time-ratio=1.2; its minimum transmission angle is as large as possible, and at least that of ,transmission-angle=40</source>
+        <translation>el mecanismo con esta carrera y relación de tiempos: stroke=80,time-ratio=1.2; su ángulo de transmisión mínimo es el mayor posible, y al menos el de ,transmission-angle=40</translation>
+    </message>
+    <message>
+        <source>exit with status 1 if a channel differs</source>
+        <translation>termina con el estado 1 si un canal difiere</translation>
+    </message>
+    <message>
+        <source>the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten ordinary and the hard cases (nominal)</source>
+        <translation>el mecanismo de las opciones, los casos difíciles (después del mecanismo, si se da uno), o diez casos corrientes y los difíciles (nominal)</translation>
+    </message>
+    <message>
+        <source>figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
+        <translation>figure (todas las gráficas), mechanism, frames (el mecanismo en movimiento), report, o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
+    </message>
+    <message>
+        <source>pixels of a PNG per pixel of --size, 0.1 to 10 (1)</source>
+        <translation>píxeles de un PNG por píxel de --size, de 0.1 a 10 (1)</translation>
+    </message>
+    <message>
+        <source>time at which the mechanism is drawn, marked in the plots (--start)</source>
+        <translation>instante en que se dibuja el mecanismo, marcado en las gráficas (--start)</translation>
+    </message>
+    <message>
+        <source>the same by crank angle: the first time from --start on with the crank at this angle</source>
+        <translation>lo mismo por el ángulo: el primer instante desde --start con la manivela en este ángulo</translation>
+    </message>
+    <message>
+        <source>for frames, 30 per second: seconds of motion per second (1)</source>
+        <translation>para frames, 30 por segundo: segundos de movimiento por segundo (1)</translation>
+    </message>
+    <message>
+        <source>required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a video that ends in .mp4, .webm or .gif (needs ffmpeg)</source>
+        <translation>necesario: un nombre que termine en .png, .svg o .pdf; para frames el nombre de una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif (necesita ffmpeg)</translation>
+    </message>
+    <message>
+        <source>write to this file instead of standard output</source>
+        <translation>escribe en este archivo en lugar de la salida estándar</translation>
+    </message>
+    <message>
+        <source>remove the window&apos;s settings: layout, recent files, language, theme, meanings of columns</source>
+        <translation>borra los ajustes de la ventana: disposición, archivos recientes, idioma, tema, significados de columnas</translation>
+    </message>
+    <message>
+        <source>show this text</source>
+        <translation>muestra este texto</translation>
+    </message>
+    <message>
+        <source>show the version of the program and of its libraries</source>
+        <translation>muestra la versión del programa y de sus bibliotecas</translation>
+    </message>
+    <message>
+        <source>Cannot write to standard output: %1.</source>
+        <translation>No se puede escribir en la salida estándar: %1.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2. Choose another file or folder with --output.</source>
+        <translation>No se puede escribir %1: %2. Elija otro archivo u otra carpeta con --output.</translation>
+    </message>
+    <message>
+        <source>%1 files: %2.</source>
+        <translation>%1 archivos: %2.</translation>
+    </message>
+    <message>
+        <source>could not be read</source>
+        <translation>no se pudieron leer</translation>
+    </message>
+    <message>
+        <source>%1: %2 rows could not be read and were skipped, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
+        <translation>%1: %2 filas no se pudieron leer y se omitieron, la primera en la línea %3, columna %4 («%5»): %6.</translation>
+    </message>
+    <message>
+        <source>%1: the meaning of these columns was guessed: %2. Correct it with --column.</source>
+        <translation>%1: el significado de estas columnas es una suposición: %2. Corríjalo con --column.</translation>
+    </message>
+    <message>
+        <source>%1: t = %3 s to %4 s, %2 time stamps</source>
+        <translation>%1: t = %3 s a %4 s, %2 instantes</translation>
+    </message>
+    <message>
+        <source>A report is a PDF: --output must end in .pdf, not &quot;%1&quot;.</source>
+        <translation>Un informe es un PDF: --output debe terminar en .pdf, y no «%1».</translation>
+    </message>
+    <message>
+        <source>--output must end in .png, .svg or .pdf, not &quot;%1&quot;.</source>
+        <translation>--output debe terminar en .png, .svg o .pdf, y no «%1».</translation>
+    </message>
+    <message>
+        <source>Frames show the whole time range: remove %1, or choose the range with --start and --duration.</source>
+        <translation>Los fotogramas muestran todo el intervalo de tiempo: quite %1, o elija el intervalo con --start y --duration.</translation>
+    </message>
+    <message>
+        <source>Only --what frames has a speed: remove %1.</source>
+        <translation>Solo --what frames tiene velocidad: quite %1.</translation>
+    </message>
+    <message>
+        <source>t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or another --start or --duration.</source>
+        <translation>t = %1 s está fuera del intervalo de %2 s a %3 s: elija otro instante, u otro --start u otra --duration.</translation>
+    </message>
+    <message>
+        <source>--column describes a reference file: name the file with --reference.</source>
+        <translation>--column describe un archivo de referencia: indique el archivo con --reference.</translation>
+    </message>
+    <message>
+        <source>A report is printed on A4, black on white: remove %1.</source>
+        <translation>Un informe se imprime en A4, negro sobre blanco: quite %1.</translation>
+    </message>
+    <message>
+        <source>--channels: there is no channel &quot;%1&quot;</source>
+        <translation>--channels: no existe el canal «%1»</translation>
+    </message>
+    <message>
+        <source>--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.</source>
+        <translation>--step-angle debe dividir 360° en pasos iguales, como 15 o 0.5, y no %1.</translation>
+    </message>
+    <message>
+        <source>The crank stands still: --step-angle needs an --omega2 that is not 0.</source>
+        <translation>La manivela está en reposo: --step-angle necesita un --omega2 distinto de 0.</translation>
+    </message>
+    <message>
+        <source>--at and --at-angle ask for one time and %1 for several: remove one of them.</source>
+        <translation>--at y --at-angle piden un instante y %1 varios: quite uno de ellos.</translation>
+    </message>
+    <message>
+        <source>--step-angle covers one revolution: remove %1.</source>
+        <translation>--step-angle abarca una vuelta: quite %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3 time stamps</source>
+        <translation>%1: %2; %3 instantes</translation>
+    </message>
+    <message>
+        <source>, %1 of them wrong without a warning</source>
+        <translation>, %1 de ellos erróneos sin aviso</translation>
+    </message>
+    <message>
+        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits,
+over the time stamps that a method reports as solved. Rounding: the error that rounding the parameters causes by itself.
+Time stamps that are wrong without a warning: %1. Machine: %2. Time: %3 s.
+</source>
+        <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, respecto a 50 a 100 cifras,
+en los instantes que un método da por resueltos. Redondeo: el error que causa por sí solo redondear los parámetros.
+Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
+</translation>
+    </message>
+    <message>
+        <source>%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)</source>
+        <translation>%1 de %2 pasos de tiempo, el primero en t = %3 s (θ₂ = %4°)</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to make full turns (--b).</source>
+        <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé vueltas completas (--b).</translation>
+    </message>
+    <message>
+        <source>use --tolerance-kind relative, because an absolute tolerance cannot be met with lengths of %1 mm</source>
+        <translation>use --tolerance-kind relative, porque con longitudes de %1 mm no se alcanza una tolerancia absoluta</translation>
+    </message>
+    <message>
+        <source>allow more than %1 iterations (--max-iterations) or a larger residual (--tolerance)</source>
+        <translation>permita más de %1 iteraciones (--max-iterations) o un residuo mayor (--tolerance)</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson did not converge at %1: %2.</source>
+        <translation>Newton-Raphson no convergió en %1: %2.</translation>
+    </message>
+    <message>
+        <source>The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.</source>
+        <translation>El movimiento es demasiado grande para calcularlo en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
+    </message>
+    <message>
+        <source>Cannot write the settings in %1: remove that file.</source>
+        <translation>No se pueden escribir los ajustes en %1: borre ese archivo.</translation>
+    </message>
+    <message>
+        <source>Removed: layout, recent files, language, theme, meanings of columns.</source>
+        <translation>Borrado: disposición, archivos recientes, idioma, tema, significados de columnas.</translation>
+    </message>
+    <message>
+        <source>There is no command and no file &quot;%1&quot;</source>
+        <translation>No existe ninguna orden ni archivo «%1»</translation>
+    </message>
+    <message>
+        <source>%1 is a scene: open it alone, and the files of one motion together.</source>
+        <translation>%1 es una escena: ábrala sola, y juntos los archivos de un mismo movimiento.</translation>
+    </message>
+    <message>
+        <source>--reset-settings opens no window: remove the other arguments.</source>
+        <translation>--reset-settings no abre ninguna ventana: quite los demás argumentos.</translation>
+    </message>
+    <message>
+        <source>The window cannot read standard input: save it as a file first.</source>
+        <translation>La ventana no puede leer la entrada estándar: guárdela antes como archivo.</translation>
+    </message>
+    <message>
+        <source>The window opens one scene: remove &quot;%1&quot;.</source>
+        <translation>La ventana abre una escena: quite «%1».</translation>
+    </message>
+    <message>
+        <source>Frames are written to a new folder or as a video: --output must not end in .%1.</source>
+        <translation>Los fotogramas se escriben en una carpeta nueva o como vídeo: --output no debe terminar en .%1.</translation>
     </message>
 </context>
 <context>
@@ -3178,6 +3066,89 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MechanismText</name>
+    <message>
+        <source>position (%1; %2) mm</source>
+        <translation>posición (%1; %2) mm</translation>
+    </message>
+    <message>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela es perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>velocity %1 mm/s (%2; %3)</source>
+        <translation>velocidad %1 mm/s (%2; %3)</translation>
+    </message>
+    <message>
+        <source>acceleration %1 mm/s² (%2; %3)</source>
+        <translation>aceleración %1 mm/s² (%2; %3)</translation>
+    </message>
+    <message>
+        <source>%1: the slider reverses. Click to go there.</source>
+        <translation>%1: la corredera invierte su movimiento. Haga clic para ir allí.</translation>
+    </message>
+    <message>
+        <source>slider at %1 mm</source>
+        <translation>corredera en %1 mm</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled here: the coupler is too short.</source>
+        <translation>Aquí el mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>The crank makes full turns if b ≥ %1 mm.</source>
+        <translation>La manivela da vueltas completas si b ≥ %1 mm.</translation>
+    </message>
+    <message>
+        <source>O₂, the fixed pivot of the crank</source>
+        <translation>O₂, el pivote fijo de la manivela</translation>
+    </message>
+    <message>
+        <source>A: drag to move the mechanism, with Shift to change a.</source>
+        <translation>A: arrastre para mover el mecanismo; con Mayús, para cambiar a.</translation>
+    </message>
+    <message>
+        <source>B: drag to move the mechanism.</source>
+        <translation>B: arrastre para mover el mecanismo.</translation>
+    </message>
+    <message>
+        <source>G₃, the coupler&apos;s centre of mass</source>
+        <translation>G₃, el centro de masa de la biela</translation>
+    </message>
+    <message>
+        <source>Crank, %1: pull to change a.</source>
+        <translation>Manivela, %1: tire para cambiar a.</translation>
+    </message>
+    <message>
+        <source>Coupler, %1: pull to change b.</source>
+        <translation>Biela, %1: tire para cambiar b.</translation>
+    </message>
+    <message>
+        <source>The slider&apos;s line, %1: drag up or down to change c.</source>
+        <translation>La línea de la corredera, %1: arrastre hacia arriba o abajo para cambiar c.</translation>
+    </message>
+    <message>
+        <source>Outer dead centre</source>
+        <translation>Punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>Inner dead centre</source>
+        <translation>Punto muerto interior</translation>
+    </message>
+    <message>
+        <source>The crank angle at this time is not a finite number.</source>
+        <translation>El ángulo de la manivela en este instante no es un número finito.</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. It can be assembled if b ≥ %1 mm; the crank makes full turns if b ≥ %2 mm.</source>
+        <translation>El mecanismo no se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Se puede ensamblar si b ≥ %1 mm; la manivela da vueltas completas si b ≥ %2 mm.</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes full turns if b ≥ %2 mm.</source>
+        <translation>El mecanismo no se puede ensamblar con θ₂ = %1°: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2 mm.</translation>
     </message>
 </context>
 <context>
@@ -6138,89 +6109,6 @@ SHA-256: %2</translation>
     <message>
         <source>That failed: %1.</source>
         <translation>Eso ha fallado: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::MechanismText</name>
-    <message>
-        <source>position (%1; %2) mm</source>
-        <translation>posición (%1; %2) mm</translation>
-    </message>
-    <message>
-        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
-        <translation>sin velocidad: la biela es perpendicular a la línea de la corredera</translation>
-    </message>
-    <message>
-        <source>velocity %1 mm/s (%2; %3)</source>
-        <translation>velocidad %1 mm/s (%2; %3)</translation>
-    </message>
-    <message>
-        <source>acceleration %1 mm/s² (%2; %3)</source>
-        <translation>aceleración %1 mm/s² (%2; %3)</translation>
-    </message>
-    <message>
-        <source>%1: the slider reverses. Click to go there.</source>
-        <translation>%1: la corredera invierte su movimiento. Haga clic para ir allí.</translation>
-    </message>
-    <message>
-        <source>slider at %1 mm</source>
-        <translation>corredera en %1 mm</translation>
-    </message>
-    <message>
-        <source>The mechanism cannot be assembled here: the coupler is too short.</source>
-        <translation>Aquí el mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
-    </message>
-    <message>
-        <source>The crank makes full turns if b ≥ %1 mm.</source>
-        <translation>La manivela da vueltas completas si b ≥ %1 mm.</translation>
-    </message>
-    <message>
-        <source>O₂, the fixed pivot of the crank</source>
-        <translation>O₂, el pivote fijo de la manivela</translation>
-    </message>
-    <message>
-        <source>A: drag to move the mechanism, with Shift to change a.</source>
-        <translation>A: arrastre para mover el mecanismo; con Mayús, para cambiar a.</translation>
-    </message>
-    <message>
-        <source>B: drag to move the mechanism.</source>
-        <translation>B: arrastre para mover el mecanismo.</translation>
-    </message>
-    <message>
-        <source>G₃, the coupler&apos;s centre of mass</source>
-        <translation>G₃, el centro de masa de la biela</translation>
-    </message>
-    <message>
-        <source>Crank, %1: pull to change a.</source>
-        <translation>Manivela, %1: tire para cambiar a.</translation>
-    </message>
-    <message>
-        <source>Coupler, %1: pull to change b.</source>
-        <translation>Biela, %1: tire para cambiar b.</translation>
-    </message>
-    <message>
-        <source>The slider&apos;s line, %1: drag up or down to change c.</source>
-        <translation>La línea de la corredera, %1: arrastre hacia arriba o abajo para cambiar c.</translation>
-    </message>
-    <message>
-        <source>Outer dead centre</source>
-        <translation>Punto muerto exterior</translation>
-    </message>
-    <message>
-        <source>Inner dead centre</source>
-        <translation>Punto muerto interior</translation>
-    </message>
-    <message>
-        <source>The crank angle at this time is not a finite number.</source>
-        <translation>El ángulo de la manivela en este instante no es un número finito.</translation>
-    </message>
-    <message>
-        <source>The mechanism cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. It can be assembled if b ≥ %1 mm; the crank makes full turns if b ≥ %2 mm.</source>
-        <translation>El mecanismo no se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Se puede ensamblar si b ≥ %1 mm; la manivela da vueltas completas si b ≥ %2 mm.</translation>
-    </message>
-    <message>
-        <source>The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes full turns if b ≥ %2 mm.</source>
-        <translation>El mecanismo no se puede ensamblar con θ₂ = %1°: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2 mm.</translation>
     </message>
 </context>
 </TS>

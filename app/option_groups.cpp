@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/option_groups.h"
+
+#include "core/import/heading.h"
+#include "core/import/quantity.h"
+#include "core/mechanism/channel.h"
+#include "core/sampling/crank_instant.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/quantity_text.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr int kLargestStepCount = 100'000'000;
+
+/// "30" could be degrees or radians; only 0 needs no unit.
+void requireUnitOfAngle(const OptionReader &options)
+{
+    const QString name = QLatin1String(wordOf(Parameter::Theta20));
+    const QString text = options.text(wordOf(Parameter::Theta20));
+    const Quantity bare = readQuantity(text, {}, QLocale::c());
+    if (!bare.fault && bare.value != 0.0) {
+        throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg(name, text)};
+    }
+}
+
+QStringList channelNames()
+{
+    QStringList names;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        names += columnNameOf(channelAt(index));
+    }
+    return names;
+}
+
+/// "R4_x [m]", "time" or "ignored": the meaning that --column gives a column.
+NamedChoice readMeaning(const QString &meaning)
+{
+    const Heading heading = parseHeading(meaning.toStdString());
+    const QString name = QString::fromStdString(heading.name);
+    NamedChoice choice;
+    choice.unit = heading.unit;
+    std::optional<Unit> expected;
+    if (const std::optional<Channel> channel = channelNamed(heading.name)) {
+        choice.role = ColumnRole::Channel;
+        choice.channel = *channel;
+        const Dimension dimension = isAngle(channel->coordinate) ? Dimension::Angle : Dimension::Length;
+        expected = Unit{dimension, static_cast<int>(channel->order), 1.0};
+    } else if (name == u"time") {
+        choice.role = ColumnRole::Time;
+        expected = kSecond;
+    } else if (name == u"crank-angle") {
+        choice.role = ColumnRole::CrankAngle;
+        expected = kDegree;
+    } else if (meaning != u"ignored") {
+        throwUnknownName(CommandLine::tr("--column: there is no channel \"%1\"").arg(name), name,
+                         QStringList{QStringLiteral("time"), QStringLiteral("crank-angle"), QStringLiteral("ignored")} +
+                             channelNames());
+    }
+    const std::optional<Unit> unit = parseUnit(choice.unit);
+    const bool fits = unit && expected && unit->dimension == expected->dimension && unit->order == expected->order;
+    if (!choice.unit.empty() && !fits) {
+        throw UsageError{
+            CommandLine::tr("--column: \"%1\" is not a unit of %2.").arg(QString::fromStdString(choice.unit), name)};
+    }
+    return choice;
+}
+
+} // namespace
+
+Unit unitOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return kMillimetre;
+    case Parameter::Omega2: return kRadianPerSecond;
+    case Parameter::Theta20: return kRadian;
+    }
+    return {};
+}
+
+Mechanism readMechanism(const OptionReader &options)
+{
+    Parameters parameters = options.scene().parameters;
+    requireUnitOfAngle(options);
+    for (const Parameter parameter : kParameters) {
+        double &value = valueOf(parameters, parameter);
+        value = options.number(wordOf(parameter), value, unitOf(parameter));
+    }
+    parameters.branch = options.choice("branch", parameters.branch);
+    if (const std::optional<ParameterFault> fault = findFault(parameters)) {
+        const QLatin1String name(wordOf(fault->parameter));
+        throw UsageError{fault->reason == ParameterFault::Reason::NotPositive
+                             ? CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, options.text(name.data()))
+                             : CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
+    }
+    return Mechanism(parameters);
+}
+
+Sampling readSampling(const OptionReader &options)
+{
+    Sampling sampling = options.scene().sampling;
+    sampling.start = options.number("start", sampling.start, kSecond);
+    sampling.duration = options.positiveNumber("duration", sampling.duration, kSecond);
+    sampling.steps = options.integer("steps", sampling.steps, 1, kLargestStepCount);
+    // Doubles are furthest apart at the end that is farther from 0.
+    const double farthest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
+    const double spacing = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
+    if (sampling.duration / sampling.steps < 2.0 * spacing) {
+        throw UsageError{CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a longer "
+                                         "--duration or a --start nearer to 0.")};
+    }
+    return sampling;
+}
+
+SolverSettings readSolver(const OptionReader &options)
+{
+    SolverSettings solver = options.scene().solver;
+    solver.method = options.choice("method", solver.method);
+    solver.newton.maxIterations = options.integer("max-iterations", solver.newton.maxIterations, 1, 1'000'000);
+    solver.newton.tolerance = options.number("tolerance", solver.newton.tolerance);
+    if (!(solver.newton.tolerance >= 0.0)) {
+        throw UsageError{CommandLine::tr("--tolerance must be 0 or more, not %1.").arg(options.text("tolerance"))};
+    }
+    solver.newton.toleranceKind = options.choice("tolerance-kind", solver.newton.toleranceKind);
+    return solver;
+}
+
+Format readFormat(const OptionReader &options, Format defaultFormat)
+{
+    options.choice("format", defaultFormat); // throws for a word that the command does not know
+    const qsizetype index = QStringList{"text", "csv", "json"}.indexOf(options.text("format"));
+    return index < 0 ? defaultFormat : static_cast<Format>(index);
+}
+
+std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start)
+{
+    if (options.has("at") && options.has("at-angle")) {
+        throw UsageError{CommandLine::tr("--at and --at-angle both choose a time: remove one of them.")};
+    }
+    if (options.has("at")) {
+        return options.number("at", 0.0, kSecond);
+    }
+    if (!options.has("at-angle")) {
+        return std::nullopt;
+    }
+    const double degrees = options.number("at-angle", 0.0, kDegree);
+    const QString angle = QString::number(degrees, 'g', 6);
+    const std::optional<double> time = instantAtCrankAngle(mechanism, degrees, start);
+    if (!time && mechanism.omega2() == 0.0) {
+        throw UsageError{CommandLine::tr("The crank stands still (--omega2 0) and never reaches %1°: choose another "
+                                         "--omega2, or set the angle with --theta20.")
+                             .arg(angle)};
+    }
+    if (!time || std::abs(*time) > kLargestParameter) {
+        throw UsageError{
+            CommandLine::tr("The crank does not reach %1° within 1e12 s: choose a larger --omega2.").arg(angle)};
+    }
+    return time;
+}
+
+std::vector<NamedChoice> readColumns(const OptionReader &options)
+{
+    std::vector<NamedChoice> choices;
+    if (options.has("abscissa")) {
+        const bool isTime = options.text("abscissa") == u"time";
+        options.choice("abscissa", 0); // throws for any other word than time and angle
+        choices.push_back({"#1", isTime ? ColumnRole::Time : ColumnRole::CrankAngle, {}, {}});
+    }
+    for (const QString &text : options.texts("column")) {
+        const qsizetype equals = text.lastIndexOf(u'='); // a heading may contain one, a meaning does not
+        if (equals < 1) {
+            throw UsageError{CommandLine::tr("--column must be a heading, = and a meaning, such as \"slider.s=R4_x [m]\", "
+                                             "\"#1=time\" or \"id=ignored\", not \"%1\".")
+                                 .arg(text)};
+        }
+        NamedChoice choice = readMeaning(text.sliced(equals + 1).trimmed());
+        choice.heading = text.first(equals).trimmed().toStdString();
+        if (std::ranges::find(choices, choice.heading, &NamedChoice::heading) != choices.end()) {
+            throw UsageError{CommandLine::tr("--column gives \"%1\" two meanings: keep one of them.")
+                                 .arg(QString::fromStdString(choice.heading))};
+        }
+        choices.push_back(std::move(choice));
+    }
+    return choices;
+}
+
+QString readOutput(const OptionReader &options, const QStringList &inputFiles)
+{
+    const QString output = options.text("output");
+    for (const QString &file : inputFiles + options.texts("scene")) {
+        if (!output.isEmpty() && QFileInfo::exists(output) && QFileInfo(output) == QFileInfo(file)) {
+            throw UsageError{CommandLine::tr("--output would overwrite the input file %1: choose another name.")
+                                 .arg(QDir::toNativeSeparators(file))};
+        }
+    }
+    return output;
+}
+
+QList<QStringList> readReferenceFiles(const OptionReader &options)
+{
+    const QStringList files = options.files();
+    if (files.isEmpty() || files.contains(QString())) {
+        throw UsageError{CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…")
+                             .arg(nameOf(options.subcommand()))};
+    }
+    if (options.has("join")) {
+        return {files};
+    }
+    QList<QStringList> references;
+    for (const QString &file : files) {
+        references += QStringList(file);
+    }
+    return references;
+}
+
+void refuseFiles(const OptionReader &options)
+{
+    if (!options.files().isEmpty()) {
+        throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: remove \"%2\".")
+                             .arg(nameOf(options.subcommand()), options.files().first())};
+    }
+}
+
+} // namespace slidercrank

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Which offset slider-crank has a given stroke and time ratio? Lengths in mm, angles in rad.
+//
+// Source: R. L. Norton, "Design of Machinery", section 3.8 (quick-return slider-crank); VDI 2126 (transmission angle of the offset
+// slider-crank). The derivation stands in design.cpp.
+
+#include <optional>
+#include <variant>
+
+namespace slidercrank
+{
+
+/// The lengths of a slider-crank; the offset c may be negative.
+struct Lengths {
+    double a = 0.0;
+    double b = 0.0;
+    double c = 0.0;
+};
+
+/// A crank that makes full turns has a time ratio below this.
+inline constexpr double kTimeRatioBound = 3.0;
+
+/// The mechanisms with one time ratio: one degree of freedom is left, the ratio b/a of coupler and crank.
+struct DesignRange {
+    double smallestRatio = 1.0; ///< of b/a; excluded, the transmission angle vanishes there
+    double largestRatio = 1.0;  ///< of b/a; infinite for the time ratio 1; the transmission angle vanishes there, too
+    double bestRatio = 1.0;     ///< of b/a: has the largest minimum transmission angle; at most kLongestCoupler
+    double bestTransmissionAngle = 0.0;
+};
+
+/// Without it, the best coupler of a time ratio near 1 would be arbitrarily long.
+inline constexpr double kLongestCoupler = 10.0; // crank lengths
+
+/// The range for a time ratio (slower over faster stroke, or its reciprocal); nullopt unless it is in (1/3, 3).
+std::optional<DesignRange> findDesignRange(double timeRatio);
+
+/// The mechanism with this stroke (> 0), time ratio, and ratio b/a within the range. c >= 0 for a time ratio of at least 1, so that
+/// the slider moves outwards in less time than back if ω2 > 0; a time ratio below 1 exchanges the directions by c < 0.
+Lengths findLengths(double stroke, double timeRatio, double couplerRatio);
+
+/// The minimum transmission angle of a full revolution: cos μ = (a + |c|) / b.
+double minimumTransmissionAngle(const Lengths &lengths);
+
+struct DesignRequest {
+    double stroke = 0.0;
+    double timeRatio = 1.0;
+    std::optional<double> transmissionAngle = {}; ///< smallest minimum transmission angle that is accepted
+};
+
+/// Why a request cannot be met.
+struct DesignFault {
+    enum class Reason {
+        StrokeNotPositive,
+        TimeRatioOutOfRange,      ///< not in (1/3, 3)
+        TransmissionAngleTooLarge ///< `bound` is the largest that the time ratio allows
+    };
+    Reason reason = Reason::StrokeNotPositive;
+    double bound = 0.0;
+    double timeRatioBound = kTimeRatioBound; ///< TransmissionAngleTooLarge: the largest time ratio with that transmission angle
+};
+
+/// The mechanism with the largest minimum transmission angle; its coupler is longer than kLongestCoupler only if the requested
+/// transmission angle needs it.
+std::variant<Lengths, DesignFault> design(const DesignRequest &request);
+
+} // namespace slidercrank
