@@ -38,7 +38,7 @@ QString outcomeText(const MethodResult &method)
 QString caseTable(const CaseResult &result)
 {
     QString text = CommandLine::tr("%1: %2; %3 time stamps")
-                       .arg(caseText(result.traits), mechanismText(Mechanism(result.parameters), 9),
+                       .arg(caseText(result.name), mechanismText(Mechanism(result.parameters), 9),
                             QString::number(result.instants)) +
                    u'\n';
     std::vector<QStringList> rows{{CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),

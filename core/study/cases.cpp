@@ -4,11 +4,8 @@
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace slidercrank
 {
@@ -16,168 +13,130 @@ namespace slidercrank
 namespace
 {
 
-using Trait = CaseTrait::Kind;
-using Traits = std::vector<CaseTrait>;
+/// A crank of 20 mm that turns once in 1 s.
+struct Row {
+    const char *name;
+    double b;
+    double c = 25.0;
+    Branch branch = Branch::Open;
+    int steps = 200;
+};
 
-/// By CaseTrait::Kind.
-constexpr std::array<std::string_view, 19> kWords{"",
-                                                  "Table 1 of the report",
-                                                  "this mechanism",
-                                                  "the author's file",
-                                                  "crossed",
-                                                  "toggle gap ",
-                                                  "exact toggle",
-                                                  "change point",
-                                                  "a = b and c = 0",
-                                                  "rocker",
-                                                  "one arc",
-                                                  "two arcs",
-                                                  "rocker by a hair",
-                                                  "gap ",
-                                                  "locked",
-                                                  "never assemblable",
-                                                  "lengths x ",
-                                                  "t near ",
-                                                  " steps a turn"};
-
-/// One turn in one second of a crank of 20 mm, which all but the scaled cases have.
-Case lengths(Traits traits, double b, double c, Branch branch = Branch::Open)
+/// The coupler length that exceeds what a full turn needs by the relative `gap`.
+constexpr double toggle(double gap, double c = 25.0)
 {
-    if (branch == Branch::Crossed) {
-        traits.push_back({Trait::Crossed});
-    }
-    return {std::move(traits), {20.0, b, c, kTurn, 0.0, branch}};
+    return (20.0 + (c < 0.0 ? -c : c)) * (1.0 + gap);
 }
 
-/// The coupler is longer than a full turn needs by one part in `1/gap`.
-Case toggle(Traits traits, double gap, double c, Branch branch = Branch::Open)
-{
-    return lengths(std::move(traits), (20.0 + std::abs(c)) * (1.0 + gap), c, branch);
-}
+constexpr Row kNominal[] = {
+    {"Table 1 of the report", 65.0},
+    {"b = 60, the author's file", 60.0},
+    {"b = 60, crossed", 60.0, 25.0, Branch::Crossed},
+    {"c = 0", 60.0, 0.0},
+    {"c = 0, crossed", 60.0, 0.0, Branch::Crossed},
+    {"c < 0", 60.0, -25.0},
+    {"c < 0, crossed", 60.0, -25.0, Branch::Crossed},
+    {"b/a = 10", 200.0},
+};
 
-double numberIn(std::string_view text)
-{
-    double number = 0.0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return number;
-}
+constexpr Row kHard[] = {
+    {"toggle gap 1e-1, c > 0", toggle(1e-1)},
+    {"toggle gap 1e-2, c > 0", toggle(1e-2)},
+    {"toggle gap 1e-3, c > 0", toggle(1e-3)},
+    {"toggle gap 1e-4, c > 0", toggle(1e-4)},
+    {"toggle gap 1e-5, c > 0", toggle(1e-5)},
+    {"toggle gap 1e-6, c > 0", toggle(1e-6)},
+    {"toggle gap 1e-7, c > 0", toggle(1e-7)},
+    {"toggle gap 1e-8, c > 0", toggle(1e-8)},
+    {"toggle gap 1e-9, c > 0", toggle(1e-9)},
+    {"toggle gap 1e-10, c > 0", toggle(1e-10)},
+    {"toggle gap 1e-11, c > 0", toggle(1e-11)},
+    {"toggle gap 1e-12, c > 0", toggle(1e-12)},
+    {"toggle gap 1e-13, c > 0", toggle(1e-13)},
+    {"toggle gap 1e-14, c > 0", toggle(1e-14)},
+    {"toggle gap 1e-15, c > 0", toggle(1e-15)},
+    {"toggle gap 1e-1, c = 0", toggle(1e-1, 0.0), 0.0},
+    {"toggle gap 1e-2, c = 0", toggle(1e-2, 0.0), 0.0},
+    {"toggle gap 1e-3, c = 0", toggle(1e-3, 0.0), 0.0},
+    {"toggle gap 1e-4, c = 0", toggle(1e-4, 0.0), 0.0},
+    {"toggle gap 1e-6, c = 0", toggle(1e-6, 0.0), 0.0},
+    {"toggle gap 1e-8, c = 0", toggle(1e-8, 0.0), 0.0},
+    {"toggle gap 1e-12, c = 0", toggle(1e-12, 0.0), 0.0},
+    {"toggle gap 1e-15, c = 0", toggle(1e-15, 0.0), 0.0},
+    {"toggle gap 1e-1, c < 0", toggle(1e-1, -25.0), -25.0},
+    {"toggle gap 1e-2, c < 0", toggle(1e-2, -25.0), -25.0},
+    {"toggle gap 1e-3, c < 0", toggle(1e-3, -25.0), -25.0},
+    {"toggle gap 1e-4, c < 0", toggle(1e-4, -25.0), -25.0},
+    {"toggle gap 1e-6, c < 0", toggle(1e-6, -25.0), -25.0},
+    {"toggle gap 1e-8, c < 0", toggle(1e-8, -25.0), -25.0},
+    {"toggle gap 1e-12, c < 0", toggle(1e-12, -25.0), -25.0},
+    {"toggle gap 1e-15, c < 0", toggle(1e-15, -25.0), -25.0},
+    {"toggle gap 1e-4, crossed", toggle(1e-4), 25.0, Branch::Crossed},
+    {"toggle gap 1e-8, crossed", toggle(1e-8), 25.0, Branch::Crossed},
+    {"exact toggle, c > 0", toggle(0.0)},
+    {"exact toggle, c < 0", toggle(0.0), -25.0},
+    {"exact toggle, crossed", toggle(0.0), 25.0, Branch::Crossed},
+    {"change point, a = b and c = 0", 20.0, 0.0},
+    {"change point, crossed", 20.0, 0.0, Branch::Crossed},
+    {"rocker, one arc", 40.0},
+    {"rocker, one arc, c < 0", 40.0, -25.0},
+    {"rocker, one arc, crossed", 40.0, 25.0, Branch::Crossed},
+    {"rocker, two arcs", 10.0, 5.0},
+    {"rocker, two arcs, crossed", 10.0, 5.0, Branch::Crossed},
+    {"rocker, two arcs, c = 0", 10.0, 0.0},
+    {"rocker by a hair, gap -1e-8", toggle(-1e-8)},
+    {"locked, b = |c| - a", 5.0},
+    {"never assemblable", 4.0},
+    {"b/a = 1e3", 2e4},
+    {"b/a = 1e9", 2e10},
+    {"c/a = 5e4", 1.1e6, 1e6},
+    {"2 steps a turn, gap 1e-1", toggle(1e-1), 25.0, Branch::Open, 2},
+    {"3 steps a turn, gap 1e-1", toggle(1e-1), 25.0, Branch::Open, 3},
+    {"4 steps a turn, gap 1e-1", toggle(1e-1), 25.0, Branch::Open, 4},
+    {"5 steps a turn, gap 1e-1", toggle(1e-1), 25.0, Branch::Open, 5},
+    {"8 steps a turn, gap 1e-1", toggle(1e-1), 25.0, Branch::Open, 8},
+    {"5 steps a turn, gap 1e-2", toggle(1e-2), 25.0, Branch::Open, 5},
+    {"8 steps a turn, gap 1e-3", toggle(1e-3), 25.0, Branch::Open, 8},
+};
 
-Case toggle(std::string_view gap, double c, Branch branch = Branch::Open)
-{
-    Traits traits{{Trait::ToggleGap, gap}};
-    if (branch == Branch::Open) {
-        traits.push_back({Trait::Formula, c > 0.0 ? "c > 0" : c < 0.0 ? "c < 0" : "c = 0"});
-    }
-    return toggle(std::move(traits), numberIn(gap), c, branch);
-}
-
-Case scaled(std::string_view factor)
-{
-    const double by = numberIn(factor);
-    return {{{Trait::LengthsTimes, factor}}, {20.0 * by, 60.0 * by, 25.0 * by, kTurn, 0.0, Branch::Open}};
-}
-
-/// One turn in one second, or in the time that the speed asks for.
-Case driven(CaseTrait trait, double omega2, double theta20, Sampling sampling)
-{
-    return {{trait}, {20.0, 60.0, 25.0, omega2, theta20, Branch::Open}, sampling};
-}
-
-/// Few steps a turn, where a warm start begins far from its answer.
-Case coarse(std::string_view steps, std::string_view gap)
-{
-    Case result = toggle({{Trait::StepsATurn, steps}, {Trait::Gap, gap}}, numberIn(gap), 25.0);
-    result.sampling.steps = static_cast<int>(numberIn(steps));
-    return result;
-}
-
-std::vector<Case> makeHardCases()
+std::vector<Case> casesOf(std::span<const Row> rows)
 {
     std::vector<Case> cases;
-    for (const char *gap : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-11",
-                            "1e-12", "1e-13", "1e-14", "1e-15"}) {
-        cases.push_back(toggle(gap, 25.0));
+    for (const Row &row : rows) {
+        cases.push_back({row.name, {20.0, row.b, row.c, kTurn, 0.0, row.branch}, {0.0, 1.0, row.steps}});
     }
-    for (const double c : {0.0, -25.0}) {
-        for (const char *gap : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-6", "1e-8", "1e-12", "1e-15"}) {
-            cases.push_back(toggle(gap, c));
-        }
-    }
-    const std::array others{
-        toggle("1e-4", 25.0, Branch::Crossed),
-        toggle("1e-8", 25.0, Branch::Crossed),
-
-        toggle({{Trait::ExactToggle}, {Trait::Formula, "c > 0"}}, 0.0, 25.0),
-        toggle({{Trait::ExactToggle}, {Trait::Formula, "c < 0"}}, 0.0, -25.0),
-        toggle({{Trait::ExactToggle}}, 0.0, 25.0, Branch::Crossed),
-        toggle({{Trait::ChangePoint}, {Trait::EqualAndInLine}}, 0.0, 0.0),
-        toggle({{Trait::ChangePoint}}, 0.0, 0.0, Branch::Crossed),
-
-        lengths({{Trait::Rocker}, {Trait::OneArc}}, 40.0, 25.0),
-        lengths({{Trait::Rocker}, {Trait::OneArc}, {Trait::Formula, "c < 0"}}, 40.0, -25.0),
-        lengths({{Trait::Rocker}, {Trait::OneArc}}, 40.0, 25.0, Branch::Crossed),
-        lengths({{Trait::Rocker}, {Trait::TwoArcs}}, 10.0, 5.0),
-        lengths({{Trait::Rocker}, {Trait::TwoArcs}}, 10.0, 5.0, Branch::Crossed),
-        lengths({{Trait::Rocker}, {Trait::TwoArcs}, {Trait::Formula, "c = 0"}}, 10.0, 0.0),
-        toggle({{Trait::RockerByAHair}, {Trait::Gap, "-1e-8"}}, -1e-8, 25.0),
-        lengths({{Trait::Locked}, {Trait::Formula, "b = |c| - a"}}, 5.0, 25.0),
-        lengths({{Trait::NeverAssemblable}}, 4.0, 25.0),
-
-        lengths({{Trait::Formula, "b/a = 1e3"}}, 2e4, 25.0),
-        lengths({{Trait::Formula, "b/a = 1e9"}}, 2e10, 25.0),
-        lengths({{Trait::Formula, "c/a = 5e4"}}, 1.1e6, 1e6),
-        scaled("1e-9"),
-        scaled("1e9"),
-
-        driven({Trait::TimeNear, "1e9 s"}, kTurn, 0.0, {1e9, 1.0, 200}),
-        driven({Trait::Formula, "omega2 = 0"}, 0.0, 1.0, {}),
-        driven({Trait::Formula, "omega2 = 1e6 rad/s"}, 1e6, 0.0, {0.0, 6.25e-6, 200}),
-
-        coarse("2", "1e-1"),
-        coarse("3", "1e-1"),
-        coarse("4", "1e-1"),
-        coarse("5", "1e-1"),
-        coarse("8", "1e-1"),
-        coarse("5", "1e-2"),
-        coarse("8", "1e-3"),
-    };
-    cases.insert(cases.end(), others.begin(), others.end());
     return cases;
+}
+
+Parameters scaled(double factor)
+{
+    return {20.0 * factor, 60.0 * factor, 25.0 * factor, kTurn, 0.0, Branch::Open};
 }
 
 } // namespace
 
-std::string nameOf(std::span<const CaseTrait> traits)
-{
-    std::string name;
-    for (const auto &[kind, value] : traits) {
-        const std::string word(kWords[static_cast<std::size_t>(kind)]);
-        const std::string number(value);
-        name += (name.empty() ? "" : ", ") + (kind == Trait::StepsATurn ? number + word : word + number);
-    }
-    return name;
-}
-
 std::span<const Case> nominalCases()
 {
-    static const std::array kCases{
-        Case{{{Trait::ReportTable}}, {}},
-        lengths({{Trait::Formula, "b = 60"}, {Trait::AuthorsFile}}, 60.0, 25.0),
-        lengths({{Trait::Formula, "b = 60"}}, 60.0, 25.0, Branch::Crossed),
-        lengths({{Trait::Formula, "c = 0"}}, 60.0, 0.0),
-        lengths({{Trait::Formula, "c = 0"}}, 60.0, 0.0, Branch::Crossed),
-        lengths({{Trait::Formula, "c < 0"}}, 60.0, -25.0),
-        lengths({{Trait::Formula, "c < 0"}}, 60.0, -25.0, Branch::Crossed),
-        driven({Trait::Formula, "omega2 < 0"}, -kTurn, 0.0, {}),
-        driven({Trait::Formula, "theta20 = 1 rad"}, kTurn, 1.0, {}),
-        lengths({{Trait::Formula, "b/a = 10"}}, 200.0, 25.0),
-    };
+    static const std::vector<Case> kCases = [] {
+        std::vector<Case> cases = casesOf(kNominal);
+        cases.push_back({"omega2 < 0", {20.0, 60.0, 25.0, -kTurn, 0.0, Branch::Open}});
+        cases.push_back({"theta20 = 1 rad", {20.0, 60.0, 25.0, kTurn, 1.0, Branch::Open}});
+        return cases;
+    }();
     return kCases;
 }
 
 std::span<const Case> hardCases()
 {
-    static const std::vector<Case> kCases = makeHardCases();
+    static const std::vector<Case> kCases = [] {
+        std::vector<Case> cases = casesOf(kHard);
+        cases.push_back({"lengths x 1e-9", scaled(1e-9)});
+        cases.push_back({"lengths x 1e9", scaled(1e9)});
+        cases.push_back({"t near 1e9 s", scaled(1.0), {1e9, 1.0, 200}});
+        cases.push_back({"omega2 = 0", {20.0, 60.0, 25.0, 0.0, 1.0, Branch::Open}});
+        cases.push_back({"omega2 = 1e6 rad/s", {20.0, 60.0, 25.0, 1e6, 0.0, Branch::Open}, {0.0, 6.25e-6, 200}});
+        return cases;
+    }();
     return kCases;
 }
 

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <thread>
 
@@ -34,7 +35,6 @@ struct Judged {
     Status status = Status::Solved;
     double clearance = 0.0; ///< (b - |h|)/b
     std::array<TwoPart, kChannels> values;
-    std::array<TwoPart, kChannels> valuesInDegrees;
     std::array<double, kChannels> kappa{}; ///< rad, mm
 };
 
@@ -53,16 +53,12 @@ TwoPart inTwoParts(const Real &value)
 template <class Real>
 Judged judgedFrom(const Parameters &parameters, double t, const ExactState<Real> &exact)
 {
-    static const Real kDegrees = 180 / boost::math::constants::pi<Real>();
     Judged judged;
     judged.status = exact.status;
     judged.clearance = static_cast<double>(exact.clearance);
     for (std::size_t k = 0; k < kChannels; ++k) {
         const std::size_t index = indexOf(kPlottedChannels[k]);
-        const Real &value = exact.values[index];
-        judged.values[k] = inTwoParts(value);
-        judged.valuesInDegrees[k] =
-            isAngle(kPlottedChannels[k].coordinate) ? inTwoParts(Real(value * kDegrees)) : judged.values[k];
+        judged.values[k] = inTwoParts(exact.values[index]);
     }
     if (exact.status == Status::Solved) {
         const std::array<double, kChannelCount> kappa = conditioning<Real>(parameters, t);
@@ -99,7 +95,7 @@ std::array<double, kChannels> sizesOf(const Parameters &parameters, const std::v
     return sizes;
 }
 
-/// 0/0 is no error: a channel of a crank that stands still.
+/// 0/0 counts as no error: a channel of a crank that stands still.
 double relative(double error, double size)
 {
     return error == 0.0 ? 0.0 : error / size;
@@ -109,15 +105,21 @@ double relative(double error, double size)
 struct Contender {
     const StudyMethod *method = nullptr;
     StudyRun run;
-    std::vector<std::size_t> instants; ///< which of the case's
+    std::vector<std::size_t> instants; ///< which of the case's are judged
+    std::size_t stride = 1;            ///< every so many of the answers is judged
     StudyAnswers answers;
     long long repeats = 1;
     std::vector<double> nanoseconds; ///< per state, a value a round
 };
 
-double lag(double got, TwoPart exact)
+/// |got - exact|, with a value in degrees converted in extended precision, so that the conversion adds no error.
+double deviation(double got, bool isInDegrees, TwoPart exact)
 {
-    return std::isfinite(got) ? std::abs((got - exact.hi) - exact.lo) : kInfinity;
+    constexpr long double kRadiansPerDegree = std::numbers::pi_v<long double> / 180.0L;
+    const long double value = isInDegrees ? kRadiansPerDegree * static_cast<long double>(got) : got;
+    const auto error =
+        static_cast<double>((value - static_cast<long double>(exact.hi)) - static_cast<long double>(exact.lo));
+    return std::isfinite(got) ? std::abs(error) : kInfinity;
 }
 
 /// How much worse one status is than another: what cannot be assembled is the mechanism's, the others are the method's.
@@ -141,7 +143,8 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
     double bound = 0.0;
     std::size_t silent = 0;
     for (std::size_t i = 0; i < contender.instants.size(); ++i) {
-        const Status status = contender.answers.status[i];
+        const std::size_t answer = i * contender.stride;
+        const Status status = contender.answers.status[answer];
         ++result.counts[static_cast<std::size_t>(status)];
         if (severity(status) > severity(result.status)) {
             result.status = status;
@@ -156,11 +159,9 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         }
         bool isWrong = false;
         for (std::size_t k = 0; k < kChannels; ++k) {
-            const bool degrees = method.givesDegrees && isAngle(kPlottedChannels[k].coordinate);
-            const double unit = degrees ? kDegreesPerRadian : 1.0;
-            const double got = contender.answers.values[k][i];
-            const double error =
-                relative(lag(got, degrees ? judged.valuesInDegrees[k] : judged.values[k]), unit * judgement.sizes[k]);
+            const bool isInDegrees = method.givesDegrees && isAngle(kPlottedChannels[k].coordinate);
+            const double got = contender.answers.values[k][answer];
+            const double error = relative(deviation(got, isInDegrees, judged.values[k]), judgement.sizes[k]);
             const double limit = relative(judged.kappa[k] * kUnitRoundoff, judgement.sizes[k]);
             worst = std::max(worst, error);
             bound = std::max(bound, limit);
@@ -171,8 +172,6 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
     if (result.counts[static_cast<std::size_t>(Status::Solved)] > 0) {
         result.maxError = worst;
         result.errorBound = std::isfinite(bound) ? std::optional(bound) : std::nullopt;
-    }
-    if (method.isExact) {
         result.silentFailures = silent;
     }
 }
@@ -186,6 +185,26 @@ double quantile(const std::vector<double> &sorted, double part)
     return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
 }
 
+/// A method that is to be run at `times`, judged at those with the indices `judged`, every stride-th of the times. None
+/// where the method does not apply to the mechanism.
+std::optional<Contender> makeContender(const StudyMethod &method, const Case &which, const std::vector<double> &times,
+                                       std::vector<std::size_t> judged, std::size_t stride = 1)
+{
+    Contender contender;
+    contender.method = &method;
+    contender.run = method.prepare(which, times);
+    contender.instants = std::move(judged);
+    if (!contender.run) {
+        return std::nullopt;
+    }
+    contender.stride = stride;
+    for (std::vector<double> &values : contender.answers.values) {
+        values.resize(times.size());
+    }
+    contender.answers.status.resize(times.size());
+    return contender;
+}
+
 std::vector<Contender> contendersOf(const Case &which, const std::vector<double> &all, const std::vector<double> &steps)
 {
     std::vector<std::size_t> everyIndex(all.size());
@@ -197,19 +216,10 @@ std::vector<Contender> contendersOf(const Case &which, const std::vector<double>
     std::vector<Contender> contenders;
     for (const StudyMethod &method : studyMethods()) {
         const bool everywhere = method.instants == StudyMethod::Instants::All;
-        StudyRun run = method.prepare(which, everywhere ? all : steps);
-        if (!run) {
-            continue;
+        if (std::optional<Contender> contender =
+                makeContender(method, which, everywhere ? all : steps, everywhere ? everyIndex : stepIndices)) {
+            contenders.push_back(std::move(*contender));
         }
-        Contender contender;
-        contender.method = &method;
-        contender.run = std::move(run);
-        contender.instants = everywhere ? everyIndex : stepIndices;
-        for (std::vector<double> &values : contender.answers.values) {
-            values.resize(contender.instants.size());
-        }
-        contender.answers.status.resize(contender.instants.size());
-        contenders.push_back(std::move(contender));
     }
     return contenders;
 }
@@ -257,7 +267,7 @@ bool timeAll(std::vector<Contender> &contenders, const StudyRequest &request, co
                 contender.run(contender.answers);
             }
             const double states =
-                static_cast<double>(contender.repeats) * static_cast<double>(contender.instants.size());
+                static_cast<double>(contender.repeats) * static_cast<double>(contender.answers.status.size());
             contender.nanoseconds.push_back(1e9 * secondsSince(start) / states);
         }
         if (stop.stop_requested()) {
@@ -281,11 +291,61 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
         result.spread = quantile(contender.nanoseconds, 0.75) - quantile(contender.nanoseconds, 0.25);
     }
     if (method.tolerance) {
-        result.iterationsPerState =
-            static_cast<double>(contender.answers.iterations) / static_cast<double>(contender.instants.size());
+        const auto states = static_cast<double>(contender.answers.status.size());
+        const auto iterations = static_cast<double>(contender.answers.iterations);
+        const auto solved = std::ranges::count(contender.answers.status, Status::Solved);
+        result.iterationsPerState = iterations / states;
+        result.linearSolvesPerState = (iterations + 2.0 * static_cast<double>(solved)) / states;
     }
     compareAnswers(contender, judgement, result);
     return result;
+}
+
+/// Every method, with every step size where that matters. Empty when stopped.
+std::vector<WorkPrecision> measureWorkPrecision(const Case &which, const StudyRequest &request,
+                                                const std::stop_token &stop)
+{
+    constexpr std::array kMultiples{1, 2, 4, 8, 16, 32};
+    constexpr int kOutputs = WorkPrecision::kOutputs;
+    std::vector<std::size_t> outputs(kOutputs + 1);
+    std::iota(outputs.begin(), outputs.end(), std::size_t{0});
+    std::vector<Case> cases(kMultiples.size(), which);
+    std::vector<std::vector<double>> times;
+    for (std::size_t i = 0; i < kMultiples.size(); ++i) {
+        cases[i].sampling.steps = kMultiples[i] * kOutputs;
+        times.push_back(cases[i].sampling.instants());
+    }
+    const auto ignoreProgress = [](double) {};
+    const std::optional<Judgement> judgement = judgeAll(which, times.front(), stop, ignoreProgress);
+    std::vector<Contender> contenders;
+    for (const StudyMethod &method : studyMethods()) {
+        for (std::size_t i = 0; i < (method.dependsOnStep ? kMultiples.size() : 1); ++i) {
+            const auto stride = static_cast<std::size_t>(kMultiples[i]);
+            if (std::optional<Contender> contender = makeContender(method, cases[i], times[i], outputs, stride)) {
+                contenders.push_back(std::move(*contender));
+            }
+        }
+    }
+    std::vector<WorkPrecision> rows;
+    if (!judgement || !timeAll(contenders, request, stop, ignoreProgress)) {
+        return rows;
+    }
+    for (Contender &contender : contenders) {
+        const auto states = static_cast<double>(contender.answers.status.size());
+        const MethodResult result = resultOf(contender, *judgement);
+        WorkPrecision row;
+        row.method = result.method;
+        row.tolerance = result.tolerance;
+        row.steps = static_cast<int>(states) - 1;
+        row.microseconds = 1e-3 * states * result.nsPerState;
+        row.spread = 1e-3 * states * result.spread;
+        if (result.linearSolvesPerState) {
+            row.linearSolves = states * *result.linearSolvesPerState;
+        }
+        row.maxError = result.maxError;
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 Machine thisMachine()
@@ -336,11 +396,18 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
             break;
         }
         CaseResult of;
-        of.traits = which.traits;
+        of.name = which.name;
         of.parameters = which.parameters;
         of.instants = all.size();
         for (Contender &contender : contenders) {
             of.methods.push_back(resultOf(contender, *judgement));
+        }
+        if (result.cases.empty()) {
+            of.workPrecision = measureWorkPrecision(which, request, stop);
+            if (stop.stop_requested()) {
+                result.complete = false;
+                break;
+            }
         }
         result.cases.push_back(std::move(of));
     }
@@ -354,7 +421,7 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
 Case studyCase(const Parameters &parameters)
 {
     const bool isTable1 = parameters == Parameters();
-    Case result{{{isTable1 ? CaseTrait::Kind::ReportTable : CaseTrait::Kind::ThisMechanism}}, parameters};
+    Case result{isTable1 ? "Table 1 of the report" : "this mechanism", parameters};
     if (parameters.omega2 != 0.0) {
         result.sampling.duration = 2.0 * std::numbers::pi / std::abs(parameters.omega2);
     }
@@ -363,16 +430,19 @@ Case studyCase(const Parameters &parameters)
 
 std::vector<std::size_t> bestFront(const CaseResult &result)
 {
+    const std::vector<MethodResult> &rows = result.methods;
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < result.methods.size(); ++i) {
-        if (result.methods[i].maxError) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].maxError) {
             order.push_back(i);
         }
     }
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return result.methods[i].nsPerState; });
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t i) { return std::pair(-rows[i].channels, rows[i].nsPerState); });
     std::vector<std::size_t> front;
     for (const std::size_t i : order) {
-        if (front.empty() || *result.methods[i].maxError < *result.methods[front.back()].maxError) {
+        const bool isFirst = front.empty() || rows[front.back()].channels != rows[i].channels;
+        if (isFirst || *rows[i].maxError < *rows[front.back()].maxError) {
             front.push_back(i);
         }
     }

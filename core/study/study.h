@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Speed against error: each method of the program, and what a student would do instead, timed on the same instants and
-// judged against the exact motion in at least 50 digits (100 beside a toggle). The one place in the core that reads a
-// clock.
+// Speed against error: each method of the program, and what a student would do instead, timed at the same time stamps
+// and judged against the exact motion in at least 50 digits (100 beside a toggle). The one place in the core that reads
+// a clock.
 //
-// Errors are those of the six plotted channels, relative to the channel's peak in the run, the worst of them, over the
-// instants that the method itself calls solved. The bound beside them is κ·u, in the same measure and over the same
-// instants:
+// Errors are the largest of the six plotted channels, relative to the peak of the channel, over the time stamps that
+// the method itself calls solved. The bound beside them is κ·u, in the same measure and over the same instants:
 //
 //     κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t        u = 2⁻⁵³
 //
@@ -38,7 +37,7 @@ struct StudyRequest {
     double secondsPerRound = 150e-6;
 };
 
-/// Of the rows of Newton-Raphson, those of the report's own run.
+/// The tolerance of the reference report; the rows of newton-dense with it are its own calculation.
 inline constexpr double kReportsTolerance = 1e-8;
 
 struct MethodName {
@@ -61,7 +60,7 @@ struct MethodName {
 /// What files and the command line call it: newton-dense, closed-form-batch, harmonic-4, …
 std::string nameOf(const MethodName &method);
 
-/// A row of the study.
+/// A row of the study. Compare times only between rows with the same number of channels.
 struct MethodResult {
     MethodName method;
     std::optional<double> tolerance; ///< of Newton-Raphson
@@ -70,15 +69,20 @@ struct MethodResult {
     double nsPerState = 0.0; ///< median over the rounds
     double spread = 0.0;     ///< between the quartiles, ns
 
-    std::optional<double> iterationsPerState; ///< of Newton-Raphson
-    std::optional<double> maxError;           ///< none where no instant is solved
-    std::optional<double> errorBound;         ///< κ·u; none where no instant is solved, or it knows no bound
+    // Of Newton-Raphson. An iteration is one linear system solved for the position; velocity and acceleration are two
+    // more linear systems with one matrix.
+    std::optional<double> iterationsPerState;
+    std::optional<double> linearSolvesPerState;
+
+    std::optional<double> maxError;   ///< none where no instant is solved
+    std::optional<double> errorBound; ///< κ·u; none where no instant is solved, or it knows no bound
 
     std::array<std::size_t, kStatusCount> counts{}; ///< of instants, by Status
     Status status = Status::Solved;                 ///< the worst of them
 
-    /// Instants called solved that are not: a channel is off by more than kSilentPart of its peak, as it is on the
-    /// wrong branch, or no position exists. None for methods that are approximations to begin with.
+    /// Time stamps called solved that are not: a channel is off by more than kSilentPart of its peak, as it is on the
+    /// wrong branch or beyond the reach of an approximation, or no position exists. None where nothing is called
+    /// solved.
     std::optional<std::size_t> silentFailures;
 };
 
@@ -87,11 +91,26 @@ inline constexpr double kSilentPart = 0.01;
 /// (|h| - b)/b up to which a position at a limit is a matter of the last digits.
 inline constexpr double kLimitRounding = 1e-14;
 
+/// Error against cost: what it takes to get the same kOutputs + 1 states of the six plotted channels, at equal time
+/// steps over the sampled duration, with a tolerance and a step size.
+struct WorkPrecision {
+    static constexpr int kOutputs = 25; ///< the steps are multiples of it
+
+    MethodName method;
+    std::optional<double> tolerance;
+    int steps = kOutputs;
+    double microseconds = 0.0; ///< median over the rounds, of the whole calculation
+    double spread = 0.0;       ///< between the quartiles, µs
+    std::optional<double> linearSolves;
+    std::optional<double> maxError; ///< as in MethodResult
+};
+
 struct CaseResult {
-    std::vector<CaseTrait> traits;
+    std::string name;
     Parameters parameters;
     std::size_t instants = 0;
     std::vector<MethodResult> methods;
+    std::vector<WorkPrecision> workPrecision; ///< of the first case only
 };
 
 /// What the times belong to.
@@ -116,11 +135,8 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop = {},
 /// A turn of this mechanism in 200 steps; a second where the crank stands still.
 Case studyCase(const Parameters &parameters);
 
-/// The rows of a case that no other is both faster and at least as exact than: by ascending time, falling error.
+/// The rows of a case for which no other row with the same number of channels is both faster and at least as accurate:
+/// first those with all channels, then those with six; each by ascending time and decreasing error.
 std::vector<std::size_t> bestFront(const CaseResult &result);
-
-/// UTF-8 with Unix line ends. What does not exist is null in JSON, empty in CSV.
-std::string studyJson(const StudyResult &result);
-std::string studyCsv(const StudyResult &result);
 
 } // namespace slidercrank

@@ -55,6 +55,7 @@ StudyMethod closedForm()
 {
     StudyMethod method;
     method.name = {MethodName::Kind::ClosedForm};
+    method.dependsOnStep = false;
     method.channels = static_cast<int>(kChannelCount);
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         return [closedForm = ClosedForm(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
@@ -70,6 +71,7 @@ StudyMethod closedFormBatch()
 {
     StudyMethod method;
     method.name = {MethodName::Kind::ClosedFormBatch};
+    method.dependsOnStep = false;
     method.givesDegrees = true;
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         return [batch = ClosedFormBatch(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
@@ -87,7 +89,6 @@ StudyMethod finiteDifference()
 {
     StudyMethod method;
     method.name = {MethodName::Kind::FiniteDifference};
-    method.isExact = false;
     method.instants = StudyMethod::Instants::Sampling;
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         const double step = which.sampling.duration / which.sampling.steps;
@@ -122,7 +123,7 @@ StudyMethod harmonics(int count)
 {
     StudyMethod method;
     method.name = {MethodName::Kind::Harmonics, count};
-    method.isExact = false;
+    method.dependsOnStep = false;
     method.prepare = [count](const Case &which, std::span<const double> instants) -> StudyRun {
         const Mechanism mechanism(which.parameters);
         if (!HarmonicSeries::existsFor(mechanism)) {
@@ -183,6 +184,14 @@ std::vector<StudyMethod> makeMethods()
 }
 
 } // namespace
+
+std::string nameOf(const MethodName &method)
+{
+    constexpr std::array kNames{"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor",
+                                "closed-form",  "closed-form-batch",   "finite-difference"};
+    return method.kind == MethodName::Kind::Harmonics ? "harmonic-" + std::to_string(method.harmonics)
+                                                      : kNames[static_cast<std::size_t>(method.kind)];
+}
 
 const std::vector<StudyMethod> &studyMethods()
 {

@@ -36,8 +36,8 @@ struct StudyMethod {
     std::optional<double> tolerance; ///< of Newton-Raphson
     ToleranceKind toleranceKind = ToleranceKind::Absolute;
     int channels = 6;
-    bool isExact = true;       ///< but for rounding and the tolerance
     bool givesDegrees = false; ///< else radians
+    bool dependsOnStep = true; ///< its error or its cost for the same outputs
     Instants instants = Instants::All;
 
     /// What is to be worked out once per mechanism is done here; the run is timed. Null where the method does not

@@ -5976,6 +5976,14 @@ SHA-256: %2</translation>
         <source>At %1 instants the report&apos;s way is wrong without saying so.</source>
         <translation>En %1 instantes el método del informe falla sin avisar.</translation>
     </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (de %2 a %3)</translation>
+    </message>
+    <message>
+        <source>; both are as exact as the rounding of the data allows</source>
+        <translation>; ambos son tan exactos como permite el redondeo de los datos</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Timeline</name>

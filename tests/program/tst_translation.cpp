@@ -460,9 +460,9 @@ private slots:
     {
         for (const Case &which : allCases()) {
             speak(Language::English);
-            QCOMPARE(caseText(which.traits), QString::fromStdString(which.name));
+            QCOMPARE(caseText(which.name), QString::fromStdString(which.name));
             speak(Language::Spanish);
-            const QString name = caseText(which.traits);
+            const QString name = caseText(which.name);
             QVERIFY2(englishIn(name).isEmpty(), qPrintable(name));
         }
     }

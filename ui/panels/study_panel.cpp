@@ -370,7 +370,7 @@ void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
     const QSignalBlocker quiet(m_cases);
     m_cases->clear();
     for (const CaseResult &which : m_result->cases) {
-        m_cases->addItem(caseText(which.traits));
+        m_cases->addItem(caseText(which.name));
     }
     showCase();
 }
@@ -448,7 +448,7 @@ void StudyPanel::showSummary()
     m_summary->setText(text);
     const CaseResult *which = shownCase();
     QString answer = which ? closedFormSentence(*which) : QString();
-    const bool ofThisMechanism = which && which->traits == studyCase(which->parameters).traits;
+    const bool ofThisMechanism = which && which->name == studyCase(which->parameters).name;
     if (ofThisMechanism && which->parameters != m_parameters) {
         answer += tr(" The mechanism has changed since: run again.");
     }
@@ -473,7 +473,7 @@ std::optional<QString> StudyPanel::exportPicture(const QString &path) const
         return tr("There is nothing to export yet: run the study first.");
     }
     const SeriesColours light = seriesColours(paletteFor(Theme::Light));
-    return exportFigure(path, {kExportSize, 2.0}, tr("Speed and accuracy: %1").arg(caseText(which->traits)),
+    return exportFigure(path, {kExportSize, 2.0}, tr("Speed and accuracy: %1").arg(caseText(which->name)),
                         [&](QPainter &painter, const QSize &size) { drawStudy(painter, size, *which, light); });
 }
 

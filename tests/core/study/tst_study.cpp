@@ -4,9 +4,6 @@
 #include "core/study/study.h"
 #include "core/study/study_methods.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTest>
 
 #include <algorithm>
@@ -83,17 +80,17 @@ private slots:
     void twoHarmonicsAreTheTextbooks();
     void theBoundIsOfTheSizeOfRounding();
     void theBoundFollowsTheGap();
-    void nothingIsSilentlyWrong_data();
-    void nothingIsSilentlyWrong();
+    void onlyApproximationsAreSilentlyWrong_data();
+    void onlyApproximationsAreSilentlyWrong();
     void countsEveryInstantOnce();
     void knowsTheWorstStatus();
     void tellsWhatCannotBeAssembled();
-    void theBestFrontHasOnlyTheBest();
+    void theBestFrontComparesEqualOutputsOnly();
+    void countsLinearSolves();
+    void tellsErrorAgainstCost();
     void progressRisesToOne();
     void stopsWhenAsked();
     void stopsBeforeTheFirstCase();
-    void writesTheJsonOfTheContract();
-    void writesTheSameRowsAsCsv();
     void measuresTimes();
 };
 
@@ -237,7 +234,7 @@ void tst_study::theBoundFollowsTheGap()
     }
 }
 
-void tst_study::nothingIsSilentlyWrong_data()
+void tst_study::onlyApproximationsAreSilentlyWrong_data()
 {
     QTest::addColumn<Case>("which");
     for (const Case &which : allCases()) {
@@ -245,14 +242,18 @@ void tst_study::nothingIsSilentlyWrong_data()
     }
 }
 
-void tst_study::nothingIsSilentlyWrong()
+void tst_study::onlyApproximationsAreSilentlyWrong()
 {
     QFETCH(Case, which);
     const CaseResult result = studied(coarse(which, 24));
     for (const MethodResult &row : result.methods) {
         const bool isApproximation =
             row.method.kind == MethodName::Kind::FiniteDifference || row.method.kind == MethodName::Kind::Harmonics;
-        QCOMPARE(row.silentFailures.has_value(), !isApproximation);
+        QCOMPARE(row.silentFailures.has_value(), row.maxError.has_value());
+        if (isApproximation) {
+            QCOMPARE(row.silentFailures.value_or(0) > 0, row.maxError.value_or(0.0) > kSilentPart);
+            continue;
+        }
         QVERIFY2(row.silentFailures.value_or(0) == 0,
                  qPrintable(QString("%1, tolerance %2: %3 of %4 silently wrong, error %5")
                                 .arg(nameOf(row.method).c_str())
@@ -300,11 +301,12 @@ void tst_study::tellsWhatCannotBeAssembled()
     }
 }
 
-void tst_study::theBestFrontHasOnlyTheBest()
+void tst_study::theBestFrontComparesEqualOutputsOnly()
 {
     CaseResult result;
-    const auto add = [&](double time, std::optional<double> error) {
+    const auto add = [&](double time, std::optional<double> error, int channels = 36) {
         MethodResult row;
+        row.channels = channels;
         row.nsPerState = time;
         row.maxError = error;
         result.methods.push_back(row);
@@ -315,7 +317,45 @@ void tst_study::theBestFrontHasOnlyTheBest()
     add(20.0, 1e-2); // slower and worse
     add(1.0, {});    // solved nothing
     add(30.0, 1e-9);
-    QCOMPARE(bestFront(result), (std::vector<std::size_t>{1, 0, 5}));
+    add(2.0, 1e-12, 6); // faster and better than all, with fewer channels
+    add(3.0, 1e-2, 6);
+    QCOMPARE(bestFront(result), (std::vector<std::size_t>{1, 0, 5, 6}));
+}
+
+void tst_study::countsLinearSolves()
+{
+    const CaseResult result = studied(coarse(nominalCases()[0], 20));
+    for (const MethodResult &row : result.methods) {
+        QCOMPARE(row.linearSolvesPerState.has_value(), row.iterationsPerState.has_value());
+        if (row.iterationsPerState) {
+            QCOMPARE(*row.linearSolvesPerState, *row.iterationsPerState + 2.0);
+        }
+    }
+}
+
+/// One fixed set of outputs: a smaller step makes differences more accurate and everything dearer; an exact method has
+/// one row or the same error in all.
+void tst_study::tellsErrorAgainstCost()
+{
+    const StudyResult study = runStudy(quick({nominalCases()[0], nominalCases()[1]}));
+    QVERIFY(study.cases[1].workPrecision.empty());
+    double before = 1.0;
+    int steps = WorkPrecision::kOutputs;
+    int closedForms = 0;
+    for (const WorkPrecision &row : study.cases[0].workPrecision) {
+        QVERIFY(row.steps % WorkPrecision::kOutputs == 0 && row.microseconds > 0.0 && row.maxError);
+        closedForms += row.method.kind == MethodName::Kind::ClosedForm ? 1 : 0;
+        if (row.method.kind == MethodName::Kind::FiniteDifference) {
+            QCOMPARE(row.steps, steps);
+            QVERIFY(*row.maxError < before / 3.0);
+            before = *row.maxError;
+            steps *= 2;
+        } else if (row.method.kind == MethodName::Kind::NewtonDense && row.tolerance == 0.0) {
+            QVERIFY(*row.maxError < 1e-13 && *row.linearSolves > 2.0 * row.steps);
+        }
+    }
+    QCOMPARE(steps, 64 * WorkPrecision::kOutputs);
+    QCOMPARE(closedForms, 1);
 }
 
 void tst_study::progressRisesToOne()
@@ -356,49 +396,6 @@ void tst_study::stopsBeforeTheFirstCase()
     const StudyResult result = runStudy(quick({nominalCases()[0]}), stop.get_token());
     QVERIFY(!result.complete);
     QVERIFY(result.cases.empty());
-}
-
-void tst_study::writesTheJsonOfTheContract()
-{
-    const StudyResult result = runStudy(quick({coarse(nominalCases()[0], 20), coarse(named("never assemblable"), 4)}));
-    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(studyJson(result)));
-    QVERIFY(document.isObject());
-    QVERIFY(!document["machine"].toString().isEmpty());
-    const QJsonArray cases = document["cases"].toArray();
-    QCOMPARE(cases.size(), 2);
-    QCOMPARE(cases[0]["name"].toString(), QString("Table 1 of the report"));
-    const QJsonArray methods = cases[0]["methods"].toArray();
-    QCOMPARE(methods.size(), qsizetype(result.cases[0].methods.size()));
-    for (const QJsonValue &method : methods) {
-        for (const char *key : {"method", "tolerance", "channels", "nsPerState", "spread", "iterationsPerState",
-                                "maxError", "errorBound", "status", "silentFailures"}) {
-            QVERIFY2(method.toObject().contains(QLatin1String(key)), key);
-        }
-        const int channels = method["channels"].toInt();
-        QVERIFY(channels == 36 || channels == 6);
-        QCOMPARE(method["status"].toString(), QString("solved"));
-        QCOMPARE(method["counts"]["solved"].toInt(), 21);
-        const bool newton = method["method"].toString().startsWith("newton");
-        QCOMPARE(method["tolerance"].isDouble(), newton);
-        QCOMPARE(method["tolerance"].isNull(), !newton);
-    }
-    // Never assemblable: nothing to judge.
-    QCOMPARE(cases[1]["name"].toString(), QString("never assemblable"));
-    QVERIFY(cases[1]["methods"][0]["maxError"].isNull());
-    QVERIFY(cases[1]["methods"][0]["errorBound"].isNull());
-}
-
-void tst_study::writesTheSameRowsAsCsv()
-{
-    const StudyResult result = runStudy(quick({coarse(nominalCases()[0], 20)}));
-    const QList<QByteArray> lines = QByteArray::fromStdString(studyCsv(result)).trimmed().split('\n');
-    QCOMPARE(lines.size(), qsizetype(result.cases[0].methods.size()) + 1);
-    const qsizetype columns = lines[0].split(',').size();
-    for (const QByteArray &line : lines) {
-        QCOMPARE(line.split(',').size(), columns);
-    }
-    QVERIFY(lines[1].startsWith("\"Table 1 of the report\",newton-dense,"));
-    QVERIFY(!studyCsv(result).ends_with("\n\n"));
 }
 
 void tst_study::measuresTimes()
