@@ -145,7 +145,8 @@ QString curvesAstray(const PrintedPicture &picture, Subject subject, double scal
     const SeriesColours colours = seriesColours(paletteFor(Theme::Light));
     const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
     std::vector<int> within(axes.size(), 0);
-    for (int y = std::max(0, axes.front().top() - title); y < picture.size.height(); ++y) {
+    const int legend = static_cast<int>(25.0 * scale);
+    for (int y = std::max(legend, axes.front().top() - title); y < picture.size.height(); ++y) {
         for (int x = 0; x < picture.size.width(); ++x) {
             const PrintedPicture::Colour colour = picture.at(x, y);
             const auto isDrawn = [&](const QColor &curve) { return isNear(colour, curve); };
