@@ -77,8 +77,10 @@ ProgramClaim claimAbout(const ReferenceData &data, const Mechanism &given)
     }
     claim.identified = diagnosis.identified;
     claim.read = data;
-    for (const auto &[convention, before, after] : diagnosis.conventions) {
-        claim.findings.push_back({{nameOf(convention.kind), convention.channels, convention.amount}, before, after});
+    for (const ConventionFinding &finding : diagnosis.conventions) {
+        const Convention &convention = finding.convention;
+        claim.findings.push_back(
+            {{nameOf(convention.kind), convention.channels, convention.amount}, finding.before, finding.after});
         claim.read = applied(convention, std::move(claim.read));
     }
     return claim;
