@@ -31,11 +31,6 @@ double unitFactor(const ProgramClaim &claim, Channel channel)
     return factor;
 }
 
-bool isLeftOut(const ProgramClaim &claim, Channel channel)
-{
-    return std::ranges::count(claim.leftOut, channel, &ProgramClaim::ChannelValue::channel) > 0;
-}
-
 /// The claimed motion beside the numbers of one column, as the claim reads them.
 struct ColumnDeviation {
     Channel channel;
@@ -78,7 +73,8 @@ public:
 
     bool isExcluded(std::size_t i) const
     {
-        return isKnown(i) && std::ranges::count(m_claim.excludedLines, m_file.lines[m_rows[i]]) > 0;
+        return isKnown(i) && ((m_file.hasSaturation && isBad(i)) ||
+                              std::ranges::count(m_claim.excludedLines, m_file.lines[m_rows[i]]) > 0);
     }
 
 private:
@@ -127,6 +123,7 @@ private:
         deviation.rms = std::sqrt(deviation.rms / count);
         deviation.uncertainty = std::sqrt(deviation.uncertainty / count);
         deviation.range = high > low ? high - low : 0.0;
+        deviation.peak = deviation.peak > 0.0 ? deviation.peak : std::max(std::abs(low), std::abs(high));
         deviation.spread = std::sqrt(std::max(squares / count - sum / count * sum / count, 0.0));
         return deviation;
     }
@@ -162,7 +159,7 @@ std::string falsePrintedDeviation(const ClaimFile &file, const ProgramClaim &cla
         const std::string name(nameOf(deviation.channel));
         const double tolerance = 0.02 * deviation.largest + 1e-6 * deviation.peak + deviation.uncertainty;
         const auto printed = std::ranges::find(claim.identified, deviation.channel, &ChannelComparison::channel);
-        if (!file.byAngle && printed != claim.identified.end() && printed->maxAbs &&
+        if (!file.byAngle && !file.hasSaturation && printed != claim.identified.end() && printed->maxAbs &&
             std::abs(*printed->maxAbs - deviation.largest) > tolerance &&
             std::abs(*printed->maxAbs - deviation.largestWithTurns) > tolerance) {
             return "says that " + name + " deviates by " + percent(*printed->maxAbs / deviation.peak) +
@@ -256,24 +253,28 @@ std::string falseApproximation(const ProgramClaim &claim, const std::vector<Colu
     return {};
 }
 
-/// Its round numbers explain the file equally well.
+/// Round numbers explain the file equally well, by the largest or by the mean deviation.
 std::string falseRounding(const ProgramClaim &claim, const std::vector<ColumnDeviation> &exact,
                           const std::vector<ColumnDeviation> &rounded)
 {
     constexpr double kEqually = 1.15;
-    const auto largest = [&](const std::vector<ColumnDeviation> &deviations) {
+    const auto largest = [&](const std::vector<ColumnDeviation> &deviations, double ColumnDeviation::*size) {
         double part = 0.0;
         for (const ColumnDeviation &deviation : deviations) {
             const bool isUsed = canBeFitted(deviation.channel) && !isLeftOut(claim, deviation.channel);
             if (isUsed && deviation.range > 1e-6 * deviation.peak) {
-                part = std::max(part, deviation.largest / deviation.range);
+                part = std::max(part, deviation.*size / deviation.range);
             }
         }
         return part;
     };
-    return largest(rounded) > kEqually * largest(exact)
-               ? "round numbers deviate by " + percent(largest(rounded)) + " instead of " + percent(largest(exact))
-               : "";
+    for (const auto size : {&ColumnDeviation::largest, &ColumnDeviation::rms}) {
+        if (largest(rounded, size) <= kEqually * largest(exact, size)) {
+            return {};
+        }
+    }
+    return "round numbers deviate by " + percent(largest(rounded, &ColumnDeviation::largest)) + " instead of " +
+           percent(largest(exact, &ColumnDeviation::largest));
 }
 
 std::string falseExclusion(const ClaimFile &file, const ProgramClaim &claim)
@@ -342,6 +343,11 @@ bool isPlain(const ClaimFile &file)
 }
 
 } // namespace
+
+bool isLeftOut(const ProgramClaim &claim, Channel channel)
+{
+    return std::ranges::count(claim.leftOut, channel, &ProgramClaim::ChannelValue::channel) > 0;
+}
 
 bool hasFinding(const ProgramClaim &claim, std::string_view name, Channel channel)
 {

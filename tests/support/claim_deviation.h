@@ -14,6 +14,8 @@ namespace slidercrank
 
 bool hasFinding(const ProgramClaim &claim, std::string_view name, Channel channel);
 
+bool isLeftOut(const ProgramClaim &claim, Channel channel);
+
 /// Less whole turns, for angles.
 long double differenceIn(Channel channel, long double one, long double other);
 

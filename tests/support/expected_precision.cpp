@@ -26,7 +26,7 @@ constexpr std::size_t kMostRows = 80; // they stand for all others
 class LinearizedFit
 {
 public:
-    explicit LinearizedFit(const ClaimFile &file)
+    LinearizedFit(const ClaimFile &file, bool areAllOriginsFree)
         : m_file(file)
         , m_truth(*file.truth)
         , m_stride(std::max<std::size_t>(file.instants.size() / kMostRows, 1))
@@ -45,7 +45,8 @@ public:
             if (isMotion && canBeFitted) {
                 hasLength = hasLength || !isAngle(shown.coordinate);
                 m_columns.push_back(&column);
-                if (column.origin != 0.0) {
+                const bool isPosition = shown == kX || shown == kTheta;
+                if (column.origin != 0.0 || (areAllOriginsFree && isPosition)) {
                     m_freeOrigins.push_back(m_columns.size() - 1);
                 }
             }
@@ -258,18 +259,19 @@ std::array<double, kParameterCount> parameterSizes(const Parameters &p)
     return {p.a, p.b, std::max(std::abs(p.c), p.a), std::abs(p.omega2), 1.0};
 }
 
-ExpectedPrecision expectedPrecision(const ClaimFile &file)
+ExpectedPrecision expectedPrecision(const ClaimFile &file, bool areAllOriginsFree)
 {
-    return LinearizedFit(file).result();
+    return LinearizedFit(file, areAllOriginsFree).result();
 }
 
-bool areDeviationsInvisible(const ClaimFile &file)
+bool areDeviationsVisible(const ClaimFile &file)
 {
     constexpr double kVisible = 1.5;
-    return std::ranges::any_of(
-               file.columns,
-               [](const ClaimColumn &column) { return column.content == ClaimColumn::Content::Systematic; }) &&
-           expectedPrecision(file).unexplained < kVisible;
+    const auto isSystematic = [](const ClaimColumn &column) {
+        return column.content == ClaimColumn::Content::Systematic;
+    };
+    return !file.truth || std::ranges::none_of(file.columns, isSystematic) ||
+           expectedPrecision(file, true).unexplained > kVisible;
 }
 
 bool determinesItsMechanism(const ClaimFile &file)

@@ -29,10 +29,11 @@ std::array<double, kParameterCount> parameterSizes(const Parameters &parameters)
 
 /// Uses the columns that a fit can take; origins are free where the file has shifted them, a is held where the file has
 /// only angles, ω2 and θ20 where it counts by the crank's angle. Requires a truth and computed values.
-ExpectedPrecision expectedPrecision(const ClaimFile &file);
+ExpectedPrecision expectedPrecision(const ClaimFile &file, bool areAllOriginsFree = false);
 
-/// No fit can tell the systematic deviations of the columns from their rounding and noise.
-bool areDeviationsInvisible(const ClaimFile &file);
+/// The systematic deviations of the columns leave more than rounding and noise, whatever mechanism and origins are
+/// fitted to them. True where there are none.
+bool areDeviationsVisible(const ClaimFile &file);
 
 /// Every standard error is below 1 %, the fit is straight, and there is more than enough evidence and rows a turn.
 bool determinesItsMechanism(const ClaimFile &file);

@@ -2,6 +2,7 @@
 // Every claim about files with the faults of sensors, filters, loggers and spreadsheets is true; and one file for each
 // fault that was once misread.
 
+#include "tests/support/claim_deviation.h"
 #include "tests/support/claim_judge.h"
 #include "tests/support/claim_suite.h"
 #include "tests/support/long_tests.h"
@@ -30,6 +31,19 @@ ClaimFile emptyFile(const Parameters &mechanism = kMechanism)
         file.instants.push_back(0.006 * i);
     }
     file.tolerance = 1e-5;
+    return file;
+}
+
+/// A turn of two degrees a row, counted from another origin (°).
+ClaimFile fileByAngle(double origin)
+{
+    ClaimFile file = emptyFile({43.0, 154.0, -27.0, 2.0 * std::numbers::pi, 0.0, Branch::Open});
+    file.instants.clear();
+    for (int degrees = 0; degrees <= 360; degrees += 2) {
+        file.instants.push_back(degrees / 360.0);
+    }
+    file.byAngle = ClaimFile::ByAngle{1.0, origin};
+    file.add({kX, kTheta});
     return file;
 }
 
@@ -66,17 +80,13 @@ void averageNineRows(ClaimFile &file)
 }
 
 /// Empty if there is no false claim and the outcome is that one.
-std::string wrongClaim(const Claimed &claimed, ClaimedOutcome outcome)
+QString wrongClaim(const Claimed &claimed, ClaimedOutcome outcome)
 {
     const auto name = [](ClaimedOutcome which) { return std::string(kOutcomeNames[static_cast<std::size_t>(which)]); };
-    return claimed.claim.outcome == outcome
-               ? claimed.judgement.falseClaim
-               : name(claimed.claim.outcome) + " instead of " + name(outcome) + ' ' + claimed.judgement.falseClaim;
-}
-
-bool isLeftOut(const ProgramClaim &claim, Channel channel)
-{
-    return std::ranges::count(claim.leftOut, channel, &ProgramClaim::ChannelValue::channel) > 0;
+    return QString::fromStdString(claimed.claim.outcome == outcome
+                                      ? claimed.judgement.falseClaim
+                                      : name(claimed.claim.outcome) + " instead of " + name(outcome) + ' ' +
+                                            claimed.judgement.falseClaim);
 }
 
 bool hasStandardErrors(const ProgramClaim &claim)
@@ -102,7 +112,7 @@ private slots:
         file.add(kX, digits(7));
         file.columns[0].content = ClaimColumn::Content::Foreign;
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Nearest), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Nearest), QString());
         QVERIFY(!hasStandardErrors(claimed.claim));
         QVERIFY(!claimed.claim.identified.empty());
         for (const ChannelComparison &channel : claimed.claim.identified) {
@@ -112,30 +122,26 @@ private slots:
 
     void originOfTheCrankAngleIsAFinding()
     {
-        ClaimFile file = emptyFile({43.0, 154.0, -27.0, 2.0 * std::numbers::pi, 0.0, Branch::Open});
-        file.instants.clear();
-        for (int degrees = 0; degrees <= 360; degrees += 2) {
-            file.instants.push_back(degrees / 360.0);
-        }
-        file.byAngle = ClaimFile::ByAngle{1.0, 20.0};
-        file.add({kX, kTheta});
+        ClaimFile file = fileByAngle(20.0);
         file.interpretations = {{*file.truth, {{"zero-point", {kCrank}, -20.0}}}};
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), QString());
         QCOMPARE(claimed.claim.findings.size(), std::size_t(1));
     }
 
-    /// Changed signs of all derivatives are those of a crank that turns the other way.
+    /// By angle, changed signs of all derivatives are those of a crank that turns the other way.
     void findingsReduceTheDeviation()
     {
-        ClaimFile file = emptyFile();
-        file.add({kX, kTheta, kV, kOmega});
+        ClaimFile file = fileByAngle(0.0);
+        file.add({kV, kOmega});
         file.at(kV).factor = file.at(kOmega).factor = -1.0;
         Parameters reversed = *file.truth;
         reversed.omega2 *= -1.0;
-        file.interpretations = {{*file.truth, {{"sign", {kV, kOmega}, -1.0}}}, {reversed, {{"time-unit", {}, -1.0}}}};
+        file.interpretations = {{*file.truth, {{"sign", {kV, kOmega}, -1.0}}},
+                                {*file.truth, {{"sign", {kV}, -1.0}, {"sign", {kOmega}, -1.0}}},
+                                {reversed, {}}};
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(claimed.judgement.falseClaim, std::string());
+        QCOMPARE(QString::fromStdString(claimed.judgement.falseClaim), QString());
         for (const ProgramClaim::ClaimedFinding &finding : claimed.claim.findings) {
             QVERIFY(finding.after < finding.before);
         }
@@ -155,7 +161,7 @@ private slots:
         file.add(channels, digits(8));
         averageNineRows(file);
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Approximate), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Approximate), QString());
         QVERIFY(!hasStandardErrors(claimed.claim));
         QVERIFY(std::abs(claimed.claim.parameters.a - 43.0) < 0.5);
     }
@@ -174,7 +180,7 @@ private slots:
         }
         file.mayBeApproximate = true;
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Approximate), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Approximate), QString());
         QCOMPARE(claimed.claim.rounded.a, 43.0);
         QCOMPARE(claimed.claim.rounded.b, 154.0);
         QCOMPARE(claimed.claim.rounded.c, -27.0);
@@ -193,7 +199,7 @@ private slots:
         }
         file.at(kV).content = ClaimColumn::Content::Foreign;
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), QString());
         QCOMPARE(claimed.claim.leftOut.size(), std::size_t(1));
         QCOMPARE(claimed.claim.leftOut[0].channel, kV);
         const double percent =
@@ -220,7 +226,7 @@ private slots:
         file.at(kX).values[100] = reading;
         file.badRows = {100};
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), QString());
         QCOMPARE(claimed.claim.excludedLines, std::vector<std::size_t>{102});
     }
 
@@ -231,7 +237,7 @@ private slots:
         file.at(kCrank).form.quantum = 360.0 / 1024.0;
         file.tolerance = 2e-3;
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), QString());
         QVERIFY(!claimed.claim.crankSpeeds);
     }
 
@@ -240,7 +246,7 @@ private slots:
         const ClaimKind kind =
             *std::ranges::find(faultKinds(), "Savitzky-Golay derivatives of noisy positions", &ClaimKind::name);
         const Claimed claimed = claimAbout(claimFile(kind, 3, 1));
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), QString());
         QVERIFY(isLeftOut(claimed.claim, kA) && isLeftOut(claimed.claim, kAlpha));
     }
 
@@ -259,7 +265,7 @@ private slots:
         }
         file.truth = std::nullopt;
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Nearest), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Nearest), QString());
         QVERIFY(!claimed.claim.leftOut.empty() ||
                 std::ranges::count(claimed.claim.identified, Verdict::Differs, &ChannelComparison::verdict) > 0);
     }
@@ -270,7 +276,7 @@ private slots:
         file.add(kSix);
         file.repeatedRows = {50, 51, 120};
         const Claimed claimed = claimAbout(file);
-        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), std::string());
+        QCOMPARE(wrongClaim(claimed, ClaimedOutcome::Identified), QString());
         QVERIFY(claimed.judgement.isRight);
     }
 
