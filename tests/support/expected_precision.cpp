@@ -107,6 +107,12 @@ public:
             precision.unexplained += left * left / static_cast<double>(m_values.size());
         }
         precision.unexplained = std::sqrt(precision.unexplained);
+        precision.fitted = m_truth;
+        for (std::size_t j = 0; j < m_unknowns.size(); ++j) {
+            valueOf(precision.fitted, m_unknowns[j]) += moved[static_cast<Index>(j)] * m_sizes[indexOf(m_unknowns[j])];
+        }
+        precision.fitted.theta20 -= precision.fitted.omega2 * m_middle;
+        precision.originSteps.assign(moved.begin() + static_cast<Index>(m_unknowns.size()), moved.end());
         constexpr double kErrors = 3.0;
         for (Index k = 0; k < count; ++k) {
             const VectorXd step = kErrors / std::sqrt(eigen.eigenvalues()[k]) * vectors.col(k);
@@ -270,8 +276,24 @@ bool areDeviationsVisible(const ClaimFile &file)
     const auto isSystematic = [](const ClaimColumn &column) {
         return column.content == ClaimColumn::Content::Systematic;
     };
-    return !file.truth || std::ranges::none_of(file.columns, isSystematic) ||
-           expectedPrecision(file, true).unexplained > kVisible;
+    if (!file.truth || std::ranges::none_of(file.columns, isSystematic)) {
+        return true;
+    }
+    ClaimFile fitted = file;
+    fitted.truth = file.interpretations.back().mechanism;
+    double unexplained = 0.0;
+    for (int round = 0; round < 4; ++round) {
+        const ExpectedPrecision precision = expectedPrecision(fitted, true);
+        unexplained = precision.unexplained;
+        for (std::size_t j = 0; j < precision.originSteps.size(); ++j) {
+            fitted.at(precision.originErrors[j].first).origin += precision.originSteps[j];
+        }
+        if (precision.originSteps.empty() || findFault(precision.fitted)) {
+            break;
+        }
+        fitted.truth = precision.fitted;
+    }
+    return unexplained > kVisible;
 }
 
 bool determinesItsMechanism(const ClaimFile &file)

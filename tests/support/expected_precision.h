@@ -21,7 +21,9 @@ struct ExpectedPrecision {
     double values = 0.0;
     double unknowns = 0.0;
     double unexplained = 0.0; ///< rms, in errors, of what the best fit leaves of the columns' systematic deviations
-    bool isBent = false;      ///< three standard errors away the fit is not what its linearization says
+    Parameters fitted{};      ///< the truth after one step of the fit to the columns as they are
+    std::vector<double> originSteps{}; ///< that step of the free origins
+    bool isBent = false;               ///< three standard errors away the fit is not what its linearization says
 };
 
 /// a, b, ω2 and a radian of θ20; for c the larger of itself and the crank.
