@@ -5,9 +5,8 @@
 
 #include <hwy/foreach_target.h>
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/closed_form/motion_kernel-inl.h"
-#include "core/mechanism/channel.h"
 
 #include <algorithm>
 
@@ -17,135 +16,56 @@ namespace slidercrank
 namespace HWY_NAMESPACE
 {
 
-/// Writes the wanted columns from an instant on.
-struct ColumnStore {
-    PlottedColumns columns;
-    std::size_t at;
-
-    bool wantsR4x() const { return columns.R4x != nullptr; }
-    bool wantsVelocity() const { return columns.theta3Dot != nullptr || columns.R4xDot != nullptr; }
-    bool wantsAcceleration() const { return columns.theta3DDot != nullptr || columns.R4xDDot != nullptr; }
-
-    template <class D, class V>
-    HWY_INLINE void storeS(D, V) const
-    {
-    }
-    template <class D, class V>
-    HWY_INLINE void storeR4x(D d, V R4x) const
-    {
-        putLength(d, R4x, columns.R4x);
-    }
-    template <class D, class V>
-    HWY_INLINE void storeVelocity(D d, V theta3Dot, V, V R4xDot) const
-    {
-        putAngle(d, theta3Dot, columns.theta3Dot);
-        putLength(d, R4xDot, columns.R4xDot);
-    }
-    template <class D, class V>
-    HWY_INLINE void storeAcceleration(D d, V theta3DDot, V, V R4xDDot) const
-    {
-        putAngle(d, theta3DDot, columns.theta3DDot);
-        putLength(d, R4xDDot, columns.R4xDDot);
-    }
-
-    template <class D, class V>
-    HWY_INLINE void putAngle(D d, V radians, double *column) const
-    {
-        putLength(d, hn::Mul(radians, hn::Set(d, kDegreesPerRadian)), column);
-    }
-    template <class D, class V>
-    HWY_INLINE void putLength(D d, V value, double *column) const
-    {
-        if (column != nullptr) {
-            hn::StoreU(value, d, column + at);
-        }
-    }
-};
-
-/// Instants that go through one stage before the next begins: stages are short enough for a processor to overlap
-/// several vectors, which it cannot where one vector is carried from its instant to its last channel.
-constexpr std::size_t kBlock = 64;
-
-/// At most kBlock instants, whole vectors: how many of them, from the first on, are in vectors that moveLinks() is for.
-/// Only those are written.
-template <class D>
-HWY_INLINE std::size_t moveBlock(D d, const MotionConstants &k, const double *instants, std::size_t count,
-                                 const PlottedColumns &columns)
+/// Computes a block of at most kBlock time stamps; reads and writes whole vectors. All vectors go through one stage
+/// before the next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when
+/// each vector is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive;
+/// returns whether that is everywhere.
+bool evaluateBlock(const MotionConstants &constants, const double *times, std::size_t count,
+                   const PlottedColumns &columns, double *roots)
 {
-    using V = hn::Vec<D>;
-    HWY_ALIGN double sines[kBlock];
-    HWY_ALIGN double cosines[kBlock];
-    HWY_ALIGN double heights[kBlock];
-    HWY_ALIGN double roots[kBlock];
-    const std::size_t lanes = hn::Lanes(d);
+    const std::size_t lanes = hn::Lanes(Lanes::Tag());
+    const MotionConstants k = constants; // a local copy, which no store can change
+    double sines[kBlock];
+    double cosines[kBlock];
+    double heights[kBlock];
     for (std::size_t i = 0; i < count; i += lanes) {
-        V hi, lo, x, cos2;
-        turnCrank(d, k, hn::LoadU(d, instants + i), hi, lo, x, cos2);
-        hn::Store(x, d, sines + i);
-        hn::Store(cos2, d, cosines + i);
+        Lanes hi = 0.0, lo = 0.0, x = 0.0, cosine = 0.0;
+        turnCrank(k, Lanes::load(times + i), hi, lo, x, cosine);
+        x.store(sines + i);
+        cosine.store(cosines + i);
     }
-    std::size_t moved = 0;
-    for (; moved < count; moved += lanes) {
-        V h, root;
-        if (!moveLinks(d, k, hn::Load(d, sines + moved), hn::Load(d, cosines + moved), ColumnStore{columns, moved}, h,
-                       root)) {
-            break;
+    const auto [theta3, R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot] = columns;
+    bool allOrdinary = true;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Clearance<Lanes> at = clearance(k, Lanes::load(sines + i), Lanes::load(cosines + i));
+        const Lanes root = squareRoot(at.p * at.m);
+        const Lanes::Mask ordinary = isOrdinary(k, at, root);
+        allOrdinary = allOrdinary && hn::AllTrue(Lanes::Tag(), ordinary);
+        select(ordinary, root, 0.0).store(roots + i);
+        at.h.store(heights + i);
+        const Lanes inverse = k.branch / root;
+        if (R4x != nullptr) {
+            sliderPosition(k, at, k.branch * root).store(R4x + i);
         }
-        hn::Store(h, d, heights + moved);
-        hn::Store(root, d, roots + moved);
-    }
-    if (columns.theta3 != nullptr) {
-        for (std::size_t i = 0; i < moved; i += lanes) {
-            const V theta3 = couplerAngle(d, k, hn::Load(d, heights + i), hn::Load(d, roots + i));
-            ColumnStore{columns, i}.putAngle(d, theta3, columns.theta3);
+        const auto store = [i](const Rates<Lanes> &rates, double *theta3Column, double *R4xColumn) {
+            if (theta3Column != nullptr) {
+                rates.theta3.store(theta3Column + i);
+            }
+            if (R4xColumn != nullptr) {
+                rates.R4x.store(R4xColumn + i);
+            }
+        };
+        if (theta3Dot != nullptr || R4xDot != nullptr) {
+            store(velocities(k, at, inverse), theta3Dot, R4xDot);
         }
-    }
-    return moved;
-}
-
-/// Computes instants from the first on, as far as whole vectors of them are Solved and of reducible angle; how many.
-std::size_t moveWhileOrdinary(const MotionConstants &constants, const double *instants, std::size_t count,
-                              const PlottedColumns &columns)
-{
-    const hn::ScalableTag<double> d;
-    const std::size_t lanes = hn::Lanes(d);
-    const MotionConstants k = constants; // a copy of its own: what is stored cannot change it
-    const std::size_t whole = count - count % lanes;
-    std::size_t i = 0;
-    while (i < whole) {
-        const std::size_t size = std::min(kBlock, whole - i);
-        const std::size_t moved = moveBlock(d, k, instants + i, size, columns.behind(i));
-        i += moved;
-        if (moved < size) {
-            return i;
+        if (theta3DDot != nullptr || R4xDDot != nullptr) {
+            store(accelerations(k, at, inverse), theta3DDot, R4xDDot);
         }
     }
-    if (i == count) {
-        return count;
+    for (std::size_t i = 0; theta3 != nullptr && i < count; i += lanes) {
+        couplerAngle(k, Lanes::load(heights + i), Lanes::load(roots + i)).store(theta3 + i);
     }
-
-    // Fewer than a vector are left: beside room of their own, the last of them again in the lanes too many.
-    double last[kBlock];
-    double room[6][kBlock];
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        last[lane] = instants[std::min(i + lane, count - 1)];
-    }
-    PlottedColumns beside;
-    double *PlottedColumns::*const members[] = {&PlottedColumns::theta3,     &PlottedColumns::R4x,
-                                                &PlottedColumns::theta3Dot,  &PlottedColumns::R4xDot,
-                                                &PlottedColumns::theta3DDot, &PlottedColumns::R4xDDot};
-    for (std::size_t c = 0; c < std::size(members); ++c) {
-        beside.*members[c] = columns.*members[c] != nullptr ? room[c] : nullptr;
-    }
-    if (moveBlock(d, k, last, lanes, beside) == 0) {
-        return i;
-    }
-    for (std::size_t c = 0; c < std::size(members); ++c) {
-        if (columns.*members[c] != nullptr) {
-            std::copy(room[c], room[c] + (count - i), columns.*members[c] + i);
-        }
-    }
-    return count;
+    return allOrdinary;
 }
 
 } // namespace HWY_NAMESPACE
@@ -157,51 +77,47 @@ HWY_AFTER_NAMESPACE();
 namespace slidercrank
 {
 
-HWY_EXPORT(moveWhileOrdinary);
+HWY_EXPORT(evaluateBlock);
 
-PlottedColumns PlottedColumns::behind(std::size_t count) const
+void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &columns,
+                          std::span<Status> statuses) const
 {
-    const auto moved = [count](double *column) { return column == nullptr ? nullptr : column + count; };
-    return {moved(theta3), moved(R4x), moved(theta3Dot), moved(R4xDot), moved(theta3DDot), moved(R4xDDot)};
-}
-
-namespace
-{
-
-void put(double *column, std::size_t i, double value)
-{
-    if (column != nullptr) {
-        column[i] = value;
-    }
-}
-
-} // namespace
-
-ClosedFormBatch::ClosedFormBatch(const Mechanism &mechanism)
-    : m_constants(motionConstants(mechanism))
-    , m_closedForm(mechanism)
-{
-}
-
-void ClosedFormBatch::evaluate(std::span<const double> instants, const PlottedColumns &columns,
-                               std::span<Status> statuses) const
-{
-    // Instants that come one by one are still as many as the widest vector has lanes.
-    constexpr std::size_t kOneByOne = 8;
-    const std::size_t count = instants.size();
+    using HWY_NAMESPACE::kBlock;
     std::fill(statuses.begin(), statuses.end(), Status::Solved);
-    std::size_t i = 0;
-    while (i < count) {
-        i += HWY_DYNAMIC_DISPATCH(moveWhileOrdinary)(m_constants, instants.data() + i, count - i, columns.behind(i));
-        for (const std::size_t end = std::min(i + kOneByOne, count); i < end; ++i) {
-            const Motion motion = m_closedForm.motionAt(instants[i]);
-            statuses[i] = motion.status;
-            put(columns.theta3, i, motion.theta3 * kDegreesPerRadian);
-            put(columns.R4x, i, motion.R4x);
-            put(columns.theta3Dot, i, motion.theta3Dot * kDegreesPerRadian);
-            put(columns.R4xDot, i, motion.R4xDot);
-            put(columns.theta3DDot, i, motion.theta3DDot * kDegreesPerRadian);
-            put(columns.R4xDDot, i, motion.R4xDDot);
+    double roots[kBlock];
+    double lastTimes[kBlock];
+    double lastValues[std::tuple_size_v<PlottedColumns>][kBlock];
+    for (std::size_t from = 0; from < times.size(); from += kBlock) {
+        const std::size_t count = std::min(kBlock, times.size() - from);
+        const bool isWhole = count == kBlock;
+        const double *blockTimes = times.data() + from;
+        PlottedColumns target = columns;
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            target[k] = columns[k] == nullptr ? nullptr : isWhole ? columns[k] + from : lastValues[k];
+        }
+        if (!isWhole) { // whole vectors need room behind the last value
+            std::fill(std::copy_n(blockTimes, count, lastTimes), std::end(lastTimes), 0.0);
+            blockTimes = lastTimes;
+        }
+        const bool allOrdinary = HWY_DYNAMIC_DISPATCH(evaluateBlock)(m_constants, blockTimes, count, target, roots);
+        for (std::size_t i = 0; i < count && !allOrdinary; ++i) {
+            if (roots[i] > 0.0) {
+                continue;
+            }
+            const Motion motion = difficultMotionAt(blockTimes[i]);
+            statuses[from + i] = motion.status;
+            const double values[] = {motion.theta3, motion.R4x,        motion.theta3Dot,
+                                     motion.R4xDot, motion.theta3DDot, motion.R4xDDot};
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                if (target[k] != nullptr) {
+                    target[k][i] = values[k];
+                }
+            }
+        }
+        for (std::size_t k = 0; k < columns.size() && !isWhole; ++k) {
+            if (columns[k] != nullptr) {
+                std::copy_n(lastValues[k], count, columns[k] + from);
+            }
         }
     }
 }

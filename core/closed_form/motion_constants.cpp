@@ -1,45 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/motion_constants.h"
 
+#include "core/mechanism/two_part_angle.h"
+
 #include <cmath>
 #include <numbers>
 
 namespace slidercrank
 {
 
-MotionConstants motionConstants(const Mechanism &mechanism)
+namespace
 {
-    const Clearance lengths(mechanism);
-    const bool open = mechanism.branch() == Branch::Open;
-    constexpr double kLargestAngle = 1.6e6; // rad: what the kernel can reduce
-    constexpr double kLatest = 1e290;       // s: what can be split
-    const double omega = mechanism.omega2();
-    const TwoPart sideOmega = split(lengths.side() * omega);
-    const double angleLeft = kLargestAngle - std::abs(mechanism.theta20());
 
-    MotionConstants k;
-    k.sideOmega = lengths.side() * omega;
-    k.sideOmegaUpper = sideOmega.hi;
-    k.sideOmegaLower = sideOmega.lo;
-    k.sideTheta20 = lengths.side() * mechanism.theta20();
-    k.latest = angleLeft < std::abs(omega) * kLatest ? angleLeft / std::abs(omega) : kLatest;
-    k.scale = lengths.scale();
-    k.a = lengths.a();
-    k.b = lengths.b();
-    k.C = lengths.offset();
-    k.epsilon = lengths.epsilon();
-    k.beta = lengths.beta();
-    k.nearLimit = lengths.nearLimit();
-    k.side = lengths.side();
-    k.branch = open ? 1.0 : -1.0;
-    k.straightAngle = open ? 0.0 : std::numbers::pi;
-    k.epsilonReach = k.epsilon * lengths.reach();
-    k.aC = k.a * k.C;
-    k.aOmega = k.a * omega;
-    k.aOmegaSquared = k.aOmega * omega;
-    k.bSquared = k.b * k.b;
-    k.aBSquared = k.a * k.bSquared;
-    return k;
+/// x + y + z with a single rounding, except for ties.
+double exactSum(double x, double y, double z)
+{
+    const TwoPart first = twoSum(x, y);
+    const TwoPart second = twoSum(first.hi, z);
+    return second.hi + (second.lo + first.lo);
+}
+
+} // namespace
+
+MotionConstants::MotionConstants(const Mechanism &mechanism)
+    : a(mechanism.a())
+    , b(mechanism.b())
+    , C(std::abs(mechanism.c()))
+    , side(mechanism.c() < 0.0 ? -1.0 : 1.0)
+    , epsilon(exactSum(b, -a, -C))
+    , beta(exactSum(b, C, -a))
+    , gamma(exactSum(a, b, -C))
+    , reach(exactSum(a, b, C))
+{
+    constexpr double kNear = 0x1p-10; // of the reach: above it a difference of doubles loses three digits at most
+    nearLimit = epsilon < 0.0 ? kNear * reach : 0.0;
+
+    const bool isOpen = mechanism.branch() == Branch::Open;
+    branch = isOpen ? 1.0 : -1.0;
+    straightAngle = isOpen ? 0.0 : std::numbers::pi;
+
+    const double omega = mechanism.omega2();
+    epsilonReach = epsilon * reach;
+    betaGamma = beta * gamma;
+    aC = a * C;
+    bSquared = b * b;
+    aBSquared = a * bSquared;
+    aOmega = a * omega;
+    aOmegaSquared = aOmega * omega;
+
+    constexpr double kLargestAngle = 1.6e6; // rad: the vectors' reduction is exact up to it
+    constexpr double kLatest = 1e290;       // s: a larger number cannot be split
+    const double angleLeft = kLargestAngle - std::abs(mechanism.theta20());
+    sideOmega = side * omega;
+    sideTheta20 = side * mechanism.theta20();
+    latest = angleLeft < std::abs(omega) * kLatest ? angleLeft / std::abs(omega) : kLatest;
 }
 
 } // namespace slidercrank

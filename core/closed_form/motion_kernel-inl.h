@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The closed form of closed_form.h for as many instants as a vector has lanes: for one in closed_form.cpp, for more,
-// once for each instruction set, in batch.cpp. Every lane goes through the same roundings in the same order on every
-// instruction set: products are never fused with sums unless the result is exact either way. Compile with
-// -ffp-contract=off, lest the compiler fuse them.
+// The formulas of closed_form.h, as templates of a number: a double for one time stamp (closed_form.cpp), or Lanes, as
+// many numbers as a vector holds (batch.cpp, compiled once for each instruction set). Every number goes through the
+// same roundings in the same order on every instruction set: products are never fused with sums unless the result is
+// exact either way. Compile with -ffp-contract=off, so that the compiler does not fuse them.
 //
 // Sources: W. J. Cody, W. Waite, "Software Manual for the Elementary Functions", 1980 (reduction by a π/2 in parts);
 //          T. J. Dekker, "A floating-point technique for extending the available precision", 1971 (TwoProduct);
@@ -17,9 +17,12 @@
 #endif
 
 #include "core/closed_form/motion_constants.h"
+#include "core/mechanism/two_part_angle.h"
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -31,267 +34,310 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Highway's single lane takes signs through integer registers, on the longest chain there is; the standard functions do
-// not.
-#if HWY_TARGET == HWY_SCALAR
-template <class V>
-HWY_INLINE V magnitude(V x)
-{
-    return V(std::fabs(x.raw));
-}
-template <class V>
-HWY_INLINE V withSignOf(V size, V sign)
-{
-    return V(std::copysign(size.raw, sign.raw));
-}
-#else
-template <class V>
-HWY_INLINE V magnitude(V x)
-{
-    return hn::Abs(x);
-}
-template <class V>
-HWY_INLINE V withSignOf(V size, V sign)
-{
-    return hn::CopySignToAbs(size, sign);
-}
-#endif
+/// Time stamps that are evaluated together; no vector has more lanes.
+inline constexpr std::size_t kBlock = 64;
 
-/// sum + error = x + y exactly.
-template <class V>
-HWY_INLINE void exactSum(V x, V y, V &sum, V &error)
-{
-    sum = hn::Add(x, y);
-    const V yRounded = hn::Sub(sum, x);
-    const V xRounded = hn::Sub(sum, yRounded);
-    error = hn::Add(hn::Sub(x, xRounded), hn::Sub(y, yRounded));
-}
+/// A vector of doubles with the operators of a number.
+struct Lanes {
+    using Tag = hn::CappedTag<double, kBlock>;
+    using Vector = hn::Vec<Tag>;
+    using Mask = hn::Mask<Tag>;
 
-/// The same where x is the larger of the two, or their sum is exact.
-template <class V>
-HWY_INLINE void exactSumOrdered(V x, V y, V &sum, V &error)
-{
-    sum = hn::Add(x, y);
-    error = hn::Sub(y, hn::Sub(sum, x));
-}
+    Vector v;
 
-/// product + error = g ω t exactly.
-template <class D, class V>
-HWY_INLINE void exactTurn(D d, const MotionConstants &k, V t, V &product, V &error)
+    HWY_INLINE Lanes(Vector vector)
+        : v(vector)
+    {
+    }
+    HWY_INLINE Lanes(double number)
+        : v(hn::Set(Tag(), number))
+    {
+    }
+    static HWY_INLINE Lanes load(const double *from) { return hn::LoadU(Tag(), from); }
+    HWY_INLINE void store(double *to) const { hn::StoreU(v, Tag(), to); }
+
+    friend HWY_INLINE Lanes operator+(Lanes x, Lanes y) { return hn::Add(x.v, y.v); }
+    friend HWY_INLINE Lanes operator-(Lanes x, Lanes y) { return hn::Sub(x.v, y.v); }
+    friend HWY_INLINE Lanes operator*(Lanes x, Lanes y) { return hn::Mul(x.v, y.v); }
+    friend HWY_INLINE Lanes operator/(Lanes x, Lanes y) { return hn::Div(x.v, y.v); }
+    friend HWY_INLINE Mask operator<(Lanes x, Lanes y) { return hn::Lt(x.v, y.v); }
+};
+
+HWY_INLINE Lanes magnitude(Lanes x)
 {
-    const V omega = hn::Set(d, k.sideOmega);
-    product = hn::Mul(omega, t);
-#if HWY_NATIVE_FMA
-    error = hn::MulSub(omega, t, product);
-#else
-    const V upper = hn::Set(d, k.sideOmegaUpper);
-    const V lower = hn::Set(d, k.sideOmegaLower);
-    const V scaled = hn::Mul(hn::Set(d, kSplitter), t);
-    const V tUpper = hn::Sub(scaled, hn::Sub(scaled, t));
-    const V tLower = hn::Sub(t, tUpper);
-    const V left = hn::Add(hn::Sub(hn::Mul(upper, tUpper), product), hn::Mul(upper, tLower));
-    error = hn::Add(hn::Add(left, hn::Mul(lower, tUpper)), hn::Mul(lower, tLower));
-#endif
+    return hn::Abs(x.v);
+}
+HWY_INLINE Lanes withSign(Lanes magnitude, Lanes sign)
+{
+    return hn::CopySignToAbs(magnitude.v, sign.v);
+}
+HWY_INLINE Lanes squareRoot(Lanes x)
+{
+    return hn::Sqrt(x.v);
+}
+HWY_INLINE Lanes select(Lanes::Mask condition, Lanes yes, Lanes no)
+{
+    return hn::IfThenElse(condition, yes.v, no.v);
+}
+HWY_INLINE Lanes::Mask both(Lanes::Mask first, Lanes::Mask second)
+{
+    return hn::And(first, second);
+}
+HWY_INLINE bool none(Lanes::Mask condition)
+{
+    return hn::AllFalse(Lanes::Tag(), condition);
 }
 
-/// Sine and cosine of hi + lo (rad), for |hi| <= 1.6e6 and |lo| <= 1e-9; beyond, anything.
-template <class D, class V>
-HWY_INLINE void sineAndCosine(D d, V hi, V lo, V &sine, V &cosine)
+HWY_INLINE double magnitude(double x)
+{
+    return std::fabs(x);
+}
+HWY_INLINE double withSign(double magnitude, double sign)
+{
+    return std::copysign(magnitude, sign);
+}
+HWY_INLINE double squareRoot(double x)
+{
+    return std::sqrt(x);
+}
+HWY_INLINE double select(bool condition, double yes, double no)
+{
+    return condition ? yes : no;
+}
+HWY_INLINE bool both(bool first, bool second)
+{
+    return first && second;
+}
+HWY_INLINE bool none(bool condition)
+{
+    return !condition;
+}
+
+/// Sine and cosine of r + n π/2, from those of r. `shifted` has n in its last bits: odd n exchanges the two, bit 1 of n
+/// changes the sine's sign and bit 1 of n + 1 the cosine's.
+HWY_INLINE void rotateByQuarters(Lanes shifted, Lanes &sine, Lanes &cosine)
+{
+    const Lanes::Tag d;
+    const hn::RebindToUnsigned<Lanes::Tag> du;
+    const auto quarters = hn::BitCast(du, shifted.v);
+    const auto one = hn::Set(du, std::uint64_t{1});
+    const auto signBit = hn::Set(du, std::uint64_t{1} << 63);
+    const Lanes::Mask odd = hn::RebindMask(d, hn::TestBit(quarters, one));
+    const Lanes newSine = select(odd, cosine, sine);
+    const Lanes newCosine = select(odd, sine, cosine);
+    sine = hn::Xor(newSine.v, hn::BitCast(d, hn::And(hn::ShiftLeft<62>(quarters), signBit)));
+    cosine = hn::Xor(newCosine.v, hn::BitCast(d, hn::And(hn::ShiftLeft<62>(hn::Add(quarters, one)), signBit)));
+}
+HWY_INLINE void rotateByQuarters(double shifted, double &sine, double &cosine)
+{
+    constexpr double kSineSign[] = {1.0, 1.0, -1.0, -1.0};
+    constexpr double kCosineSign[] = {1.0, -1.0, -1.0, 1.0};
+    const auto quarters = std::bit_cast<std::uint64_t>(shifted) % 4;
+    const double newSine = quarters % 2 != 0 ? cosine : sine;
+    cosine = (quarters % 2 != 0 ? sine : cosine) * kCosineSign[quarters];
+    sine = newSine * kSineSign[quarters];
+}
+
+/// Sine and cosine of hi + lo (rad), for |hi| <= 1.6e6 and |lo| <= 1e-9; meaningless beyond.
+template <class Number>
+HWY_INLINE void sineAndCosine(Number hi, Number lo, Number &sine, Number &cosine)
 {
     // r = rHi + rLo = hi + lo - n π/2, |r| <= π/4 and a little, with π/2 = P1 + P2 + P3. P1 and P2 have 33 bits and n
     // has 20, so that n P1, n P2 and hi - n P1 are exact, and the next difference is where it is not ordered.
-    const hn::RebindToUnsigned<D> du;
-    const V shifter = hn::Set(d, 6755399441055744.0); // 1.5 · 2^52: the sum's last bits are the rounded integer
-    const V shifted = hn::Add(hn::Mul(hi, hn::Set(d, 0x1.45f306dc9c883p-1)), shifter);
-    const V n = hn::Sub(shifted, shifter);
-    const V first = hn::Sub(hi, hn::Mul(n, hn::Set(d, 0x1.921fb54400000p+0)));
-    V second, secondError;
-    exactSumOrdered(first, hn::Mul(n, hn::Set(d, -0x1.0b4611a600000p-34)), second, secondError);
-    const V third = hn::Add(hn::Add(secondError, lo), hn::Mul(n, hn::Set(d, -0x1.3198a2e037073p-69)));
-    V rHi, rLo;
-    exactSumOrdered(second, third, rHi, rLo);
-
-    const V z = hn::Mul(rHi, rHi);
-    const V zz = hn::Mul(z, z);
+    constexpr double kShifter = 0x1.8p52; // the sum's last bits are the rounded integer
+    const Number shifted = hi * 0x1.45f306dc9c883p-1 + kShifter;
+    const Number n = shifted - kShifter;
+    const Number first = hi - n * 0x1.921fb54400000p+0;
+    const Number smallPart = n * -0x1.0b4611a600000p-34;
+    const Number second = first + smallPart;
+    const Number third = (smallPart - (second - first)) + lo + n * -0x1.3198a2e037073p-69;
+    const Number rHi = second + third;
+    const Number rLo = third - (rHi - second);
+    const Number z = rHi * rHi;
+    const Number zz = z * z;
 
     // sin r = r + r z S(z)
-    const V s01 = hn::Add(hn::Set(d, -0.16666666666666632), hn::Mul(z, hn::Set(d, 0.00833333333332242)));
-    const V s23 = hn::Add(hn::Set(d, -0.00019841269829812546), hn::Mul(z, hn::Set(d, 2.7557313693621505e-06)));
-    const V s45 = hn::Add(hn::Set(d, -2.505075839093975e-08), hn::Mul(z, hn::Set(d, 1.589681212937157e-10)));
-    const V S = hn::Add(s01, hn::Mul(zz, hn::Add(s23, hn::Mul(zz, s45))));
-    const V sineR = hn::Add(rHi, hn::Add(rLo, hn::Mul(hn::Mul(rHi, z), S)));
+    const Number s01 = -0.16666666666666632 + z * 0.00833333333332242;
+    const Number s23 = -0.00019841269829812546 + z * 2.7557313693621505e-06;
+    const Number s45 = -2.505075839093975e-08 + z * 1.589681212937157e-10;
+    const Number S = s01 + zz * (s23 + zz * s45);
+    sine = rHi + (rLo + rHi * z * S);
 
     // cos r = 1 - (z/2 - z² Q(z))
-    const V c01 = hn::Add(hn::Set(d, 0.0416666666666666), hn::Mul(z, hn::Set(d, -0.0013888888888874131)));
-    const V c23 = hn::Add(hn::Set(d, 2.4801587289487236e-05), hn::Mul(z, hn::Set(d, -2.755731435384784e-07)));
-    const V c45 = hn::Add(hn::Set(d, 2.087572348632916e-09), hn::Mul(z, hn::Set(d, -1.1359659190841573e-11)));
-    const V Q = hn::Add(c01, hn::Mul(zz, hn::Add(c23, hn::Mul(zz, c45))));
-    const V beyond = hn::Sub(hn::Mul(zz, Q), hn::Mul(rHi, rLo));
-    const V cosineR = hn::Sub(hn::Set(d, 1.0), hn::Sub(hn::Mul(z, hn::Set(d, 0.5)), beyond));
+    const Number c01 = 0.0416666666666666 + z * -0.0013888888888874131;
+    const Number c23 = 2.4801587289487236e-05 + z * -2.755731435384784e-07;
+    const Number c45 = 2.087572348632916e-09 + z * -1.1359659190841573e-11;
+    const Number Q = c01 + zz * (c23 + zz * c45);
+    cosine = 1.0 - (z * 0.5 - (zz * Q - rHi * rLo));
 
-    // The quadrant n mod 4: odd exchanges the two, bit 1 of n turns the sine's sign, bit 1 of n + 1 the cosine's.
-#if HWY_TARGET == HWY_SCALAR
-    constexpr double kSineSign[] = {1.0, 1.0, -1.0, -1.0};
-    constexpr double kCosineSign[] = {1.0, -1.0, -1.0, 1.0};
-    const auto quadrant = hn::GetLane(hn::BitCast(du, shifted)) % 4;
-    const bool odd = quadrant % 2 != 0;
-    sine = hn::Mul(odd ? cosineR : sineR, hn::Set(d, kSineSign[quadrant]));
-    cosine = hn::Mul(odd ? sineR : cosineR, hn::Set(d, kCosineSign[quadrant]));
-#else
-    const auto quadrant = hn::BitCast(du, shifted);
-    const auto unit = hn::Set(du, std::uint64_t{1});
-    const auto odd = hn::RebindMask(d, hn::TestBit(quadrant, unit));
-    const auto signBit = hn::Set(du, std::uint64_t{1} << 63);
-    const auto sineSign = hn::And(hn::ShiftLeft<62>(quadrant), signBit);
-    const auto cosineSign = hn::And(hn::ShiftLeft<62>(hn::Add(quadrant, unit)), signBit);
-    sine = hn::Xor(hn::IfThenElse(odd, cosineR, sineR), hn::BitCast(d, sineSign));
-    cosine = hn::Xor(hn::IfThenElse(odd, sineR, cosineR), hn::BitCast(d, cosineSign));
-#endif
+    rotateByQuarters(shifted, sine, cosine);
 }
 
 /// atan2(y, x) for x >= 0, not both zero.
-template <class D, class V>
-HWY_INLINE V halfPlaneAngle(D d, V y, V x)
+template <class Number>
+HWY_INLINE Number halfPlaneAngle(Number y, Number x)
 {
     // With v = lesser/greater the angle from the nearer axis is atan v, and π/4 + atan((v - 1)/(v + 1)) where v exceeds
     // tan(π/8): one quotient of magnitude at most 0.4143.
-    const V height = magnitude(y);
-    const V lesser = hn::Min(height, x);
-    const V greater = hn::Max(height, x);
-    const auto steep = hn::Gt(height, x);
-    const auto diagonal = hn::Gt(lesser, hn::Mul(greater, hn::Set(d, 0.41421356237309503)));
-    const V numerator = hn::Sub(lesser, hn::IfThenElseZero(diagonal, greater));
-    const V denominator = hn::Add(greater, hn::IfThenElseZero(diagonal, lesser));
-    const V v = hn::Div(numerator, denominator);
+    const Number height = magnitude(y);
+    const auto steep = x < height;
+    const Number lesser = select(steep, x, height);
+    const Number greater = select(steep, height, x);
+    const auto diagonal = greater * 0.41421356237309503 < lesser;
+    const Number v = select(diagonal, lesser - greater, lesser) / select(diagonal, greater + lesser, greater);
 
     // atan v = v + v w A(w), w = v²
-    const V w = hn::Mul(v, v);
-    const V ww = hn::Mul(w, w);
-    const V w4 = hn::Mul(ww, ww);
-    const V a01 = hn::Add(hn::Set(d, -0.333333333333332), hn::Mul(w, hn::Set(d, 0.19999999999954043)));
-    const V a23 = hn::Add(hn::Set(d, -0.14285714280244285), hn::Mul(w, hn::Set(d, 0.11111110785915787)));
-    const V a45 = hn::Add(hn::Set(d, -0.09090897829776445), hn::Mul(w, hn::Set(d, 0.07692061513745321)));
-    const V a67 = hn::Add(hn::Set(d, -0.06663118932786156), hn::Mul(w, hn::Set(d, 0.05847998031302008)));
-    const V a89 = hn::Add(hn::Set(d, -0.05039795105499212), hn::Mul(w, hn::Set(d, 0.03807700814192793)));
-    const V a03 = hn::Add(a01, hn::Mul(ww, a23));
-    const V a47 = hn::Add(a45, hn::Mul(ww, a67));
-    const V a8A = hn::Add(a89, hn::Mul(ww, hn::Set(d, -0.01792080866245795)));
-    const V A = hn::Add(a03, hn::Mul(w4, hn::Add(a47, hn::Mul(w4, a8A))));
-    const V arc = hn::Add(v, hn::Mul(hn::Mul(v, w), A));
+    const Number w = v * v;
+    const Number ww = w * w;
+    const Number w4 = ww * ww;
+    const Number a01 = -0.333333333333332 + w * 0.19999999999954043;
+    const Number a23 = -0.14285714280244285 + w * 0.11111110785915787;
+    const Number a45 = -0.09090897829776445 + w * 0.07692061513745321;
+    const Number a67 = -0.06663118932786156 + w * 0.05847998031302008;
+    const Number a89 = -0.05039795105499212 + w * 0.03807700814192793;
+    const Number a8A = a89 + ww * -0.01792080866245795;
+    const Number A = a01 + ww * a23 + w4 * (a45 + ww * a67 + w4 * a8A);
+    const Number arc = v + v * w * A;
 
     // 0 + arc, π/4 + arc, π/4 - arc or π/2 - arc; a double π is short of π by 3.9e-17 of itself.
-    const V flatBase = hn::IfThenElseZero(diagonal, hn::Set(d, 0x1.921fb54442d18p-1));
-    const V base = hn::IfThenElse(steep, hn::Sub(hn::Set(d, 0x1.921fb54442d18p+0), flatBase), flatBase);
-    const V baseLo = hn::Mul(base, hn::Set(d, 3.8981718325193755e-17));
-    const V signedArc = hn::IfThenElse(steep, hn::Neg(arc), arc);
-    return withSignOf(hn::Add(base, hn::Add(baseLo, signedArc)), y);
+    const Number flatBase = select(diagonal, 0x1.921fb54442d18p-1, 0.0);
+    const Number base = select(steep, 0x1.921fb54442d18p+0 - flatBase, flatBase);
+    const Number signedArc = select(steep, 0.0 - arc, arc);
+    return withSign(base + (base * 3.8981718325193755e-17 + signedArc), y);
 }
 
-/// g θ2 = hi + lo, its sine x and its cosine, which is that of θ2, at the instants t. x is NaN where the angle may be
-/// too large for the reduction, or t is no number.
-template <class D, class V>
-HWY_INLINE void turnCrank(D d, const MotionConstants &k, V t, V &hi, V &lo, V &x, V &cos2)
+/// g θ2 = hi + lo, its sine x and its cosine, which is that of θ2, at time t. x is NaN where the angle may be too large
+/// for the reduction, and where t is not a number.
+template <class Number>
+HWY_INLINE void turnCrank(const MotionConstants &k, Number t, Number &hi, Number &lo, Number &x, Number &cosine)
 {
-    V turned, turnedLo, sumError;
-    exactTurn(d, k, t, turned, turnedLo);
-    exactSum(turned, hn::Set(d, k.sideTheta20), hi, sumError);
-    lo = hn::Add(sumError, turnedLo);
-    sineAndCosine(d, hi, lo, x, cos2);
-    x = hn::IfThenElse(hn::Le(magnitude(t), hn::Set(d, k.latest)), x, hn::NaN(d));
+    // turned + turnedLo = g ω t exactly (Dekker), hi + sumError = turned + g θ20 exactly (Knuth).
+    const TwoPart omega = split(k.sideOmega);
+    const Number turned = k.sideOmega * t;
+    const Number scaled = kSplitter * t;
+    const Number tUpper = scaled - (scaled - t);
+    const Number tLower = t - tUpper;
+    const Number turnedLo = ((omega.hi * tUpper - turned) + omega.hi * tLower + omega.lo * tUpper) + omega.lo * tLower;
+    hi = turned + k.sideTheta20;
+    const Number second = hi - turned;
+    const Number sumError = (turned - (hi - second)) + (k.sideTheta20 - second);
+    lo = sumError + turnedLo;
+    sineAndCosine(hi, lo, x, cosine);
+    x = select(magnitude(t) < k.latest, x, kNone);
 }
 
-/// θ3, from h and |s|.
-template <class D, class V>
-HWY_INLINE V couplerAngle(D d, const MotionConstants &k, V h, V root)
+/// What the coupler's pose follows from; names as in motion_constants.h and closed_form.h.
+template <class Number>
+struct Clearance {
+    Number x, cosine;
+    Number sigma, sigmaMirrored;
+    Number p, m;
+    Number h; ///< g h
+};
+
+template <class Number>
+HWY_INLINE Clearance<Number> clearance(const MotionConstants &k, Number x, Number cosine)
 {
-    return hn::Add(hn::Set(d, k.straightAngle), hn::Mul(hn::Set(d, k.branch * k.side), halfPlaneAngle(d, h, root)));
+    const Number larger = 1.0 + magnitude(x);
+    const Number smaller = cosine * cosine / larger;
+    const auto below = x < 0.0;
+    const Number sigma = select(below, smaller, larger);
+    const Number sigmaMirrored = select(below, larger, smaller);
+    return {x, cosine, sigma, sigmaMirrored, k.epsilon + k.a * sigma, k.beta + k.a * sigmaMirrored, k.C - k.a * x};
 }
 
-/// h and |s| for couplerAngle(), and what else `out` wants, stored there: s, R4x, velocities (θ̇3, ṡ, Ṙ4x) and
-/// accelerations, in mm and rad. False, and nothing stored, when a lane may be anything but Solved, is
-/// near a limit of a rocker, or its x is NaN.
-template <class D, class V, class Out>
-HWY_INLINE bool moveLinks(D d, const MotionConstants &k, V x, V cos2, const Out &out, V &h, V &root)
+/// Where the formulas give a Solved motion with all its digits; false where x is NaN. `root`: √(p m).
+template <class Number>
+HWY_INLINE auto isOrdinary(const MotionConstants &k, const Clearance<Number> &at, Number root)
 {
-    const V zero = hn::Zero(d);
-    const V one = hn::Set(d, 1.0);
+    const Number limit = k.nearLimit;
+    return both(Number(0.0) < root, both(limit < at.p, limit < at.m));
+}
 
-    // clearance.h
-    const V a = hn::Set(d, k.a);
-    const V cosineSquared = hn::Mul(cos2, cos2);
-    const V sumOfLike = hn::Add(one, magnitude(x));
-    const V differenceOfLike = hn::Div(cosineSquared, sumOfLike);
-    const auto below = hn::Lt(x, zero);
-    const V sigma = hn::IfThenElse(below, differenceOfLike, sumOfLike);
-    const V sigmaMirrored = hn::IfThenElse(below, sumOfLike, differenceOfLike);
-    const V p = hn::Add(hn::Set(d, k.epsilon), hn::Mul(a, sigma));
-    const V m = hn::Add(hn::Set(d, k.beta), hn::Mul(a, sigmaMirrored));
-    h = hn::Sub(hn::Set(d, k.C), hn::Mul(a, x));
-    const V sSquared = hn::Mul(p, m);
-    root = hn::Sqrt(sSquared);
+/// θ3, from g h and |s|.
+template <class Number>
+HWY_INLINE Number couplerAngle(const MotionConstants &k, Number h, Number root)
+{
+    return k.straightAngle + k.branch * k.side * halfPlaneAngle(h, root);
+}
 
-    // Above this no derivative overflows: the speed is at most 1e12 and lengths are below 4.
-    const auto regular = hn::Ge(root, hn::Set(d, 1e-60));
-    if (!hn::AllTrue(d, hn::And(regular, hn::Ge(hn::Min(p, m), hn::Set(d, k.nearLimit))))) {
-        return false;
+/// R4x. Where a cos θ2 and s have opposite signs and the crank turns all round, it is (s² - a² cos²θ2) / (s - a cos θ2)
+/// with the numerator rearranged: ε L + 2 a C σ.
+template <class Number>
+HWY_INLINE Number sliderPosition(const MotionConstants &k, const Clearance<Number> &at, Number s)
+{
+    const Number aCos = k.a * at.cosine;
+    const auto opposed = at.cosine * s < 0.0;
+    if (k.epsilon < 0.0 || none(opposed)) {
+        return aCos + s;
     }
+    return select(opposed, (k.epsilonReach + 2.0 * k.aC * at.sigma) / (s - aCos), aCos + s);
+}
 
-    const V branch = hn::Set(d, k.branch);
-    const V scale = hn::Set(d, k.scale);
-    const V s = hn::Mul(branch, root);
-    out.storeS(d, hn::Mul(scale, s));
-    if (out.wantsR4x()) {
-        const V aCos = hn::Mul(a, cos2);
-        V R4x = hn::Add(aCos, s);
-        const auto opposed = hn::Lt(hn::Mul(cos2, s), zero);
-        if (!hn::AllFalse(d, opposed)) {
-            const V numerator = hn::Add(hn::Set(d, k.epsilonReach), hn::Mul(hn::Set(d, 2.0 * k.aC), sigma));
-            R4x = hn::IfThenElse(opposed, hn::Div(numerator, hn::Sub(s, aCos)), R4x);
-        }
-        out.storeR4x(d, hn::Mul(scale, R4x));
-    }
-    if (!out.wantsVelocity() && !out.wantsAcceleration()) {
-        return true;
-    }
+/// First or second derivatives of θ3, s and R4x.
+template <class Number>
+struct Rates {
+    Number theta3, s, R4x;
+};
 
-    const V inverse = hn::Div(branch, root);
-    if (out.wantsVelocity()) {
-        const V theta3Dot = hn::Mul(hn::Mul(hn::Set(d, -k.aOmega), cos2), inverse);
-        const V sDot = hn::Mul(hn::Mul(hn::Set(d, -k.side), h), theta3Dot);
-        const V R4xDot = hn::Sub(sDot, hn::Mul(hn::Set(d, k.side * k.aOmega), x));
-        out.storeVelocity(d, theta3Dot, hn::Mul(scale, sDot), hn::Mul(scale, R4xDot));
-    }
-    if (out.wantsAcceleration()) {
-        const V inverseCubed = hn::Mul(hn::Mul(inverse, inverse), inverse);
-        const V epsilonReach = hn::Set(d, k.epsilonReach);
-        const V turn = hn::Add(hn::Mul(hn::Set(d, k.aC), hn::Mul(sigma, sigma)), hn::Mul(x, epsilonReach));
-        const V theta3DDot = hn::Mul(hn::Mul(hn::Set(d, k.side * k.aOmegaSquared), turn), inverseCubed);
+/// `inverse`: 1/s.
+template <class Number>
+HWY_INLINE Rates<Number> velocities(const MotionConstants &k, const Clearance<Number> &at, Number inverse)
+{
+    const Number theta3Dot = -k.aOmega * at.cosine * inverse;
+    const Number sDot = -k.side * at.h * theta3Dot;
+    return {theta3Dot, sDot, sDot - k.side * k.aOmega * at.x};
+}
 
-        // G, in the form for this steepness; see accelerationNumerator() in closed_form.cpp.
-        const V aBSquared = hn::Set(d, k.aBSquared);
-        const V bSquared = hn::Set(d, k.bSquared);
-        const auto flat = hn::Ge(sSquared, hn::Mul(hn::Set(d, 0.75), bSquared));
-        V G = zero;
-        if (!hn::AllFalse(d, flat)) {
-            G = hn::Add(hn::Mul(aBSquared, cosineSquared), hn::Mul(hn::Mul(h, x), sSquared));
-        }
-        if (!hn::AllTrue(d, flat)) {
-            const auto up = hn::Ge(h, zero);
-            const V like = hn::IfThenElse(up, sigma, sigmaMirrored);
-            const V gap = hn::IfThenElse(up, p, m);
-            const V spare = hn::IfThenElse(up, hn::Set(d, k.epsilon), hn::Set(d, k.beta));
-            const V xMirrored = hn::IfThenElse(up, hn::Neg(x), x);
-            const V gapTerm = hn::Mul(hn::Mul(gap, gap), hn::Sub(hn::Set(d, 3.0 * k.b), gap));
-            const V spareTerm = hn::Mul(hn::Set(d, 2.0 * k.bSquared), spare);
-            const V steep =
-                hn::Add(hn::Mul(aBSquared, hn::Mul(like, like)), hn::Mul(xMirrored, hn::Sub(gapTerm, spareTerm)));
-            G = hn::IfThenElse(flat, G, steep);
-        }
-        const V sDDot = hn::Mul(hn::Mul(hn::Set(d, -k.aOmegaSquared), G), inverseCubed);
-        const V R4xDDot = hn::Sub(sDDot, hn::Mul(hn::Set(d, k.aOmegaSquared), cos2));
-        out.storeAcceleration(d, theta3DDot, hn::Mul(scale, sDDot), hn::Mul(scale, R4xDDot));
+/// G. Its two terms cancel where the coupler is steep and h and x have opposite signs. There, with h = b - p and
+/// p = ε + aσ, the part that cancels is
+///     a b² (1 - x²) + 2 b² x p = a b² σ² + 2 b² x ε,
+/// and the mirror image of that (x → -x, p → m, ε → β, σ → σ') where h < 0.
+template <class Number>
+HWY_INLINE Number accelerationNumerator(const MotionConstants &k, const Clearance<Number> &at)
+{
+    const Number sSquared = at.p * at.m;
+    const Number hx = at.h * at.x;
+    const Number direct = k.aBSquared * (at.cosine * at.cosine) + hx * sSquared;
+    const auto steep = both(hx < 0.0, sSquared < 0.75 * k.bSquared);
+    if (none(steep)) {
+        return direct;
     }
-    return true;
+    const auto down = at.h < 0.0;
+    const Number sigma = select(down, at.sigmaMirrored, at.sigma);
+    const Number gap = select(down, at.m, at.p);
+    const Number spare = select(down, k.beta, k.epsilon);
+    const Number gapTerm = gap * gap * (3.0 * k.b - gap);
+    const Number rearranged = k.aBSquared * (sigma * sigma) + magnitude(at.x) * (gapTerm - 2.0 * k.bSquared * spare);
+    return select(steep, rearranged, direct);
+}
+
+/// N of θ̈3 = g a ω² N / s³. Rearranged, nothing cancels near a toggle: a C δ² + x K, with δ = min(σ, σ') =
+/// cos²θ2/(1 + |x|) and K = ε L for x < 0, β γ for x >= 0. For a rocker with two arcs β is negative, and the rearranged
+/// sum is better only where the original one cancels.
+template <class Number>
+HWY_INLINE Number turnNumerator(const MotionConstants &k, const Clearance<Number> &at)
+{
+    const auto below = at.x < 0.0;
+    const Number delta = select(below, at.sigma, at.sigmaMirrored);
+    const Number rearranged = k.aC * (delta * delta) + at.x * select(below, k.epsilonReach, k.betaGamma);
+    if (k.beta >= 0.0) {
+        return rearranged;
+    }
+    const Number first = at.x * (at.p * at.m);
+    const Number second = k.a * at.h * (at.cosine * at.cosine);
+    const auto cancel = both(at.h * at.x < 0.0, magnitude(second) < 2.0 * magnitude(first));
+    return select(cancel, rearranged, first + second);
+}
+
+/// `inverse`: 1/s.
+template <class Number>
+HWY_INLINE Rates<Number> accelerations(const MotionConstants &k, const Clearance<Number> &at, Number inverse)
+{
+    const Number inverseCubed = inverse * inverse * inverse;
+    const Number theta3DDot = k.side * k.aOmegaSquared * turnNumerator(k, at) * inverseCubed;
+    const Number sDDot = -k.aOmegaSquared * accelerationNumerator(k, at) * inverseCubed;
+    return {theta3DDot, sDDot, sDDot - k.aOmegaSquared * at.cosine};
 }
 
 } // namespace HWY_NAMESPACE

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison/motion_difference.h"
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/limits/critical_points.h"
 #include "core/mechanism/turn.h"
 
@@ -27,7 +27,7 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 using Columns = std::array<std::vector<double>, kCount>;
 
 /// NaN: does not exist.
-Columns columnsOf(const ClosedFormBatch &motion, std::span<const double> instants)
+Columns columnsOf(const ClosedForm &motion, std::span<const double> instants)
 {
     Columns columns;
     for (std::vector<double> &column : columns) {
@@ -38,6 +38,9 @@ Columns columnsOf(const ClosedFormBatch &motion, std::span<const double> instant
                     {columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data(), columns[4].data(),
                      columns[5].data()},
                     statuses);
+    for (std::size_t channel = 0; channel < kCount; ++channel) {
+        toFileUnit(kPlottedChannels[channel], columns[channel]);
+    }
     return columns;
 }
 
@@ -87,8 +90,8 @@ MotionDifference differenceOf(const Mechanism &one, const Mechanism &other, doub
     if (to < from) {
         std::swap(from, to);
     }
-    const ClosedFormBatch oneMotion(one);
-    const ClosedFormBatch otherMotion(other);
+    const ClosedForm oneMotion(one);
+    const ClosedForm otherMotion(other);
     const std::vector<double> instants = instantsOf(one, other, from, to);
     const Columns ofOne = columnsOf(oneMotion, instants);
     const Columns ofOther = columnsOf(otherMotion, instants);

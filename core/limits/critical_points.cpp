@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/critical_points.h"
 
-#include "core/closed_form/clearance.h"
+#include "core/closed_form/motion_constants.h"
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 
@@ -184,15 +184,15 @@ void putInOrder(CriticalPoints &course)
 Courses findCriticalPoints(const Mechanism &mechanism)
 {
     Courses courses;
-    const Clearance lengths(mechanism);
-    // p = ε at -g 90°, m = β at +g 90° (clearance.h)
-    const double gapBelow = lengths.epsilon() / lengths.a();
-    const double gapAbove = lengths.beta() / lengths.a();
+    const MotionConstants lengths(mechanism);
+    // p = ε at -g 90°, m = β at +g 90° (motion_constants.h)
+    const double gapBelow = lengths.epsilon / lengths.a;
+    const double gapAbove = lengths.beta / lengths.a;
     constexpr double kWholeCrank = -2.0;
     if (!(gapBelow > kWholeCrank && gapAbove > kWholeCrank)) {
         return courses; // no pose, or one
     }
-    const double below = -lengths.side() * kQuarterTurn;
+    const double below = -lengths.side * kQuarterTurn;
     const SteepPlace placeBelow(mechanism, below, gapBelow);
     const SteepPlace placeAbove(mechanism, -below, gapAbove);
     // They meet in the middle, and a little beyond, so that nothing is lost in between.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/extremes.h"
 
-#include "core/closed_form/clearance.h"
+#include "core/closed_form/motion_constants.h"
 #include "core/limits/critical_points.h"
 #include "core/limits/mobility.h"
 #include "core/mechanism/turn.h"
@@ -67,7 +67,7 @@ private:
 std::vector<Peak> motionPeaks(const Mechanism &mechanism)
 {
     const MotionLimits limits = motionLimits(mechanism);
-    const Clearance lengths(mechanism);
+    const MotionConstants lengths(mechanism);
     switch (limits.mobility) {
     case Mobility::Impossible:
     case Mobility::Locked: return {};
@@ -94,10 +94,10 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
         return peaks;
     }
 
-    // p = ε at -g 90°, m = β at +g 90° (clearance.h)
-    const double below = -lengths.side() * kQuarterTurn;
-    const bool togglesBelow = lengths.epsilon() == 0.0;
-    const bool togglesAbove = lengths.beta() == 0.0;
+    // p = ε at -g 90°, m = β at +g 90° (motion_constants.h)
+    const double below = -lengths.side * kQuarterTurn;
+    const bool togglesBelow = lengths.epsilon == 0.0;
+    const bool togglesAbove = lengths.beta == 0.0;
     const std::array<CriticalPoints, kPlottedChannels.size()> courses = findCriticalPoints(mechanism);
 
     std::vector<PeakPlace> toggles;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/mobility.h"
 
-#include "core/closed_form/clearance.h"
+#include "core/closed_form/motion_constants.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ bool contains(const CrankRange &range, double angle)
     return wrapToTwoPi(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
 }
 
-/// The sums that decide everything, each rounded once (clearance.h), in units of the clearance's scale.
+/// The sums that decide everything, each rounded once (motion_constants.h).
 struct Sums {
     double epsilon; ///< b - a - |c|, negative for a rocker
     double beta;    ///< b + |c| - a, negative where the rocker has two arcs
@@ -27,9 +27,9 @@ struct Sums {
     double reach;   ///< a + b + |c|
 };
 
-Sums sumsOf(const Clearance &lengths)
+Sums sumsOf(const MotionConstants &lengths)
 {
-    return {lengths.epsilon(), lengths.beta(), lengths.gamma(), lengths.reach()};
+    return {lengths.epsilon, lengths.beta, lengths.gamma, lengths.reach};
 }
 
 Mobility mobilityOf(const Sums &sums)
@@ -50,7 +50,7 @@ CrankRange normalized(double from, double to)
 }
 
 /// Seen with c >= 0: sin θ2 >= (c - b)/a, and sin θ2 <= (c + b)/a where that is below 1. Mirrored for c < 0.
-std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const Clearance &lengths)
+std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const MotionConstants &lengths)
 {
     std::vector<CrankRange> ranges;
     switch (mobility) {
@@ -59,9 +59,9 @@ std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const Clea
     case Mobility::Locked: ranges = {{kQuarterTurn, kQuarterTurn}}; break;
     case Mobility::Rocker: {
         // asin((C - b)/a) from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
-        const double lowest = std::atan2(lengths.offset() - lengths.b(), std::sqrt(-sums.epsilon * sums.gamma));
+        const double lowest = std::atan2(lengths.C - lengths.b, std::sqrt(-sums.epsilon * sums.gamma));
         if (sums.beta < 0.0) {
-            const double highest = std::atan2(lengths.offset() + lengths.b(), std::sqrt(-sums.beta * sums.reach));
+            const double highest = std::atan2(lengths.C + lengths.b, std::sqrt(-sums.beta * sums.reach));
             ranges = {{lowest, highest}, {std::numbers::pi - highest, std::numbers::pi - lowest}};
         } else {
             ranges = {{lowest, std::numbers::pi - lowest}};
@@ -70,25 +70,25 @@ std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const Clea
     }
     }
     for (CrankRange &range : ranges) {
-        range = lengths.side() > 0.0 ? normalized(range.from, range.to) : normalized(-range.to, -range.from);
+        range = lengths.side > 0.0 ? normalized(range.from, range.to) : normalized(-range.to, -range.from);
     }
     std::sort(ranges.begin(), ranges.end(), [](const CrankRange &x, const CrankRange &y) { return x.from < y.from; });
     return ranges;
 }
 
 /// Crank and coupler in one line, from O2 over A to B.
-DeadCentre outerDeadCentre(const Mechanism &mechanism, const Sums &sums, double scale)
+DeadCentre outerDeadCentre(const Mechanism &mechanism, const Sums &sums)
 {
-    const double distance = scale * std::sqrt(sums.reach * sums.gamma);
+    const double distance = std::sqrt(sums.reach * sums.gamma);
     const double R4x = mechanism.branch() == Branch::Open ? distance : -distance;
     return {wrapToPi(std::atan2(mechanism.c(), R4x)), R4x};
 }
 
 /// Crank folded over the coupler: B at |b - a| from O2. With b >= a the crank points away from B, otherwise towards it.
-DeadCentre innerDeadCentre(const Mechanism &mechanism, const Sums &sums, double scale)
+DeadCentre innerDeadCentre(const Mechanism &mechanism, const Sums &sums)
 {
     const bool open = mechanism.branch() == Branch::Open;
-    const double distance = scale * std::sqrt(sums.epsilon * sums.beta);
+    const double distance = std::sqrt(sums.epsilon * sums.beta);
     if (mechanism.b() >= mechanism.a()) {
         const double R4x = open ? distance : -distance;
         return {wrapToPi(std::atan2(-mechanism.c(), -R4x)), R4x};
@@ -119,7 +119,7 @@ double strokeWithin(const CrankRange &range, const Mechanism &mechanism, const M
 
 MotionLimits motionLimits(const Mechanism &mechanism)
 {
-    const Clearance lengths(mechanism);
+    const MotionConstants lengths(mechanism);
     const Sums sums = sumsOf(lengths);
     MotionLimits limits;
     limits.mobility = mobilityOf(sums);
@@ -127,9 +127,9 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     if (limits.mobility == Mobility::Impossible) {
         return limits;
     }
-    limits.outer = outerDeadCentre(mechanism, sums, lengths.scale());
+    limits.outer = outerDeadCentre(mechanism, sums);
     if (sums.epsilon * sums.beta >= 0.0) {
-        limits.inner = innerDeadCentre(mechanism, sums, lengths.scale());
+        limits.inner = innerDeadCentre(mechanism, sums);
     }
     if (limits.mobility == Mobility::FullTurn) {
         limits.stroke = std::abs(limits.outer->R4x - limits.inner->R4x);
@@ -138,8 +138,8 @@ MotionLimits motionLimits(const Mechanism &mechanism)
         limits.angleOutwards = outwards;
         limits.angleInwards = kTurn - outwards;
         limits.timeRatio = std::max(outwards, kTurn - outwards) / std::min(outwards, kTurn - outwards);
-        limits.largestPressureAngle = std::atan2(lengths.a() + lengths.offset(), std::sqrt(sums.epsilon * sums.reach));
-        limits.largestPressureAngleAt = -lengths.side() * kQuarterTurn;
+        limits.largestPressureAngle = std::atan2(lengths.a + lengths.C, std::sqrt(sums.epsilon * sums.reach));
+        limits.largestPressureAngleAt = -lengths.side * kQuarterTurn;
         return limits;
     }
     for (const CrankRange &range : limits.ranges) {

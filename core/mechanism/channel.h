@@ -10,6 +10,7 @@
 #include <bitset>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace slidercrank
@@ -70,6 +71,14 @@ inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr double toFileUnit(Channel channel, double value)
 {
     return isAngle(channel.coordinate) ? value * kDegreesPerRadian : value;
+}
+
+/// Converts a column in place.
+inline void toFileUnit(Channel channel, std::span<double> values)
+{
+    for (double &value : values) {
+        value = toFileUnit(channel, value);
+    }
 }
 
 /// The order of magnitude of a channel (mm, rad, s): {1 rad, a + b + |c|}·|ω2|^k for the k-th derivative. Rounding

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/newton/newton.h"
 
-#include "core/closed_form/clearance.h"
+#include "core/closed_form/closed_form.h"
 #include "core/newton/constraints.h"
 #include "core/newton/structured_system.h"
 
@@ -328,7 +328,7 @@ Status statusBeforeIterating(const Mechanism &mechanism, double t)
     if (!isResolved || !std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
         return Status::NotFinite;
     }
-    return Clearance(mechanism).at(angle).assemblable() ? Status::Solved : Status::NotAssemblable;
+    return isAssemblable(mechanism, t) ? Status::Solved : Status::NotAssemblable;
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sampling/trajectory.h"
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/closed_form/state_at.h"
 #include "core/mechanism/in_parallel.h"
 #include "core/mechanism/turn.h"
@@ -90,20 +90,23 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
 /// The faster way for the six plotted channels alone, on all processors.
 void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std::stop_token &stop)
 {
-    const auto column = [&trajectory](Channel channel) {
-        std::vector<double> &values = trajectory.values[indexOf(channel)];
-        return values.empty() ? nullptr : values.data();
-    };
-    const PlottedColumns columns{column({Theta3, Order::Position}),     column({R4x, Order::Position}),
-                                 column({Theta3, Order::Velocity}),     column({R4x, Order::Velocity}),
-                                 column({Theta3, Order::Acceleration}), column({R4x, Order::Acceleration})};
-    const ClosedFormBatch batch(mechanism);
+    const ClosedForm closedForm(mechanism);
     const std::span<const double> instants(trajectory.time);
     const std::span<Status> statuses(trajectory.status);
     const auto evaluate = [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end && !stop.stop_requested(); i += kStopInterval) {
             const std::size_t count = std::min(kStopInterval, end - i);
-            batch.evaluate(instants.subspan(i, count), columns.behind(i), statuses.subspan(i, count));
+            PlottedColumns columns{};
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                std::vector<double> &values = trajectory.values[indexOf(kPlottedChannels[k])];
+                columns[k] = values.empty() ? nullptr : values.data() + i;
+            }
+            closedForm.evaluate(instants.subspan(i, count), columns, statuses.subspan(i, count));
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                if (columns[k] != nullptr) {
+                    toFileUnit(kPlottedChannels[k], {columns[k], count});
+                }
+            }
         }
     };
     constexpr std::size_t kPiece = 1U << 15U; // time stamps: enough work for a thread

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/study_methods.h"
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/closed_form/state_at.h"
 #include "core/newton/newton.h"
 #include "core/study/finite_difference.h"
@@ -72,9 +72,8 @@ StudyMethod closedFormBatch()
     StudyMethod method;
     method.name = {MethodName::Kind::ClosedFormBatch};
     method.dependsOnStep = false;
-    method.givesDegrees = true;
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
-        return [batch = ClosedFormBatch(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
+        return [batch = ClosedForm(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
             const auto column = [&answers](Value value) { return answers.values[value].data(); };
             const PlottedColumns columns{column(Theta3Value), column(R4xValue),           column(Theta3Rate),
                                          column(R4xRate),     column(Theta3Acceleration), column(R4xAcceleration)};

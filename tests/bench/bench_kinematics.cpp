@@ -4,7 +4,7 @@
 // hardly. Interleaved: --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
 // --benchmark_report_aggregates_only=true
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/closed_form/state_at.h"
 #include "core/limits/extremes.h"
 #include "core/newton/newton.h"
@@ -141,7 +141,7 @@ BENCHMARK(closedForm6);
 void closedFormBatch(benchmark::State &state, std::int64_t target, bool positionsOnly)
 {
     hwy::SetSupportedTargetsForTest(target);
-    const ClosedFormBatch batch{Mechanism(nominal().parameters)};
+    const ClosedForm batch{Mechanism(nominal().parameters)};
     const std::vector<double> instants = nominal().sampling.instants();
     std::vector<std::vector<double>> values(6, std::vector<double>(instants.size()));
     std::vector<Status> statuses(instants.size());

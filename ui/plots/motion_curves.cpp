@@ -139,6 +139,9 @@ MotionCurves::Samples MotionCurves::samplesAt(std::vector<double> instants) cons
                       {samples.values[0].data(), samples.values[1].data(), samples.values[2].data(),
                        samples.values[3].data(), samples.values[4].data(), samples.values[5].data()},
                       statuses);
+    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+        toFileUnit(kPlottedChannels[channel], samples.values[channel]);
+    }
     return samples;
 }
 

@@ -5,7 +5,7 @@
 // place at which the motion turns, begins or ends in between, and where a pixel holds a whole turn of the crank, as a
 // band between the extremes. No count of samples is in them. Values are in the unit of the author's files.
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/limits/critical_points.h"
 #include "ui/plots/curve_sampling.h"
 #include "ui/text/interval.h"
@@ -65,7 +65,7 @@ private:
     template <class Visit>
     void visitPassages(std::size_t channel, double from, double to, const Visit &visit) const;
 
-    ClosedFormBatch m_motion;
+    ClosedForm m_motion;
     Interval m_run;
     double m_speed;  ///< |ω2|
     double m_phase0; ///< at t = 0

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/critical_points.h"
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/limits/instant_centre.h"
 #include "core/mechanism/turn.h"
 #include "core/newton/newton.h"
@@ -42,11 +42,14 @@ Turn turnOf(Parameters p)
         values.resize(turn.theta2.size());
     }
     std::vector<Status> statuses(turn.theta2.size());
-    ClosedFormBatch(Mechanism(p))
+    ClosedForm(Mechanism(p))
         .evaluate(turn.theta2,
                   {turn.values[0].data(), turn.values[1].data(), turn.values[2].data(), turn.values[3].data(),
                    turn.values[4].data(), turn.values[5].data()},
                   statuses);
+    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+        toFileUnit(kPlottedChannels[channel], turn.values[channel]);
+    }
     return turn;
 }
 
