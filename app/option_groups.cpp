@@ -101,9 +101,15 @@ Mechanism readMechanism(const OptionReader &options)
     parameters.branch = options.choice("branch", parameters.branch);
     if (const std::optional<ParameterFault> fault = findFault(parameters)) {
         const QLatin1String name(wordOf(fault->parameter));
-        throw UsageError{fault->reason == ParameterFault::Reason::NotPositive
-                             ? CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, options.text(name.data()))
-                             : CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
+        switch (fault->reason) {
+        case ParameterFault::Reason::NotPositive:
+            throw UsageError{CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, options.text(name.data()))};
+        case ParameterFault::Reason::TooShort:
+            throw UsageError{CommandLine::tr("--%1 must be at least 1e-9 mm, not %2.").arg(name, options.text(name.data()))};
+        case ParameterFault::Reason::NotFinite:
+        case ParameterFault::Reason::TooLarge: break;
+        }
+        throw UsageError{CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
     }
     return Mechanism(parameters);
 }

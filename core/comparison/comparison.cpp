@@ -3,12 +3,12 @@
 
 #include "core/import/clock.h"
 #include "core/mechanism/in_parallel.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <vector>
+#include <utility>
 
 namespace slidercrank
 {
@@ -16,11 +16,69 @@ namespace slidercrank
 namespace
 {
 
-/// Decimal numbers are not exact in binary: a value off by exactly half a step may look off by so many units in its
-/// last place more.
-constexpr double kUlpSlack = 4.0;
+/// Decimal numbers are not exact in binary: a value that differs by exactly half a step may seem to differ by so many
+/// units in its last place more.
+constexpr double kUlpSlack = 4.0 * std::numeric_limits<double>::epsilon();
 
-Verdict verdictOf(const ChannelComparison &channel)
+constexpr std::size_t kWorthAThread = 50000; // time stamps
+
+/// One column of the reference and the model at the same time stamps.
+struct Column {
+    std::span<const double> time;
+    std::span<const double> model;
+    const ReferenceSeries &reference;
+};
+
+/// What the errors of a column are measured by, in its unit.
+struct Scale {
+    double peak = 0.0; ///< largest magnitude of the reference
+    double size = 0.0; ///< the larger of the peak and the channel's natural size
+    double smallestStep = 0.0;
+    double halfRange = 0.0; ///< of the model's motion
+};
+
+Scale scaleOf(const Column &column, const ChannelSize &channelSize)
+{
+    Scale scale;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = 0; i < column.time.size(); ++i) {
+        const double value = column.reference.values[i];
+        if (std::isfinite(value)) {
+            scale.peak = std::max(scale.peak, std::abs(value));
+            if (std::isfinite(column.model[i])) {
+                low = std::min(low, column.model[i]);
+                high = std::max(high, column.model[i]);
+            }
+        }
+    }
+    scale.size = std::max(scale.peak, channelSize.natural);
+    scale.smallestStep = std::max(kArithmeticStep * scale.size,
+                                  kSmallestPartOfLargestStep * column.reference.rounding.stepAt(scale.peak));
+    scale.halfRange = channelSize.still > 0.0 ? channelSize.still : std::min(0.5 * high - 0.5 * low, channelSize.most);
+    return scale;
+}
+
+/// The exact motion half a step of the time stamps earlier and later: what rounding the time stamps can change.
+struct Doubt {
+    Trajectory early;
+    Trajectory late;
+    double largestDrift = std::numeric_limits<double>::infinity(); ///< in units of half the range
+
+    bool isMotionPossible(Channel channel, std::size_t row) const
+    {
+        return std::isfinite(early[channel][row]) || std::isfinite(late[channel][row]);
+    }
+    double drift(Channel channel, std::size_t row, double model, double halfRange) const
+    {
+        const double change = std::max(std::abs(early[channel][row] - model), std::abs(late[channel][row] - model));
+        const bool isBounded = std::isfinite(early[channel][row]) && std::isfinite(late[channel][row]);
+        const double limit = std::isfinite(largestDrift) ? largestDrift * halfRange : largestDrift;
+        return isBounded ? std::min(change, limit) : limit;
+    }
+};
+
+Verdict judge(const ChannelComparison &channel)
 {
     if (channel.count == 0 || channel.missingModel > 0 || channel.worstOver > kBoundsOfCloseness ||
         channel.excess > kExcessOfCloseness) {
@@ -31,394 +89,101 @@ Verdict verdictOf(const ChannelComparison &channel)
     return mostWithin && noneFar ? Verdict::Agrees : Verdict::Close;
 }
 
-/// Instants that are compared together: few enough to stay in the processor's cache. Sums are taken block by block, so
-/// that they come out the same however many threads take part.
-constexpr std::size_t kBlock = 4096;
-
-/// What a channel's errors are measured by.
-struct Measure {
-    const ReferenceSeries &reference;
-    ChannelSize size;
-    double peak = 0.0;         ///< of the reference
-    double smallestStep = 0.0; ///< of its rounding
-    double unit = 1.0;         ///< a power of two of about the size of the numbers: in it no square over- or underflows
-
-    /// What the doubt about an instant may add to a bound.
-    double mostDrift = std::numeric_limits<double>::infinity();
-
-    /// The bound of an error where the instant is exact. `step`: of the file, at that value.
-    double boundOf(double value, double step) const
-    {
-        return 0.5 * std::max(step, smallestStep) +
-               kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(value);
-    }
-};
-
-Measure measureOf(const ReferenceSeries &reference, const ChannelSize &channelSize)
+/// Adds the error of one value to the largest and to the percentages.
+void measure(ChannelComparison &result, double time, double error, double magnitude, bool isZero)
 {
-    double peak = 0.0;
-    for (const double value : reference.values) {
-        const double magnitude = std::abs(value);
-        peak = magnitude > peak && magnitude <= std::numeric_limits<double>::max() ? magnitude : peak;
+    if (!result.maxAbs || error > *result.maxAbs) {
+        result.maxAbs = error;
+        result.timeOfMaxAbs = time;
     }
-    const double size = std::max(peak, channelSize.natural);
-    constexpr int kMostPowers = 1000; // of two, that still have an inverse
-    const double unit = size > 0.0 ? std::ldexp(1.0, std::clamp(std::ilogb(size), -kMostPowers, kMostPowers)) : 1.0;
-    const double smallestStep =
-        std::max(kArithmeticStep * size, kSmallestPartOfLargestStep * reference.rounding.stepAt(peak));
-    return {reference, channelSize, peak, smallestStep, unit};
+    const double percent = isZero ? kNone : error / magnitude * 100.0;
+    if (!std::isfinite(percent)) {
+        ++result.zeroReference;
+    } else if (!result.maxPercent || percent > *result.maxPercent) {
+        result.maxPercent = percent;
+        result.timeOfMaxPercent = time;
+    }
 }
 
-/// What was seen at some instants in a row.
-struct Seen {
-    std::size_t count = 0;
-    std::size_t missingModel = 0;
-    std::size_t zeroReference = 0;
-    std::size_t withinBound = 0;
-    double maxAbs = -1.0;
-    double timeOfMaxAbs = 0.0;
-    double maxPercent = -1.0;
-    double timeOfMaxPercent = 0.0;
+/// `doubt`: null where the time stamps are exact.
+ChannelComparison compareColumn(const Column &column, const Scale &scale, const Doubt *doubt)
+{
+    const Channel channel = column.reference.channel;
+    ChannelComparison result;
+    result.channel = channel;
+    result.peak = scale.peak;
+    RoundingSteps steps(column.reference.rounding);
+    const double unit = scale.size > 0.0 ? scale.size : 1.0; // in it no square over- or underflows
+    double squares = 0.0;
     double largestStep = 0.0;
-    double worstOver = 0.0;
-    double farthestBeyond = 0.0; ///< its bound
-    double squares = 0.0;        ///< of the errors, in units
-    ValueRange model{};
-};
-
-/// One channel at some instants in a row, as the file and the model have it.
-struct Stretch {
-    std::span<const double> time;
-    std::span<const double> model;
-    std::span<const double> values;
-};
-
-/// What an error of `error` within or beyond `bound` adds.
-void judge(double error, double bound, Seen &seen)
-{
-    if (error <= bound) {
-        ++seen.withinBound;
-    } else {
-        seen.farthestBeyond = std::max(seen.farthestBeyond, error - bound);
-    }
-    if (error > seen.worstOver * bound) {
-        seen.worstOver = error / bound;
-    }
-}
-
-/// `beyond`: where the rows go that are not within the bound of an exact instant, or have no model, to be judged with
-/// their doubt; null where they have none.
-Seen seenIn(const Stretch &stretch, const Measure &measure, std::vector<std::size_t> *beyond)
-{
-    Seen seen;
-    RoundingSteps steps(measure.reference.rounding);
-    const double inUnits = 1.0 / measure.unit;
-    for (std::size_t i = 0; i < stretch.time.size(); ++i) {
-        const double value = stretch.values[i];
+    for (std::size_t i = 0; i < column.time.size(); ++i) {
+        const double value = column.reference.values[i];
+        const double model = column.model[i];
         if (!std::isfinite(value)) {
             continue;
         }
-        const double stepOfFile = steps.at(value);
-        seen.largestStep = std::max(seen.largestStep, stepOfFile);
-        const double model = stretch.model[i];
+        const double step = steps.at(value);
+        largestStep = std::max(largestStep, step);
         if (!std::isfinite(model)) {
-            if (beyond) {
-                beyond->push_back(i);
-            } else {
-                ++seen.missingModel;
-            }
+            result.missingModel += doubt != nullptr && doubt->isMotionPossible(channel, i) ? 0 : 1;
             continue;
         }
-        ++seen.count;
-        seen.model.low = std::min(seen.model.low, model);
-        seen.model.high = std::max(seen.model.high, model);
+        ++result.count;
         const double magnitude = std::abs(value);
         const double error = std::abs(model - value);
-        seen.squares += (error * inUnits) * (error * inUnits);
-        if (error > seen.maxAbs) {
-            seen.maxAbs = error;
-            seen.timeOfMaxAbs = stretch.time[i];
+        const double halfStep = 0.5 * std::max(step, scale.smallestStep);
+        squares += (error / unit) * (error / unit);
+        measure(result, column.time[i], error, magnitude, magnitude <= halfStep);
+        double bound = halfStep + kUlpSlack * magnitude;
+        if (doubt != nullptr && error > bound) {
+            bound += doubt->drift(channel, i, model, scale.halfRange);
         }
-        // Quotients only where they can be the largest.
-        if (!(error * 100.0 <= seen.maxPercent * magnitude) || value == 0.0) {
-            const double percent = value == 0.0 ? std::numeric_limits<double>::infinity() : error / magnitude * 100.0;
-            if (!std::isfinite(percent)) {
-                ++seen.zeroReference;
-            } else if (percent > seen.maxPercent) {
-                seen.maxPercent = percent;
-                seen.timeOfMaxPercent = stretch.time[i];
-            }
+        result.withinBound += error <= bound ? 1 : 0;
+        if (error > bound) {
+            result.excess = std::max(result.excess, (error - bound) / scale.halfRange);
         }
-        const double bound = measure.boundOf(value, stepOfFile);
-        if (beyond && !(error <= bound)) {
-            beyond->push_back(i);
-        } else {
-            judge(error, bound, seen);
+        if (error > result.worstOver * bound) {
+            result.worstOver = error / bound;
         }
     }
-    return seen;
-}
-
-/// The motion at the ends of what some instants may have been before they were rounded.
-struct Sides {
-    Trajectory early;
-    Trajectory late;
-};
-
-/// How far the motion goes from `model` to the sides: without bound where it ends in between.
-double driftFrom(double model, double early, double late)
-{
-    return std::isfinite(early) && std::isfinite(late) ? std::max(std::abs(early - model), std::abs(late - model))
-                                                       : std::numeric_limits<double>::infinity();
-}
-
-/// Judges the rows that were left. `placeOf`: where each of them is in `sides`.
-void judgeBeyond(const Stretch &stretch, const Measure &measure, std::span<const std::size_t> beyond,
-                 const Sides &sides, std::span<const std::size_t> placeOf, Seen &seen)
-{
-    RoundingSteps steps(measure.reference.rounding);
-    const Channel channel = measure.reference.channel;
-    for (const std::size_t row : beyond) {
-        const double value = stretch.values[row];
-        const double model = stretch.model[row];
-        const double early = sides.early[channel][placeOf[row]];
-        const double late = sides.late[channel][placeOf[row]];
-        if (std::isfinite(model)) {
-            const double drift = std::min(driftFrom(model, early, late), measure.mostDrift);
-            judge(std::abs(model - value), measure.boundOf(value, steps.at(value)) + drift, seen);
-        } else if (!std::isfinite(early) && !std::isfinite(late)) {
-            ++seen.missingModel; // else the instant itself may have been one where the model is
-        }
+    result.verdict = judge(result);
+    if (column.reference.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
+        result.roundingStep = largestStep;
     }
-}
-
-/// As if `later` had been seen after it.
-void add(Seen &seen, const Seen &later)
-{
-    seen.count += later.count;
-    seen.missingModel += later.missingModel;
-    seen.zeroReference += later.zeroReference;
-    seen.withinBound += later.withinBound;
-    if (later.maxAbs > seen.maxAbs) {
-        seen.maxAbs = later.maxAbs;
-        seen.timeOfMaxAbs = later.timeOfMaxAbs;
-    }
-    if (later.maxPercent > seen.maxPercent) {
-        seen.maxPercent = later.maxPercent;
-        seen.timeOfMaxPercent = later.timeOfMaxPercent;
-    }
-    seen.largestStep = std::max(seen.largestStep, later.largestStep);
-    seen.worstOver = std::max(seen.worstOver, later.worstOver);
-    seen.farthestBeyond = std::max(seen.farthestBeyond, later.farthestBeyond);
-    seen.squares += later.squares;
-    seen.model.low = std::min(seen.model.low, later.model.low);
-    seen.model.high = std::max(seen.model.high, later.model.high);
-}
-
-double halfRangeOf(const Seen &seen, const Measure &measure)
-{
-    const ChannelSize &size = measure.size;
-    return size.still > 0.0 ? size.still : std::min(0.5 * seen.model.high - 0.5 * seen.model.low, size.most);
-}
-
-ChannelComparison comparisonOf(const Seen &seen, const Measure &measure)
-{
-    ChannelComparison result;
-    result.channel = measure.reference.channel;
-    result.count = seen.count;
-    result.missingModel = seen.missingModel;
-    result.zeroReference = seen.zeroReference;
-    result.withinBound = seen.withinBound;
-    result.worstOver = seen.worstOver;
-    if (seen.farthestBeyond > 0.0) {
-        result.excess = seen.farthestBeyond / halfRangeOf(seen, measure);
-    }
-    result.verdict = verdictOf(result);
-    if (measure.reference.rounding.rule != Rounding::Rule::Unknown && seen.largestStep > 0.0) {
-        result.roundingStep = seen.largestStep;
-    }
-    if (seen.maxPercent >= 0.0) {
-        result.maxPercent = seen.maxPercent;
-        result.timeOfMaxPercent = seen.timeOfMaxPercent;
-    }
-    if (seen.count > 0) {
-        result.maxAbs = seen.maxAbs;
-        result.timeOfMaxAbs = seen.timeOfMaxAbs;
-        result.rms = measure.unit * std::sqrt(seen.squares / static_cast<double>(seen.count));
-        if (measure.peak > 0.0) {
-            result.percentOfPeak = seen.maxAbs / measure.peak * 100.0;
+    if (result.count > 0) {
+        result.rms = unit * std::sqrt(squares / static_cast<double>(result.count));
+        if (scale.peak > 0.0) {
+            result.percentOfPeak = *result.maxAbs / scale.peak * 100.0;
         }
     }
     return result;
 }
 
-constexpr std::size_t kWorthAThread = 50000; // instants
-
-SolverSettings exactly()
+Trajectory exactMotion(const Mechanism &mechanism, std::vector<double> times, const ChannelSet &channels,
+                       std::stop_token stop = {})
 {
-    SolverSettings settings;
-    settings.method = Method::ClosedForm;
-    return settings;
+    return sample(mechanism, std::move(times), channels, {.method = Method::ClosedForm, .newton = {}}, std::move(stop));
 }
 
-ChannelSet channelsOf(std::span<const Measure> measures)
+/// What the time stamps of the file may differ by from those that were meant: `step(time)`, s. None where the crank
+/// does not move in that time.
+template <class Step>
+std::optional<Doubt> doubtAbout(const Mechanism &mechanism, const ReferenceData &reference, const Step &step)
 {
-    ChannelSet channels;
-    for (const Measure &measure : measures) {
-        channels.set(indexOf(measure.reference.channel));
+    std::vector<double> early = reference.time;
+    std::vector<double> late = reference.time;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < reference.time.size(); ++i) {
+        const double half = 0.5 * std::max(step(reference.time[i]), kUlpSlack * std::abs(reference.time[i]));
+        early[i] -= half;
+        late[i] += half;
+        largest = std::max(largest, half);
     }
-    return channels;
-}
-
-/// What the instants of a file may be off by.
-struct Doubt {
-    const Rounding *rounding = nullptr; ///< of the instants, where they show it
-    double step = 0.0;                  ///< s, else
-
-    double stepAt(double time) const
-    {
-        const double ofADouble = kUlpSlack * std::numeric_limits<double>::epsilon() * std::abs(time);
-        return std::max(rounding ? rounding->stepAt(time) : step, ofADouble);
+    if (!(2.0 * largest * std::abs(mechanism.omega2()) > kArithmeticStep)) {
+        return std::nullopt;
     }
-
-    /// Whether the crank has turned by anything in that time.
-    bool matters(const Mechanism &mechanism, std::span<const double> time) const
-    {
-        const double latest = time.empty() ? 0.0 : std::max(std::abs(time.front()), std::abs(time.back()));
-        return std::abs(mechanism.omega2()) * stepAt(latest) > kArithmeticStep;
-    }
-};
-
-/// At the rows of a stretch that one of the channels wants; `placeOf` tells where each row's went.
-Sides sidesOf(const Mechanism &mechanism, const ChannelSet &channels, std::span<const double> time, const Doubt &doubt,
-              std::span<const std::vector<std::size_t>> beyond, std::vector<std::size_t> &placeOf)
-{
-    std::vector<char> isWanted(time.size());
-    for (const std::vector<std::size_t> &rows : beyond) {
-        for (const std::size_t row : rows) {
-            isWanted[row] = 1;
-        }
-    }
-    placeOf.resize(time.size());
-    std::vector<double> early;
-    std::vector<double> late;
-    for (std::size_t row = 0; row < time.size(); ++row) {
-        if (isWanted[row]) {
-            const double half = 0.5 * doubt.stepAt(time[row]);
-            placeOf[row] = early.size();
-            early.push_back(time[row] - half);
-            late.push_back(time[row] + half);
-        }
-    }
-    return {sample(mechanism, std::move(early), channels, exactly()),
-            sample(mechanism, std::move(late), channels, exactly())};
-}
-
-/// The series of some measures against a motion that is to be had piece by piece: `withModel`(from, count, use) calls
-/// use(trajectory, place of the first instant in it).
-template <typename WithModel>
-std::vector<Seen> compareBlocks(const Mechanism &mechanism, std::span<const double> time,
-                                std::span<const Measure> measures, const Doubt &doubt, WithModel withModel)
-{
-    const std::size_t blocks = (time.size() + kBlock - 1) / kBlock;
-    std::vector<Seen> seen(blocks * measures.size()); // by block, then by series
-    const bool inDoubt = doubt.matters(mechanism, time);
-    const ChannelSet channels = channelsOf(measures);
-    const auto compareBlock = [&](std::size_t block) {
-        const std::size_t from = block * kBlock;
-        const std::size_t count = std::min(kBlock, time.size() - from);
-        withModel(from, count, [&](const Trajectory &model, std::size_t place) {
-            const auto stretchOf = [&](const ReferenceSeries &series) {
-                return Stretch{time.subspan(from, count), std::span(model[series.channel]).subspan(place, count),
-                               std::span(series.values).subspan(from, count)};
-            };
-            Seen *const seenHere = &seen[block * measures.size()];
-            std::vector<std::vector<std::size_t>> beyond(measures.size());
-            for (std::size_t i = 0; i < measures.size(); ++i) {
-                seenHere[i] = seenIn(stretchOf(measures[i].reference), measures[i], inDoubt ? &beyond[i] : nullptr);
-            }
-            if (std::ranges::all_of(beyond, &std::vector<std::size_t>::empty)) {
-                return;
-            }
-            std::vector<std::size_t> placeOf;
-            const Sides sides = sidesOf(mechanism, channels, time.subspan(from, count), doubt, beyond, placeOf);
-            for (std::size_t i = 0; i < measures.size(); ++i) {
-                judgeBeyond(stretchOf(measures[i].reference), measures[i], beyond[i], sides, placeOf, seenHere[i]);
-            }
-        });
-    };
-    inParallel(blocks, compareBlock, time.size() > kWorthAThread);
-    std::vector<Seen> all(measures.size());
-    for (std::size_t block = 0; block < blocks; ++block) {
-        for (std::size_t i = 0; i < measures.size(); ++i) {
-            add(all[i], seen[block * measures.size() + i]);
-        }
-    }
-    return all;
-}
-
-/// Whether a series may come close if its instants are in doubt: not where the largest error alone is too much for it.
-bool mayComeClose(const Mechanism &mechanism, const Measure &measure, const Seen &seen, const Doubt &doubt)
-{
-    const Channel channel = measure.reference.channel;
-    ChannelSet channels;
-    channels.set(indexOf(channel));
-    const double half = 0.5 * doubt.stepAt(seen.timeOfMaxAbs);
-    const Trajectory motion =
-        sample(mechanism, {seen.timeOfMaxAbs - half, seen.timeOfMaxAbs, seen.timeOfMaxAbs + half}, channels, exactly());
-    const std::vector<double> &f = motion[channel];
-    const double drift = std::min(driftFrom(f[1], f[0], f[2]), measure.mostDrift);
-    const double bound = measure.boundOf(measure.peak, seen.largestStep) + drift;
-    return seen.count > 0 && !(seen.maxAbs - bound > kExcessOfCloseness * halfRangeOf(seen, measure));
-}
-
-template <typename WithModel>
-std::vector<ChannelComparison> compareSeries(const Mechanism &mechanism, const ReferenceData &reference,
-                                             WithModel withModel)
-{
-    std::vector<Measure> measures;
-    for (const ReferenceSeries &series : reference.series) {
-        measures.push_back(measureOf(series, sizeOf(mechanism, series.channel)));
-    }
-    const Clock clock = clockOf(reference);
-    const Doubt rounded{&reference.timeRounding};
-    std::vector<Seen> seen =
-        compareBlocks(mechanism, reference.time, measures, clock.rounded ? rounded : Doubt{}, withModel);
-    std::vector<ChannelComparison> result;
-    for (std::size_t i = 0; i < measures.size(); ++i) {
-        result.push_back(comparisonOf(seen[i], measures[i]));
-    }
-
-    // Instants that may have been rounded: what that adds must be small beside the motion, as what lies beyond must.
-    const Doubt doubt = clock.even ? Doubt{nullptr, clock.printedStep} : rounded;
-    if (clock.rounded || !doubt.matters(mechanism, reference.time)) {
-        return result;
-    }
-    std::vector<std::size_t> doubted;
-    std::vector<Measure> again;
-    for (std::size_t i = 0; i < measures.size(); ++i) {
-        measures[i].mostDrift = kExcessOfCloseness * halfRangeOf(seen[i], measures[i]);
-        const bool mayRise =
-            result[i].verdict == Verdict::Differs || (result[i].verdict == Verdict::Close && !clock.even);
-        if (mayRise && mayComeClose(mechanism, measures[i], seen[i], doubt)) {
-            doubted.push_back(i);
-            again.push_back(measures[i]);
-        }
-    }
-    if (again.empty()) {
-        return result;
-    }
-    seen = compareBlocks(mechanism, reference.time, again, doubt, withModel);
-    for (std::size_t k = 0; k < again.size(); ++k) {
-        ChannelComparison found = comparisonOf(seen[k], again[k]);
-        if (found.verdict == Verdict::Differs) {
-            continue;
-        }
-        found.clockIsRounded = clock.even;
-        found.verdict = clock.even ? Verdict::Close : found.verdict;
-        result[doubted[k]] = found;
-    }
-    return result;
+    const ChannelSet channels = channelsOf(reference);
+    return Doubt{exactMotion(mechanism, std::move(early), channels), exactMotion(mechanism, std::move(late), channels)};
 }
 
 } // namespace
@@ -428,14 +193,14 @@ ChannelSize sizeOf(const Mechanism &mechanism, Channel channel)
     ChannelSize size;
     size.natural = toFileUnit(channel, naturalSize(mechanism.parameters(), channel));
     const Coordinate coordinate = channel.coordinate;
-    const bool ofTheGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
-    const bool ofTheLine = coordinate == R4y || coordinate == Theta4;
-    const bool ofTheDrive = coordinate == Theta2 && channel.order != Order::Position;
-    if (ofTheGround || ofTheLine || ofTheDrive) {
-        const double reach = isAngle(coordinate) ? kDegreesPerRadian : mechanism.a();
-        size.still = reach * std::pow(std::abs(mechanism.omega2()), static_cast<int>(channel.order));
+    const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
+    const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
+    const bool belongsToDrive = coordinate == Theta2 && channel.order != Order::Position;
+    if (belongsToGround || belongsToLine || belongsToDrive) {
+        const double position = toFileUnit(channel, isAngle(coordinate) ? 1.0 : mechanism.a());
+        size.still = position * std::pow(std::abs(mechanism.omega2()), static_cast<int>(channel.order));
     } else if (coordinate == Theta2) {
-        size.most = 180.0;
+        size.most = toFileUnit(channel, std::numbers::pi);
     }
     return size;
 }
@@ -443,38 +208,86 @@ ChannelSize sizeOf(const Mechanism &mechanism, Channel channel)
 ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
                                  const ReferenceSeries &reference, const ChannelSize &size)
 {
-    const std::span<const double> values(reference.values);
-    assert(model.size() == time.size() && values.size() == time.size());
-    const Measure measure = measureOf(reference, size);
-    Seen seen;
-    for (std::size_t from = 0; from < time.size(); from += kBlock) {
-        const std::size_t count = std::min(kBlock, time.size() - from);
-        add(seen, seenIn({time.subspan(from, count), model.subspan(from, count), values.subspan(from, count)}, measure,
-                         nullptr));
-    }
-    return comparisonOf(seen, measure);
-}
-
-ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop)
-{
-    ExactComparison result;
-    result.status.resize(reference.time.size());
-    const ChannelSet channels = channelsOf(reference);
-    result.channels = compareSeries(mechanism, reference, [&](std::size_t from, std::size_t count, const auto &use) {
-        const auto first = reference.time.begin() + static_cast<std::ptrdiff_t>(from);
-        const Trajectory model =
-            sample(mechanism, {first, first + static_cast<std::ptrdiff_t>(count)}, channels, exactly(), stop);
-        std::copy(model.status.begin(), model.status.end(), result.status.begin() + static_cast<std::ptrdiff_t>(from));
-        use(model, 0);
-    });
-    return result;
+    assert(model.size() == time.size() && reference.values.size() == time.size());
+    const Column column{time, model, reference};
+    return compareColumn(column, scaleOf(column, size), nullptr);
 }
 
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference)
 {
-    return compareSeries(mechanism, reference,
-                         [&](std::size_t from, std::size_t, const auto &use) { use(model, from); });
+    const Clock clock = clockOf(reference);
+    const auto roundedStep = [&](double time) { return reference.timeRounding.stepAt(time); };
+    const std::optional<Doubt> doubt =
+        doubtAbout(mechanism, reference, [&](double time) { return clock.rounded ? roundedStep(time) : 0.0; });
+    std::vector<Scale> scales(reference.series.size());
+    std::vector<ChannelComparison> result(reference.series.size());
+    const auto columnAt = [&](std::size_t i) {
+        return Column{reference.time, model[reference.series[i].channel], reference.series[i]};
+    };
+    const bool isLong = reference.time.size() > kWorthAThread;
+    const auto compareSeries = [&](std::size_t i) {
+        scales[i] = scaleOf(columnAt(i), sizeOf(mechanism, reference.series[i].channel));
+        result[i] = compareColumn(columnAt(i), scales[i], doubt ? &*doubt : nullptr);
+    };
+    inParallel(result.size(), compareSeries, isLong);
+
+    // A clock that does not show it may have been rounded all the same. What that adds must be small next to the
+    // motion, and an even clock then makes a file close at best.
+    const auto mayRise = [&](const ChannelComparison &channel) {
+        return channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even);
+    };
+    if (clock.rounded || std::ranges::none_of(result, mayRise)) {
+        return result;
+    }
+    std::optional<Doubt> possible = doubtAbout(
+        mechanism, reference, [&](double time) { return clock.even ? clock.printedStep : roundedStep(time); });
+    if (!possible) {
+        return result;
+    }
+    possible->largestDrift = kExcessOfCloseness;
+    const auto compareAgain = [&](std::size_t i) {
+        if (!mayRise(result[i])) {
+            return;
+        }
+        ChannelComparison again = compareColumn(columnAt(i), scales[i], &*possible);
+        if (again.verdict != Verdict::Differs) {
+            again.clockIsRounded = clock.even;
+            again.verdict = clock.even ? Verdict::Close : again.verdict;
+            result[i] = again;
+        }
+    };
+    inParallel(result.size(), compareAgain, isLong);
+    return result;
+}
+
+ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop)
+{
+    Trajectory model = exactMotion(mechanism, reference.time, channelsOf(reference), std::move(stop));
+    ExactComparison result{compare(mechanism, model, reference), {}};
+    result.status = std::move(model.status);
+    return result;
+}
+
+MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to)
+{
+    constexpr int kSteps = 2000;
+    double duration = std::abs(to - from);
+    if (mechanism.omega2() == other.omega2() && mechanism.omega2() != 0.0) {
+        duration = std::min(duration, kTurn / std::abs(mechanism.omega2())); // the first turn is like all others
+    }
+    const std::vector<double> times = Sampling{std::min(from, to), duration, kSteps}.instants();
+    const Trajectory model = exactMotion(mechanism, times, plottedChannels());
+    Trajectory kept = exactMotion(other, times, plottedChannels());
+    MotionDifference difference;
+    for (const Channel channel : kPlottedChannels) {
+        const ReferenceSeries series{channel, std::move(kept.values[indexOf(channel)]), Rounding()};
+        const ChannelComparison comparison = compareChannel(times, model[channel], series, sizeOf(mechanism, channel));
+        difference.hasGaps =
+            difference.hasGaps || (channel.order == Order::Position && comparison.count < times.size());
+        difference.channels.push_back(comparison);
+    }
+    return difference;
 }
 
 } // namespace slidercrank

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far reference data lie from the model: largest and mean errors, the report's percentage, and whether the
-// difference is within the file's own rounding. Everything in the author's units (mm, °, s); errors are model -
+// How far reference data are from the model: largest and mean errors, the pointwise percentage, and whether the
+// difference is within the file's own rounding. All values are in the units of files (mm, °, s); an error is model -
 // reference.
 //
-// A value is uncertain by half its own step, and by what the motion f does while the instant t is uncertain by half of
-// its step τ:
+// A value is uncertain by half its own step, and by how far the motion f goes while the time stamp t is uncertain by
+// half of its step τ:
 //
 //     bound = step / 2 + max(|f(t + τ/2) - f(t)|, |f(t - τ/2) - f(t)|)
 //
-// (both sides: at a turning point the rate is 0, and the error is not). What lies beyond must be small beside the
-// motion as well, for a step may have been learnt too large, and a motion may be small beside its step. The instants of
-// an even clock are taken as they stand (τ = 0); where a file then differs, they may have been rounded all the same
-// (0.0133 that was 0.013303), and it may still come close. Where a clock does not show that it was rounded, what τ adds
-// must be small beside the motion, too.
+// (on both sides: at a turning point the rate is 0, and the error is not). What lies beyond the bound must also be
+// small next to the motion, because a step may have been inferred too large, and a motion may be small next to its
+// step. The time stamps of an even clock are taken as exact (τ = 0); if a file then differs, they may have been rounded
+// all the same (0.0133 for 0.013303), and the file may still be close. If a clock does not show that it was rounded,
+// what τ adds must be small next to the motion, too.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
@@ -50,13 +50,15 @@ struct ChannelComparison {
     double timeOfMaxAbs = 0.0;
     std::optional<double> rms;
 
-    /// |model - reference| / |reference| · 100, over the instants where the reference is not zero (nor so
-    /// near it that no double holds the ratio).
+    /// |model - reference| / |reference| · 100, over the time stamps at which the reference is not zero within its
+    /// rounding.
     std::optional<double> maxPercent;
     double timeOfMaxPercent = 0.0;
-    std::size_t zeroReference = 0; ///< instants left out of maxPercent
+    std::size_t zeroReference = 0; ///< time stamps left out of maxPercent
 
-    /// maxAbs as % of the reference's largest magnitude.
+    double peak = 0.0; ///< the reference's largest magnitude
+
+    /// maxAbs as % of the peak.
     std::optional<double> percentOfPeak;
 
     /// The file's rounding step where it is largest; absent when the column gives no hint.
@@ -69,7 +71,7 @@ struct ChannelComparison {
     double worstOver = 0.0;
     double excess = 0.0;
 
-    /// The clock is even, and only if it was rounded nevertheless does the file come close; counted so above.
+    /// The clock is even, and the file is close only if it was rounded nevertheless; the numbers above assume so.
     bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;
@@ -79,11 +81,11 @@ struct ChannelComparison {
 /// this part of the channel's size (the larger of its peak and its naturalSize()).
 inline constexpr double kArithmeticStep = 1e-12;
 
-/// Nor than this part of its largest: a cell of -7.4e-15 beside others of a hundred is a zero, and its digits say
-/// nothing.
+/// Nor smaller than this part of its largest: a value of -7.4e-15 next to others of a hundred is a zero, and its digits
+/// mean nothing.
 inline constexpr double kSmallestPartOfLargestStep = 0.01;
 
-/// What a channel's errors are held against, in the author's unit.
+/// What a channel's errors are compared with, in the unit of files.
 struct ChannelSize {
     double natural = 1.0; ///< naturalSize()
 
@@ -97,21 +99,32 @@ struct ChannelSize {
 /// derivative. Of θ2 no more than π counts.
 ChannelSize sizeOf(const Mechanism &mechanism, Channel channel);
 
-/// One channel, its instants taken as they stand. `time`, `model` and `reference.values` have one value an instant; NaN
-/// means none.
+/// Compares one channel, with exact time stamps. `time`, `model` and `reference.values` have one value per time stamp;
+/// NaN means none.
 ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
                                  const ReferenceSeries &reference, const ChannelSize &size);
 
-/// Every series of the file against the exact motion, which is never in memory as a whole. Incomplete when stopped.
+/// Compares every column of the file with a trajectory sampled at the file's own time stamps, by any method. The effect
+/// of rounded time stamps is computed from the exact motion.
+std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
+                                       const ReferenceData &reference);
+
+/// Compares every column of the file with the exact motion. Incomplete when stopped.
 struct ExactComparison {
     std::vector<ChannelComparison> channels;
-    std::vector<Status> status; ///< of the motion, one an instant
+    std::vector<Status> status; ///< of the motion, one per time stamp
 };
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {});
 
-/// Every series of the file against a trajectory sampled at the file's own instants, by whatever method. What the
-/// rounding of the instants makes of it is the exact motion's.
-std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
-                                       const ReferenceData &reference);
+/// How far one mechanism's exact motion is from another's: in the order of kPlottedChannels, with the other one as the
+/// reference.
+struct MotionDifference {
+    std::vector<ChannelComparison> channels;
+    bool hasGaps = false; ///< at some time stamps one of the two cannot be assembled
+};
+using ChannelDifference = ChannelComparison;
+
+/// Samples both from one time (s) to the other, and compares them like a file.
+MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to);
 
 } // namespace slidercrank

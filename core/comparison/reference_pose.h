@@ -6,8 +6,8 @@
 // (the derivative columns have no say: they may be anything). What the data cannot tell, lengths and a column that is
 // not there, comes from a mechanism, best the one identified from the same data.
 
-#include "core/mechanism/mechanism.h"
 #include "core/import/reference_data.h"
+#include "core/mechanism/mechanism.h"
 
 namespace slidercrank
 {

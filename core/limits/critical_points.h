@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How each plotted channel runs over a turn of the crank: where it turns from rising to falling or back, where it
-// begins and where it ends. Between one such place and the next it only rises or only falls, so that its extremes over
-// any time are among them and the two instants at which that time begins and ends. Lengths in mm, angles in rad, time
-// in s.
+// The critical points of each plotted channel over a turn of the crank: extrema, and the ends of its motion. Between
+// two of them the channel only rises or only falls, so that its extremes over any time are among them and the values at
+// the beginning and at the end of that time. Lengths in mm, angles in rad, time in s.
 //
-// The places are sought where the next derivative vanishes, not among samples; near a toggle as finely as what happens
-// there is narrow, √(ε/a) rad.
+// Extrema are the zeros of the next derivative, not the largest of some samples; near a toggle the search is as fine as
+// the motion is narrow there, √(ε/a) rad.
 
 #include "core/mechanism/channel.h"
 
@@ -18,8 +17,8 @@ namespace slidercrank
 {
 
 struct CriticalPoint {
-    /// It begins and ends, as the crank's angle grows, at the limits of a rocker; at an exact toggle, where the speeds
-    /// jump, it ends and begins anew.
+    /// As the crank angle grows, a channel begins and ends at the limits of a rocker; at an exact toggle, where the
+    /// velocities jump, it ends and begins again.
     enum class Kind { End, Begin, Extremum };
 
     double theta2 = 0.0; ///< within [-π, π)
@@ -27,10 +26,10 @@ struct CriticalPoint {
     Kind kind = Kind::Extremum;
 };
 
-/// Ascending crank angles; empty where there is no motion at all.
+/// In ascending order of the crank angle; empty if there is no motion.
 using CriticalPoints = std::vector<CriticalPoint>;
 
-/// As in kPlottedChannels.
+/// In the order of kPlottedChannels.
 std::array<CriticalPoints, kPlottedChannels.size()> findCriticalPoints(const Mechanism &mechanism);
 
 } // namespace slidercrank

@@ -18,108 +18,79 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr std::array<Channel, 4> kRates{
-    {{R4x, Order::Velocity}, {R4x, Order::Acceleration}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}}};
-
-const CriticalPoints &courseOf(Channel channel, const std::array<CriticalPoints, kPlottedChannels.size()> &courses)
+/// Crank angles at which a derivative of that order grows without bound: the limits of a rocker; an exact toggle, where
+/// the velocities jump.
+std::vector<PeakPlace> unboundedPlaces(const Mechanism &mechanism, Order order)
 {
-    return courses[static_cast<std::size_t>(std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin())];
+    const MotionConstants k(mechanism);
+    const double below = -k.side * kQuarterTurn; // p = ε there, and m = β opposite (motion_constants.h)
+    std::vector<PeakPlace> places;
+    if (k.epsilon < 0.0) {
+        for (const CrankRange &range : motionLimits(mechanism).ranges) {
+            places.push_back({range.from, kInfinity});
+            places.push_back({wrapToPi(range.to), kInfinity});
+        }
+    } else if (order == Order::Acceleration) {
+        for (const auto &[gap, theta2] : {std::pair(k.epsilon, below), std::pair(k.beta, -below)}) {
+            if (gap == 0.0) {
+                places.push_back({theta2, kInfinity});
+            }
+        }
+    }
+    return places;
 }
 
-/// Keeps the largest, and whatever equals it but for rounding.
-class Largest
+/// The largest magnitude and every point that equals it except for rounding.
+std::vector<PeakPlace> largestPlaces(const CriticalPoints &points)
 {
-public:
-    void offer(double theta2, double value)
-    {
-        constexpr double kSame = 1e-12;      // relative
-        constexpr double kSamePlace = 1e-10; // rad: the half turns overlap
-        const double magnitude = std::abs(value);
-        if (!(magnitude > 0.0) || magnitude < m_magnitude * (1.0 - kSame)) {
-            return;
-        }
-        if (magnitude > m_magnitude * (1.0 + kSame)) {
-            m_places.clear();
-        }
-        m_magnitude = std::max(m_magnitude, magnitude);
-        const bool known = std::any_of(m_places.begin(), m_places.end(), [&](const PeakPlace &place) {
-            return std::abs(std::remainder(place.theta2 - theta2, kTurn)) < kSamePlace;
-        });
-        if (!known) {
-            m_places.push_back({theta2, value});
+    constexpr double kSameValue = 1e-12; // relative
+    constexpr double kSamePlace = 1e-10; // rad
+    double largest = 0.0;
+    for (const CriticalPoint &point : points) {
+        largest = std::max(largest, std::abs(point.value));
+    }
+    std::vector<PeakPlace> places;
+    for (const CriticalPoint &point : points) {
+        const auto isNear = [&point](const PeakPlace &place) {
+            return std::abs(std::remainder(place.theta2 - point.theta2, kTurn)) < kSamePlace;
+        };
+        if (std::abs(point.value) >= largest * (1.0 - kSameValue) && std::ranges::none_of(places, isNear)) {
+            places.push_back({point.theta2, point.value});
         }
     }
-
-    Peak peak(Channel channel) const
-    {
-        Peak peak{channel, m_magnitude, m_places};
-        std::ranges::sort(peak.places, {}, &PeakPlace::theta2);
-        return peak;
-    }
-
-private:
-    double m_magnitude = 0.0;
-    std::vector<PeakPlace> m_places;
-};
+    return places;
+}
 
 } // namespace
 
 std::vector<Peak> motionPeaks(const Mechanism &mechanism)
 {
-    const MotionLimits limits = motionLimits(mechanism);
-    const MotionConstants lengths(mechanism);
-    switch (limits.mobility) {
-    case Mobility::Impossible:
-    case Mobility::Locked: return {};
-    case Mobility::Rocker:
-    case Mobility::FullTurn: break;
+    const Mobility mobility = motionLimits(mechanism).mobility;
+    if (mobility == Mobility::Impossible || mobility == Mobility::Locked) {
+        return {};
     }
+    const std::array<CriticalPoints, kPlottedChannels.size()> points = findCriticalPoints(mechanism);
     std::vector<Peak> peaks;
-    if (mechanism.omega2() == 0.0) {
-        for (const Channel &channel : kRates) {
-            peaks.push_back({channel, 0.0, {}});
-        }
-        return peaks;
-    }
-    if (limits.mobility == Mobility::Rocker) {
-        std::vector<PeakPlace> ends;
-        for (const CrankRange &range : limits.ranges) {
-            ends.push_back({range.from, kInfinity});
-            ends.push_back({wrapToPi(range.to), kInfinity});
-        }
-        std::ranges::sort(ends, {}, &PeakPlace::theta2);
-        for (const Channel &channel : kRates) {
-            peaks.push_back({channel, kInfinity, ends});
-        }
-        return peaks;
-    }
-
-    // p = ε at -g 90°, m = β at +g 90° (motion_constants.h)
-    const double below = -lengths.side * kQuarterTurn;
-    const bool togglesBelow = lengths.epsilon == 0.0;
-    const bool togglesAbove = lengths.beta == 0.0;
-    const std::array<CriticalPoints, kPlottedChannels.size()> courses = findCriticalPoints(mechanism);
-
-    std::vector<PeakPlace> toggles;
-    if (togglesBelow) {
-        toggles.push_back({below, kInfinity});
-    }
-    if (togglesAbove) {
-        toggles.push_back({-below, kInfinity});
-    }
-    std::ranges::sort(toggles, {}, &PeakPlace::theta2);
-    for (const Channel &channel : kRates) {
-        if (channel.order == Order::Acceleration && !toggles.empty()) {
-            peaks.push_back({channel, kInfinity, toggles});
-        } else if (channel.coordinate == Theta3 && togglesAbove) {
-            peaks.push_back({channel, std::abs(mechanism.omega2()), {}}); // θ3 = ±θ2 or a right angle apart from it
-        } else {
-            Largest largest;
-            for (const CriticalPoint &point : courseOf(channel, courses)) {
-                largest.offer(point.theta2, point.value);
+    for (const Channel channel : {Channel{R4x, Order::Velocity},
+                                  {R4x, Order::Acceleration},
+                                  {Theta3, Order::Velocity},
+                                  {Theta3, Order::Acceleration}}) {
+        Peak peak{channel, 0.0, {}};
+        const bool turnsEvenly = MotionConstants(mechanism).beta == 0.0 && channel == Channel{Theta3, Order::Velocity};
+        if (mechanism.omega2() != 0.0) {
+            peak.places = unboundedPlaces(mechanism, channel.order);
+            if (peak.places.empty() && turnsEvenly) { // a = b, c = 0: θ3 is ±θ2 or differs from it by a right angle
+                peak.magnitude = std::abs(mechanism.omega2());
+            } else if (peak.places.empty()) {
+                const auto index = std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin();
+                peak.places = largestPlaces(points[static_cast<std::size_t>(index)]);
             }
-            peaks.push_back(largest.peak(channel));
         }
+        std::ranges::sort(peak.places, {}, &PeakPlace::theta2);
+        for (const PeakPlace &place : peak.places) {
+            peak.magnitude = std::max(peak.magnitude, std::abs(place.value));
+        }
+        peaks.push_back(peak);
     }
     return peaks;
 }

@@ -19,28 +19,12 @@ bool contains(const CrankRange &range, double angle)
     return wrapToTwoPi(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
 }
 
-/// The sums that decide everything, each rounded once (motion_constants.h).
-struct Sums {
-    double epsilon; ///< b - a - |c|, negative for a rocker
-    double beta;    ///< b + |c| - a, negative where the rocker has two arcs
-    double gamma;   ///< a + b - |c|, negative where there is no pose
-    double reach;   ///< a + b + |c|
-};
-
-Sums sumsOf(const MotionConstants &lengths)
+Mobility classify(const MotionConstants &k)
 {
-    return {lengths.epsilon, lengths.beta, lengths.gamma, lengths.reach};
-}
-
-Mobility mobilityOf(const Sums &sums)
-{
-    if (sums.gamma < 0.0) {
-        return Mobility::Impossible;
-    }
-    if (sums.epsilon >= 0.0) {
-        return Mobility::FullTurn;
-    }
-    return sums.gamma == 0.0 ? Mobility::Locked : Mobility::Rocker;
+    return k.gamma < 0.0      ? Mobility::Impossible
+           : k.epsilon >= 0.0 ? Mobility::FullTurn
+           : k.gamma == 0.0   ? Mobility::Locked
+                              : Mobility::Rocker;
 }
 
 CrankRange normalized(double from, double to)
@@ -50,7 +34,7 @@ CrankRange normalized(double from, double to)
 }
 
 /// Seen with c >= 0: sin θ2 >= (c - b)/a, and sin θ2 <= (c + b)/a where that is below 1. Mirrored for c < 0.
-std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const MotionConstants &lengths)
+std::vector<CrankRange> findRanges(Mobility mobility, const MotionConstants &k)
 {
     std::vector<CrankRange> ranges;
     switch (mobility) {
@@ -59,9 +43,9 @@ std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const Moti
     case Mobility::Locked: ranges = {{kQuarterTurn, kQuarterTurn}}; break;
     case Mobility::Rocker: {
         // asin((C - b)/a) from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
-        const double lowest = std::atan2(lengths.C - lengths.b, std::sqrt(-sums.epsilon * sums.gamma));
-        if (sums.beta < 0.0) {
-            const double highest = std::atan2(lengths.C + lengths.b, std::sqrt(-sums.beta * sums.reach));
+        const double lowest = std::atan2(k.C - k.b, std::sqrt(-k.epsilon * k.gamma));
+        if (k.beta < 0.0) {
+            const double highest = std::atan2(k.C + k.b, std::sqrt(-k.beta * k.reach));
             ranges = {{lowest, highest}, {std::numbers::pi - highest, std::numbers::pi - lowest}};
         } else {
             ranges = {{lowest, std::numbers::pi - lowest}};
@@ -70,31 +54,21 @@ std::vector<CrankRange> rangesOf(Mobility mobility, const Sums &sums, const Moti
     }
     }
     for (CrankRange &range : ranges) {
-        range = lengths.side > 0.0 ? normalized(range.from, range.to) : normalized(-range.to, -range.from);
+        range = k.side > 0.0 ? normalized(range.from, range.to) : normalized(-range.to, -range.from);
     }
     std::sort(ranges.begin(), ranges.end(), [](const CrankRange &x, const CrankRange &y) { return x.from < y.from; });
     return ranges;
 }
 
-/// Crank and coupler in one line, from O2 over A to B.
-DeadCentre outerDeadCentre(const Mechanism &mechanism, const Sums &sums)
+/// Crank and coupler in one line: B at the distance b + a from O2 (outer), or |b - a| (inner, |R4x| = √(ε β)).
+DeadCentre deadCentre(const Mechanism &mechanism, double distance, bool isOuter)
 {
-    const double distance = std::sqrt(sums.reach * sums.gamma);
-    const double R4x = mechanism.branch() == Branch::Open ? distance : -distance;
-    return {wrapToPi(std::atan2(mechanism.c(), R4x)), R4x};
-}
-
-/// Crank folded over the coupler: B at |b - a| from O2. With b >= a the crank points away from B, otherwise towards it.
-DeadCentre innerDeadCentre(const Mechanism &mechanism, const Sums &sums)
-{
-    const bool open = mechanism.branch() == Branch::Open;
-    const double distance = std::sqrt(sums.epsilon * sums.beta);
-    if (mechanism.b() >= mechanism.a()) {
-        const double R4x = open ? distance : -distance;
-        return {wrapToPi(std::atan2(-mechanism.c(), -R4x)), R4x};
-    }
-    const double R4x = open ? -distance : distance;
-    return {wrapToPi(std::atan2(mechanism.c(), R4x)), R4x};
+    // The inner one of b >= a is on the side of the outer one, with the crank pointing away from B.
+    const bool pointsAway = !isOuter && mechanism.b() >= mechanism.a();
+    const bool isRight = (mechanism.branch() == Branch::Open) == (isOuter || pointsAway);
+    const double R4x = isRight ? distance : -distance;
+    const double theta2 = pointsAway ? std::atan2(-mechanism.c(), -R4x) : std::atan2(mechanism.c(), R4x);
+    return {wrapToPi(theta2), R4x};
 }
 
 /// R4x is extreme at dead centres and, since the coupler is square there, at the ends of a rocker's arc: a cos θ2.
@@ -119,17 +93,16 @@ double strokeWithin(const CrankRange &range, const Mechanism &mechanism, const M
 
 MotionLimits motionLimits(const Mechanism &mechanism)
 {
-    const MotionConstants lengths(mechanism);
-    const Sums sums = sumsOf(lengths);
+    const MotionConstants k(mechanism);
     MotionLimits limits;
-    limits.mobility = mobilityOf(sums);
-    limits.ranges = rangesOf(limits.mobility, sums, lengths);
+    limits.mobility = classify(k);
+    limits.ranges = findRanges(limits.mobility, k);
     if (limits.mobility == Mobility::Impossible) {
         return limits;
     }
-    limits.outer = outerDeadCentre(mechanism, sums);
-    if (sums.epsilon * sums.beta >= 0.0) {
-        limits.inner = innerDeadCentre(mechanism, sums);
+    limits.outer = deadCentre(mechanism, std::sqrt(k.reach * k.gamma), true);
+    if (k.epsilon * k.beta >= 0.0) {
+        limits.inner = deadCentre(mechanism, std::sqrt(k.epsilon * k.beta), false);
     }
     if (limits.mobility == Mobility::FullTurn) {
         limits.stroke = std::abs(limits.outer->R4x - limits.inner->R4x);
@@ -138,8 +111,8 @@ MotionLimits motionLimits(const Mechanism &mechanism)
         limits.angleOutwards = outwards;
         limits.angleInwards = kTurn - outwards;
         limits.timeRatio = std::max(outwards, kTurn - outwards) / std::min(outwards, kTurn - outwards);
-        limits.largestPressureAngle = std::atan2(lengths.a + lengths.C, std::sqrt(sums.epsilon * sums.reach));
-        limits.largestPressureAngleAt = -lengths.side * kQuarterTurn;
+        limits.largestPressureAngle = std::atan2(k.a + k.C, std::sqrt(k.epsilon * k.reach));
+        limits.largestPressureAngleAt = -k.side * kQuarterTurn;
         return limits;
     }
     for (const CrankRange &range : limits.ranges) {

@@ -4,11 +4,8 @@
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace slidercrank
@@ -17,25 +14,26 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kAtAnEnd = 1e-9; // rad: closer than that to the end of a stroke is at it
+constexpr double kAtAnEnd = 1e-9; // rad: an angle nearer than that to the end of a stroke is at it
 
-/// The least of angle, angle ± 2π, … that is above the bound.
+/// The smallest of angle, angle ± 2π, … above the bound.
 double firstAbove(double bound, double angle)
 {
     const double turned = angle + kTurn * std::floor((bound - angle) / kTurn);
     return turned > bound ? turned : turned + kTurn;
 }
 
-double R4xAt(const Mechanism &mechanism, double theta2)
+/// NaN where there is no pose.
+double sliderAt(const Mechanism &mechanism, double theta2)
 {
     return ClosedForm(withCrankAt(mechanism, theta2)).motionAt(0.0).R4x;
 }
 
-/// At the end of an arc the coupler is square to the slider's line; beyond it, by a rounding, there is no pose.
-double sliderAt(const Mechanism &mechanism, double theta2)
+/// At the end of an arc the coupler is perpendicular to the slider's line; a rounding beyond it there is no pose.
+double sliderAtEnd(const Mechanism &mechanism, double theta2)
 {
-    const double R4 = R4xAt(mechanism, theta2);
-    return std::isnan(R4) ? mechanism.a() * std::cos(theta2) : R4;
+    const double R4x = sliderAt(mechanism, theta2);
+    return std::isnan(R4x) ? mechanism.a() * std::cos(theta2) : R4x;
 }
 
 } // namespace
@@ -43,46 +41,50 @@ double sliderAt(const Mechanism &mechanism, double theta2)
 std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const MotionLimits &limits, double theta2,
                                          int sense)
 {
-    const double inside = theta2 + sense * kAtAnEnd;
-    double from = -std::numeric_limits<double>::infinity();
-    double to = -from;
-    const auto endAt = [&](double angle) {
-        const double above = firstAbove(inside, angle);
-        to = std::min(to, above);
-        from = std::max(from, above - kTurn);
-    };
+    std::vector<double> ends;
     for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
         if (centre) {
-            endAt(centre->theta2);
+            ends.push_back(centre->theta2);
         }
     }
     if (limits.mobility != Mobility::FullTurn) {
         for (const CrankRange &range : limits.ranges) {
-            endAt(range.from);
-            endAt(range.to);
+            ends.insert(ends.end(), {range.from, range.to});
         }
     }
-    if (!std::isfinite(from) || std::isnan(R4xAt(mechanism, 0.5 * (from + to)))) {
+    const double inside = theta2 + sense * kAtAnEnd;
+    double from = -std::numeric_limits<double>::infinity();
+    double to = -from;
+    for (const double end : ends) {
+        const double above = firstAbove(inside, end);
+        to = std::min(to, above);
+        from = std::max(from, above - kTurn);
+    }
+    if (ends.empty() || std::isnan(sliderAt(mechanism, 0.5 * (from + to)))) {
         return std::nullopt;
     }
-    return SliderStroke{from, to, sliderAt(mechanism, from), sliderAt(mechanism, to)};
+    return SliderStroke{from, to, sliderAtEnd(mechanism, from), sliderAtEnd(mechanism, to)};
 }
 
 double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, double R4x)
 {
-    const double sense = stroke.R4xFrom < stroke.R4xTo ? 1.0 : -1.0;
-    const double before = sense * (stroke.R4xFrom - R4x);
-    const double behind = sense * (stroke.R4xTo - R4x);
-    if (!(before < 0.0)) {
-        return stroke.from;
+    if (R4x <= std::min(stroke.R4xFrom, stroke.R4xTo) || R4x >= std::max(stroke.R4xFrom, stroke.R4xTo)) {
+        return std::abs(R4x - stroke.R4xFrom) < std::abs(R4x - stroke.R4xTo) ? stroke.from : stroke.to;
     }
-    if (!(behind > 0.0)) {
-        return stroke.to;
-    }
-    const boost::math::tools::eps_tolerance<double> closeEnough;
-    std::uintmax_t most = 100;
-    const auto passed = [&](double theta2) { return sense * (sliderAt(mechanism, theta2) - R4x); };
-    return boost::math::tools::toms748_solve(passed, stroke.from, stroke.to, before, behind, closeEnough, most).second;
+    // The law of cosines in the triangle O2-A-B: cos α = (a² + r² - b²)/(2 a r) for the angle α between the crank and
+    // O2-B, whose length is r. Half the angle keeps its digits near a dead centre. Between dead centres the crank stays
+    // on one side of O2-B.
+    const double a = mechanism.a();
+    const double b = mechanism.b();
+    const double c = mechanism.c();
+    const double r = std::hypot(R4x, c);
+    const double opposite = (b - (r - a)) * (b + (r - a));
+    const double adjacent = (r + a - b) * (r + a + b);
+    const double alpha = 2.0 * std::atan2(std::sqrt(std::max(opposite, 0.0)), std::sqrt(std::max(adjacent, 0.0)));
+    const double middle = 0.5 * (stroke.from + stroke.to);
+    const double side = std::sin(middle - std::atan2(c, sliderAt(mechanism, middle)));
+    const double theta2 = std::atan2(c, R4x) + std::copysign(alpha, side);
+    return std::clamp(middle + std::remainder(theta2 - middle, kTurn), stroke.from, stroke.to);
 }
 
 } // namespace slidercrank

@@ -51,8 +51,8 @@ std::optional<ParameterFault> findFault(const Parameters &parameters)
         if (std::abs(value) > kLargestParameter) {
             return ParameterFault{parameter, Reason::TooLarge};
         }
-        if ((parameter == Parameter::A || parameter == Parameter::B) && !(value > 0.0)) {
-            return ParameterFault{parameter, Reason::NotPositive};
+        if ((parameter == Parameter::A || parameter == Parameter::B) && value < kShortestLink) {
+            return ParameterFault{parameter, value > 0.0 ? Reason::TooShort : Reason::NotPositive};
         }
     }
     return std::nullopt;

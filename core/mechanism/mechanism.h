@@ -65,12 +65,19 @@ constexpr std::size_t indexOf(Parameter parameter)
 double &valueOf(Parameters &parameters, Parameter parameter);
 double valueOf(const Parameters &parameters, Parameter parameter);
 
-/// No length, speed or angle may exceed this magnitude (in its unit): sums and products of any few stay finite.
+/// No length, speed or angle may exceed this magnitude (in its unit), and no link may be shorter than this (mm): the products
+/// of a few of them then neither overflow nor underflow, and no other code has to take care of that.
 inline constexpr double kLargestParameter = 1e12;
+inline constexpr double kShortestLink = 1e-9;
 
 /// The first parameter that cannot be used, and why.
 struct ParameterFault {
-    enum class Reason { NotFinite, TooLarge, NotPositive };
+    enum class Reason {
+        NotFinite,
+        TooLarge,    ///< beyond kLargestParameter in magnitude
+        NotPositive, ///< a or b
+        TooShort     ///< a or b, below kShortestLink
+    };
     Parameter parameter;
     Reason reason;
 };

@@ -1285,6 +1285,10 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <source>Frames are written to a new folder or as a video: --output must not end in .%1.</source>
         <translation>Los fotogramas se escriben en una carpeta nueva o como vídeo: --output no debe terminar en .%1.</translation>
     </message>
+    <message>
+        <source>--%1 must be at least 1e-9 mm, not %2.</source>
+        <translation>--%1 debe ser al menos 1e-9 mm, no %2.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -5303,6 +5307,10 @@ SHA-256: %2</translation>
         <source>&quot;time&quot;, &quot;crank-angle&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
         <translation>«time», «crank-angle», «ignored» o un canal como «theta3» o «R4_x_diff»</translation>
     </message>
+    <message>
+        <source>a length from 1e-9 mm to 1e12 mm</source>
+        <translation>una longitud entre 1e-9 mm y 1e12 mm</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
@@ -5337,6 +5345,10 @@ SHA-256: %2</translation>
     <message>
         <source>use of the file&apos;s mechanism</source>
         <translation>uso del mecanismo del archivo</translation>
+    </message>
+    <message>
+        <source>%1 must be at least %2 mm.</source>
+        <translation>%1 debe ser al menos %2 mm.</translation>
     </message>
 </context>
 <context>

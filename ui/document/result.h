@@ -4,7 +4,6 @@
 // What the views draw: of one moment, as plain data. Session publishes it.
 
 #include "core/comparison/comparison.h"
-#include "core/comparison/motion_difference.h"
 #include "core/identification/diagnosis.h"
 #include "core/limits/mobility.h"
 #include "core/sampling/trajectory.h"

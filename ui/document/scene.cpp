@@ -178,8 +178,8 @@ QJsonObject merged(QJsonObject under, const QJsonObject &over)
 
 Parameters parametersOf(const ScenePart &part)
 {
-    return {.a = part.number("a", Bound::Positive),
-            .b = part.number("b", Bound::Positive),
+    return {.a = part.number("a", Bound::Length),
+            .b = part.number("b", Bound::Length),
             .c = part.number("c", Bound::Magnitude),
             .omega2 = part.number("omega2", Bound::Magnitude),
             .theta20 = part.number("theta20", Bound::Magnitude),

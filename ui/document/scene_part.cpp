@@ -69,6 +69,11 @@ double ScenePart::number(const char *name, Bound bound, double otherwise) const
             refuse(name, SceneText::tr("a number greater than 0 and at most 1e12"));
         }
         break;
+    case Bound::Length:
+        if (!(bounded && number >= kShortestLink)) {
+            refuse(name, SceneText::tr("a length from 1e-9 mm to 1e12 mm"));
+        }
+        break;
     case Bound::NotNegative:
         if (!(number >= 0.0)) {
             refuse(name, SceneText::tr("a number not less than 0"));

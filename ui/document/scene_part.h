@@ -34,7 +34,7 @@ struct SceneFault {
     std::optional<QString> sentence;
 };
 
-enum class Bound { None, Magnitude, Positive, NotNegative };
+enum class Bound { None, Magnitude, Positive, Length, NotNegative };
 
 /// One object of the file, and where it is. What it lacks, or what is null, is refused, unless it may lack anything.
 class ScenePart

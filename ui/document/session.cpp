@@ -125,6 +125,9 @@ void Session::setParameters(const Parameters &parameters)
         case ParameterFault::Reason::NotPositive:
             emit problemFound(tr("%1 must be greater than 0.").arg(symbol));
             break;
+        case ParameterFault::Reason::TooShort:
+            emit problemFound(tr("%1 must be at least %2 mm.").arg(symbol, QLocale().toString(kShortestLink)));
+            break;
         }
         emit parametersChanged(m_choices.parameters);
         return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/compared_motion.h"
 
-#include "core/closed_form/batch.h"
+#include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -42,10 +42,13 @@ std::array<std::vector<double>, kPlottedChannels.size()> motionAt(const Mechanis
         channel.resize(time.size());
     }
     std::vector<Status> statuses(time.size());
-    ClosedFormBatch(mechanism).evaluate(
+    ClosedForm(mechanism).evaluate(
         time,
         {values[0].data(), values[1].data(), values[2].data(), values[3].data(), values[4].data(), values[5].data()},
         statuses);
+    for (std::size_t channel = 0; channel < values.size(); ++channel) {
+        toFileUnit(kPlottedChannels[channel], values[channel]);
+    }
     return values;
 }
 

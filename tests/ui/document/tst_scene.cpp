@@ -444,7 +444,7 @@ private slots:
         QJsonObject impossible = mechanism;
         impossible.insert(QStringLiteral("b"), -1.0);
         broken("a kept mechanism that is none", "kept", QJsonArray{mechanism, impossible},
-               {"\"kept[1].b\"", "greater than 0"});
+               {"\"kept[1].b\"", "1e-9"});
         broken("kept numbers", "kept", QJsonArray{65.0}, {"\"kept[0]\"", "braces"});
         broken("a kept mechanism for a list", "kept", mechanism, {"\"kept\"", "a list"});
         broken("too many kept", "kept", QJsonArray{mechanism, mechanism, mechanism, mechanism, mechanism},
@@ -470,8 +470,8 @@ private slots:
                 << sceneWith(QLatin1String(place), none) << QStringList{QStringLiteral("\"%1\" is missing").arg(place)};
         }
         broken("not finite", "mechanism.c", infinity, {"\"mechanism.c\" is missing"}); // JSON has no such number
-        broken("no length", "mechanism.a", 0, {"\"mechanism.a\"", "greater than 0"});
-        broken("negative length", "mechanism.b", -1e-9, {"\"mechanism.b\"", "greater than 0"});
+        broken("no length", "mechanism.a", 0, {"\"mechanism.a\"", "1e-9"});
+        broken("negative length", "mechanism.b", -1e-9, {"\"mechanism.b\"", "1e-9"});
         broken("too long", "mechanism.b", 2e12, {"\"mechanism.b\"", "1e12"});
         broken("too fast", "mechanism.omega2", -2e12, {"\"mechanism.omega2\"", "1e12"});
         broken("a number in quotes", "mechanism.b", QStringLiteral("65"), {"\"mechanism.b\"", "number"});

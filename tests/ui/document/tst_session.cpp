@@ -81,6 +81,7 @@ private slots:
         QTest::addColumn<QString>("hint");
         QTest::newRow("zero") << 0.0 << QStringLiteral("greater than 0");
         QTest::newRow("negative") << -1.0 << QStringLiteral("greater than 0");
+        QTest::newRow("too short") << 1e-10 << QStringLiteral("at least");
         QTest::newRow("not a number") << std::numeric_limits<double>::quiet_NaN() << QStringLiteral("a number");
         QTest::newRow("too large") << 2e12 << QStringLiteral("exceed");
     }
