@@ -313,15 +313,15 @@ HWY_INLINE Number accelerationNumerator(const MotionConstants &k, const Clearanc
 }
 
 /// N of θ̈3 = g a ω² N / s³. Rearranged, nothing cancels near a toggle: a C δ² + x K, with δ = min(σ, σ') =
-/// cos²θ2/(1 + |x|) and K = ε L for x < 0, β γ for x >= 0. For a rocker with two arcs β is negative, and the rearranged
-/// sum is better only where the original one cancels.
+/// cos²θ2/(1 + |x|) and K = ε L for x < 0, β γ for x >= 0. For a rocker the rearranged sum is better only where the
+/// original one cancels.
 template <class Number>
 HWY_INLINE Number turnNumerator(const MotionConstants &k, const Clearance<Number> &at)
 {
     const auto below = at.x < 0.0;
     const Number delta = select(below, at.sigma, at.sigmaMirrored);
     const Number rearranged = k.aC * (delta * delta) + at.x * select(below, k.epsilonReach, k.betaGamma);
-    if (k.beta >= 0.0) {
+    if (k.epsilon >= 0.0) {
         return rearranged;
     }
     const Number first = at.x * (at.p * at.m);

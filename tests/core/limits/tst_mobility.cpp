@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/closed_form/closed_form.h"
 #include "core/limits/mobility.h"
+#include "core/limits/slider_stroke.h"
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
@@ -118,6 +120,7 @@ private slots:
     void shortestCouplersAreTheLimits();
     void eachLengthHasItsLimitForAFullTurn();
     void lockedAndImpossible();
+    void sliderPositionsLeadBackToTheCrank();
 };
 
 void tst_mobility::classifiesByExactSums()
@@ -523,6 +526,33 @@ void tst_mobility::lockedAndImpossible()
     QVERIFY(none.mobility == Mobility::Impossible);
     QVERIFY(none.ranges.empty());
     QVERIFY(!none.stroke && !none.timeRatio && !none.outer && !none.inner);
+}
+
+/// And positions beyond the stroke to its nearer end.
+void tst_mobility::sliderPositionsLeadBackToTheCrank()
+{
+    constexpr double kPerpendicular = 1e-3; // of b: nearer to a limit a position does not tell the angle
+    RandomMechanisms random(35);
+    int checked = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Parameters p = anyMechanism(random);
+        const Mechanism mechanism(p);
+        const auto motionAt = [&](double theta2) { return ClosedForm(withCrankAt(mechanism, theta2)).motionAt(0.0); };
+        const Motion motion = motionAt(random.uniform(-kPi, kPi));
+        if (!(std::abs(motion.s) > kPerpendicular * p.b)) {
+            continue;
+        }
+        ++checked;
+        const auto stroke = strokeAround(mechanism, motionLimits(mechanism), motion.theta2, i % 2 == 0 ? 1 : -1);
+        VERIFY_FOR(p, stroke && stroke->from < stroke->to);
+        const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
+        VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));
+        const double beyond = 2.0 * characteristicLength(p);
+        const bool grows = stroke->R4xFrom < stroke->R4xTo;
+        VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, beyond) == (grows ? stroke->to : stroke->from));
+        VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, -beyond) == (grows ? stroke->from : stroke->to));
+    }
+    QVERIFY(checked > 500);
 }
 
 QTEST_APPLESS_MAIN(tst_mobility)
