@@ -17,6 +17,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QLocale>
 #include <QPageSize>
 #include <QPainter>
@@ -58,6 +59,11 @@ QString paragraph(const QString &text)
 QString note(const QString &text)
 {
     return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(element("p", text));
+}
+
+QString headingOfPage(const QString &text)
+{
+    return QStringLiteral("<div style='page-break-before:always'>%1</div>").arg(heading(text));
 }
 
 /// The first row is the header; numbers stand to the right of the first column.
@@ -221,7 +227,7 @@ QString comparisonText(const ReportContent &content)
 {
     const Result &result = *content.result;
     const Diagnosis &diagnosis = content.diagnosis;
-    QString html = heading(Report::tr("Errors: model against reference")) + fileText(content) +
+    QString html = headingOfPage(Report::tr("Errors: model against reference")) + fileText(content) +
                    QStringLiteral("<b>%1</b>").arg(paragraph(summaryOf(result.comparison)));
     for (const QString &line : differenceLines(diagnosis, result.reference->data, result.mechanism)) {
         html += paragraph(line);
@@ -327,10 +333,8 @@ QString reportHtml(const ReportContent &content)
            QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>[mechanism]%2</td></tr></table>")
                .arg(parameterTable(content), note(caption)) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
-           limitTable(result) +
-           QStringLiteral("<div style='page-break-before:always'>%1</div>%2<p>[figure]</p>")
-               .arg(heading(Report::tr("Motion")), paragraph(pinnedText(result))) +
-           (result.reference ? comparisonText(content) : QString()) +
+           limitTable(result) + headingOfPage(Report::tr("Motion")) + paragraph(pinnedText(result)) +
+           QStringLiteral("<p>[figure]</p>") + (result.reference ? comparisonText(content) : QString()) +
            (result.difference ? differenceTable(result) : QString()) + heading(Report::tr("Method")) +
            paragraph(methodText(result));
 }
@@ -339,12 +343,13 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
 {
     constexpr double kTextWidth = 640.0; // A4 without margins of 2 cm, at 96 dots per inch
     DrawingObject mechanism(drawings.mechanism, {560, 380}, 280.0);
-    DrawingObject figure(drawings.figure, {900, 1270}, kTextWidth);
+    DrawingObject figure(drawings.figure, {900, 1200}, kTextWidth);
     QTextDocument document;
     QFont font = QGuiApplication::font();
     font.setPointSizeF(8.5);
     document.setDefaultFont(font);
-    document.setDefaultStyleSheet(QStringLiteral("h1 {font-size: 17pt} h2 {font-size: 11pt} td, th {white-space: nowrap} .note {color: #505050}"));
+    document.setDefaultStyleSheet(QStringLiteral(
+        "h1 {font-size: 17pt} h2 {font-size: 11pt} td, th {white-space: nowrap} .note {color: #505050}"));
     document.setHtml(reportHtml(content));
     insertDrawing(document, QStringLiteral("[mechanism]"), QTextFormat::UserObject, mechanism);
     insertDrawing(document, QStringLiteral("[figure]"), QTextFormat::UserObject + 1, figure);
