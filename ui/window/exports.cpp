@@ -47,18 +47,12 @@ Exports::Exports(Session *session, const Rooms &rooms, QWidget *window)
     connect(m_aside, &WorkAside::runningChanged, this, &Exports::busyChanged);
 }
 
-/// With the mechanism's parameters below the drawing.
-FigureDrawing Exports::captioned(const FigureDrawing &draw) const
-{
-    return withParameters(draw, m_session->result()->mechanism, paletteFor(Theme::Light));
-}
-
 Exports::Picture Exports::figure() const
 {
     const auto draw = [this](QPainter &painter, const QSize &size) { // in rooms that may have been made anew
         m_rooms.plots->paintFigure(painter, size, paletteFor(Theme::Light));
     };
-    return {tr("figure.png"), m_rooms.plots->size(), captioned(draw), tr("The figure is in the clipboard.")};
+    return {tr("figure.png"), m_rooms.plots->size(), draw, tr("The figure is in the clipboard.")};
 }
 
 Exports::Picture Exports::plot(const QString &name) const
@@ -66,7 +60,7 @@ Exports::Picture Exports::plot(const QString &name) const
     const auto draw = [this, name](QPainter &painter, const QSize &size) {
         m_rooms.plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
     };
-    return {name + QStringLiteral(".png"), kPlotSize, captioned(draw), tr("The plot is in the clipboard.")};
+    return {name + QStringLiteral(".png"), kPlotSize, draw, tr("The plot is in the clipboard.")};
 }
 
 Exports::Picture Exports::mechanism() const
@@ -74,7 +68,8 @@ Exports::Picture Exports::mechanism() const
     const auto draw = [this](QPainter &painter, const QSize &size) {
         m_rooms.mechanism->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
-    return {tr("mechanism.png"), m_rooms.mechanism->pictureSize(), captioned(draw),
+    return {tr("mechanism.png"), m_rooms.mechanism->pictureSize(),
+            withParameters(draw, m_session->result()->mechanism, paletteFor(Theme::Light)),
             tr("The mechanism is in the clipboard.")};
 }
 

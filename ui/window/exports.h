@@ -78,7 +78,6 @@ signals:
     void progressed(double part);
 
 private:
-    FigureDrawing captioned(const FigureDrawing &draw) const;
     void chooseCrankStep(const QString &path);
     void chooseAnimationFile(const Animation &animation);
     bool refusesAnother(); ///< and says so: one file, or all of an animation, at a time
