@@ -59,7 +59,7 @@ bool isSame(const std::vector<double> &one, const std::vector<double> &other)
 
 bool isSame(const Trajectory &one, const Trajectory &other)
 {
-    bool same = isSame(one.time, other.time) && one.status == other.status && one.iterations == other.iterations;
+    bool same = isSame(one.time, other.time) && one.status == other.status && one.summary == other.summary;
     for (std::size_t channel = 0; channel < kChannelCount; ++channel) {
         same = same && isSame(one.values[channel], other.values[channel]);
     }
