@@ -223,6 +223,7 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const
             {"amount", hasAmount(convention.kind) ? QJsonValue(convention.amount) : QJsonValue()},
             {"unit", textOrNull(unitOfAmount(convention))},
             {"explanation", explanationOf(convention, data)},
+            {"standardError", jsonNumber(finding.standardError)},
             {"before", jsonNumber(finding.before)},
             {"after", jsonNumber(finding.after)}};
     }

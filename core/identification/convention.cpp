@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/convention.h"
 
-#include "core/identification/explanation.h"
-#include "core/identification/unit_and_sense.h"
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
@@ -23,6 +21,20 @@ void multiply(ReferenceSeries &series, double factor)
         value *= factor;
     }
     series.rounding.unitFactor *= std::abs(factor);
+}
+
+/// Without jumps by whole turns.
+void makeContinuous(std::vector<double> &degrees)
+{
+    double last = kNone;
+    double turns = 0.0;
+    for (double &value : degrees) {
+        if (std::isfinite(value)) {
+            turns -= std::isnan(last) ? 0.0 : 360.0 * std::round((value + turns - last) / 360.0);
+            value += turns;
+            last = value;
+        }
+    }
 }
 
 /// A column that is to be shifted keeps its decimals, but not its significant digits.
@@ -75,6 +87,11 @@ void applyToAngles(const Convention &convention, ReferenceData &data)
 
 } // namespace
 
+bool concerns(const Convention &convention, Channel channel)
+{
+    return std::ranges::find(convention.channels, channel) != convention.channels.end();
+}
+
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 {
     constexpr double kStands = 1e-3; // of what moves: rounding, or an axis that is not quite upright
@@ -116,7 +133,9 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         case Kind::AngleUnit:
         case Kind::LengthUnit:
         case Kind::Sign: multiply(series, convention.amount); break;
-        case Kind::TimeUnit: multiply(series, powerOf(1.0 / convention.amount, series.channel)); break;
+        case Kind::TimeUnit:
+            multiply(series, std::pow(convention.amount, -static_cast<int>(series.channel.order)));
+            break;
         case Kind::HalfTurn:
         case Kind::WholeTurns:
             keepDecimals(series);

@@ -31,10 +31,10 @@
 // A file whose slider moves along y, and not along x, is turned before all this: no reading as it stands could be
 // right. Angles are not turned with it: where they are counted from the file's x, that is found as another origin.
 //
-// What proves a finding stands in hypotheses.h.
+// What a finding costs stands in interpretation.h.
 
-#include "core/mechanism/channel.h"
 #include "core/import/reference_data.h"
+#include "core/mechanism/channel.h"
 
 #include <optional>
 #include <vector>
@@ -83,6 +83,11 @@ struct ConventionFinding {
     /// motion's peak, without and with it, all other findings being applied. 0 where nothing is left to compare.
     double before = 0.0;
     double after = 0.0;
+
+    std::optional<double> standardError{}; ///< of the amount of a ZeroPoint, in its unit
 };
+
+/// Whether the convention changes that channel.
+bool concerns(const Convention &convention, Channel channel);
 
 } // namespace slidercrank

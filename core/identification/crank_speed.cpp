@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/crank_speed.h"
 
+#include "core/mechanism/turn.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <numeric>
+#include <utility>
 
 namespace slidercrank
 {
@@ -16,295 +16,233 @@ namespace slidercrank
 namespace
 {
 
-using std::numbers::pi;
+/// (time, θ2) of the rows that have it.
+using CrankCourse = std::vector<std::pair<double, double>>;
 
-/// All coordinates that a motion is seen in.
-std::vector<Family> familiesOf(const FitProblem &problem)
+const ObservedColumn *findColumn(const Observations &data, Channel channel)
 {
-    std::vector<Family> families;
-    for (const Coordinate coordinate : {Theta3, R4x, R3x, R3y, R2x, R2y}) {
-        if (Family family = familyOf(problem, coordinate); !family.columns.empty()) {
-            families.push_back(std::move(family));
-        }
-    }
-    return families;
+    const auto column = std::ranges::find(data.columns, channel, &ObservedColumn::channel);
+    return column == data.columns.end() ? nullptr : &*column;
 }
 
-double rootMeanSquare(const FitColumn &column, bool lessMean)
+/// Sum of n ln(unexplained part) over the columns, each fitted by a constant and two harmonics of ω.
+double harmonicMisfit(const Observations &data, double omega)
 {
+    constexpr double kRegularization = 1e-9;
+    constexpr double kLeastPart = 1e-5; // a slider-crank has more than two harmonics
+    using Matrix = Eigen::Matrix<double, 5, 5>;
+    using Vector = Eigen::Matrix<double, 5, 1>;
+    std::vector<Vector> basis(data.abscissa.size());
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+        const double c = std::cos(omega * data.abscissa[i]);
+        const double s = std::sin(omega * data.abscissa[i]);
+        basis[i] << 1.0, c, s, c * c - s * s, 2.0 * s * c;
+    }
     double sum = 0.0;
-    double squares = 0.0;
-    for (const double value : column.values) {
-        if (!std::isnan(value)) {
-            sum += value;
-            squares += value * value;
+    for (const ObservedColumn &column : data.columns) {
+        if (!tellsShape(column)) {
+            continue;
         }
-    }
-    const auto n = static_cast<double>(column.count);
-    return std::sqrt(std::max(squares / n - (lessMean ? sum * sum / (n * n) : 0.0), 0.0));
-}
-
-/// Where f is least between the two.
-double leastBetween(double low, double high, int steps, const std::function<double(double)> &f)
-{
-    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-    double x = high - golden * (high - low);
-    double y = low + golden * (high - low);
-    double fx = f(x);
-    double fy = f(y);
-    for (int i = 0; i < steps; ++i) {
-        if (fx < fy) {
-            high = y;
-            y = x;
-            fy = fx;
-            x = high - golden * (high - low);
-            fx = f(x);
-        } else {
-            low = x;
-            x = y;
-            fx = fy;
-            y = low + golden * (high - low);
-            fy = f(y);
-        }
-    }
-    return fx < fy ? x : y;
-}
-
-std::vector<double> speedsByHarmonics(const FitProblem &problem, const std::vector<Family> &families,
-                                      const std::stop_token &stop)
-{
-    constexpr double kFewestTurns = 0.7;
-    constexpr double kStep = 1.2; // of W times the whole time
-    constexpr std::size_t kMostMinima = 4;
-    constexpr int kRefinements = 14;
-    const auto rows = static_cast<double>(problem.time.size());
-    double low = 2.0 * pi * kFewestTurns;
-    double high = pi * rows;
-    // rms of a derivative over rms of its function, about its mean, is at least the speed.
-    double ratio = std::numeric_limits<double>::infinity();
-    double largestRatio = 0.0;
-    for (const Family &family : families) {
-        for (std::size_t i = 0; i + 1 < family.columns.size(); ++i) {
-            const FitColumn &function = *family.columns[i];
-            const FitColumn &derivative = *family.columns[i + 1];
-            if (static_cast<int>(derivative.channel.order) != static_cast<int>(function.channel.order) + 1) {
-                continue;
-            }
-            const double one = rootMeanSquare(derivative, false) / rootMeanSquare(function, true);
-            if (one > 0.0 && std::isfinite(one)) {
-                ratio = std::min(ratio, one);
-                largestRatio = std::max(largestRatio, one);
+        Matrix matrix = Matrix::Zero();
+        Vector right = Vector::Zero();
+        for (std::size_t i = 0; i < basis.size(); ++i) {
+            if (!std::isnan(column.values[i])) {
+                matrix.noalias() += basis[i] * basis[i].transpose();
+                right += basis[i] * (column.values[i] - column.mean);
             }
         }
+        matrix.diagonal().array() += kRegularization * column.count;
+        const double all = column.count * column.spread * column.spread;
+        const double left = 1.0 - right.dot(matrix.ldlt().solve(right)) / all;
+        sum += column.count * std::log(std::max(left, 0.0) + kLeastPart);
     }
-    if (std::isfinite(ratio)) {
-        constexpr double kFewRowsATurn = 5.0;
-        const bool isSparse = 1.15 * ratio / (2.0 * pi) * kFewRowsATurn > rows;
-        high = std::min((isSparse ? 3.0 : 1.15) * ratio, 10.0 * pi * rows);
-        low = std::max(low, std::min(0.2 * largestRatio, 0.5 * high));
-    }
-    if (!(low < high)) {
-        return {};
-    }
-    const auto leftAt = [&](const Phases &phases) {
-        double left = 0.0;
-        for (const Family &family : families) {
-            left += stop.stop_requested() ? std::numeric_limits<double>::infinity()
-                                          : leftBy(problem, family, phases, 2, nullptr);
+    return sum;
+}
+
+/// How often a column crosses its mean, beyond small wiggles; the largest of all columns.
+double meanCrossings(const Observations &data)
+{
+    constexpr double kWiggle = 0.3; // of the spread
+    double most = 0.0;
+    for (const ObservedColumn &column : data.columns) {
+        double count = 0.0;
+        double side = 0.0;
+        for (const double value : column.values) {
+            if (tellsShape(column) && std::abs(value - column.mean) > kWiggle * column.spread) {
+                count += side * (value - column.mean) < 0.0 ? 1.0 : 0.0;
+                side = value > column.mean ? 1.0 : -1.0;
+            }
         }
-        return left;
-    };
-    std::vector<double> places;
-    std::vector<double> values;
-    const Phases step = phasesAt(problem, kStep);
-    for (Phases phases = phasesAt(problem, low); phases.speed < high + kStep; advance(phases, step)) {
-        places.push_back(phases.speed);
-        values.push_back(leftAt(phases));
+        most = std::max(most, count);
     }
-    return minimaOver(places, values, kMostMinima, kRefinements,
-                      [&](double speed) { return leftAt(phasesAt(problem, speed)); });
+    return most;
+}
+
+/// θ2 without jumps that a speed of about `speed` explains.
+CrankCourse crankCourse(const Observations &data, double speed)
+{
+    CrankCourse course;
+    const ObservedColumn *const column = findColumn(data, {Theta2, Order::Position});
+    for (std::size_t i = 0; column && i < data.abscissa.size(); ++i) {
+        double angle = column->values[i];
+        if (std::isnan(angle)) {
+            continue;
+        }
+        if (!course.empty() && speed != 0.0) {
+            const double expected = course.back().second + speed * (data.abscissa[i] - course.back().first);
+            angle += kTurn * std::round((expected - angle) / kTurn);
+        }
+        course.emplace_back(data.abscissa[i], angle);
+    }
+    return course;
+}
+
+/// Coefficients of the polynomial through some points in least squares, about the first of them, and their standard
+/// errors for values of that standard error.
+template <int kTerms>
+struct Polynomial {
+    Eigen::Matrix<double, kTerms, 1> coefficients;
+    Eigen::Matrix<double, kTerms, 1> standardErrors;
+};
+
+template <int kTerms, class Iterator>
+Polynomial<kTerms> fitPolynomial(Iterator first, Iterator end, double standardError)
+{
+    using Matrix = Eigen::Matrix<double, kTerms, kTerms>;
+    Matrix matrix = Matrix::Zero();
+    Eigen::Matrix<double, kTerms, 1> right = right.Zero(), basis;
+    const auto [t0, y0] = *first;
+    for (; first != end; ++first) {
+        for (int k = 0; k < kTerms; ++k) {
+            basis[k] = std::pow(first->first - t0, k);
+        }
+        matrix += basis * basis.transpose();
+        right += basis * (first->second - y0);
+    }
+    const Eigen::LDLT<Matrix> solver(matrix);
+    const Matrix inverse = solver.solve(Matrix::Identity());
+    return {solver.solve(right), standardError * inverse.diagonal().cwiseMax(0.0).cwiseSqrt()};
+}
+
+/// 0 where the file says nothing of it.
+double givenCrankSpeed(const Observations &data)
+{
+    const ObservedColumn *const speedColumn = findColumn(data, {Theta2, Order::Velocity});
+    const double speed = speedColumn ? speedColumn->mean : 0.0;
+    const CrankCourse course = crankCourse(data, speed);
+    return course.size() < 2 ? speed : fitPolynomial<2>(course.begin(), course.end(), 0.0).coefficients[1];
+}
+
+/// The minima of the periodogram, the lowest first, refined by bisection of the steps.
+std::vector<double> periodogramMinima(const Observations &data, double low, double high, double step)
+{
+    constexpr std::size_t kMost = 4;
+    constexpr double kFinest = 0.02; // of a step
+    std::vector<double> speeds;
+    std::vector<double> misfits;
+    for (double speed = low; speed < high + step; speed += step) {
+        speeds.push_back(speed);
+        misfits.push_back(harmonicMisfit(data, speed));
+    }
+    std::vector<std::pair<double, double>> minima;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        if ((i > 0 && misfits[i] > misfits[i - 1]) || (i + 1 < speeds.size() && misfits[i] > misfits[i + 1])) {
+            continue;
+        }
+        double speed = speeds[i];
+        double misfit = misfits[i];
+        for (double half = 0.5 * step; half > kFinest * step; half *= 0.5) {
+            for (const double other : {speed - half, speed + half}) {
+                if (const double tried = harmonicMisfit(data, other); tried < misfit) {
+                    misfit = tried;
+                    speed = other;
+                    break;
+                }
+            }
+        }
+        minima.emplace_back(misfit, speed);
+    }
+    std::ranges::sort(minima);
+    std::vector<double> best;
+    for (std::size_t i = 0; i < std::min(minima.size(), kMost); ++i) {
+        best.push_back(minima[i].second);
+    }
+    return best;
 }
 
 } // namespace
 
-const FitColumn *columnOf(const FitProblem &problem, Channel channel)
+double roughTurns(const Observations &data)
 {
-    const auto found = std::ranges::find(problem.columns, channel, &FitColumn::channel);
-    return found == problem.columns.end() ? nullptr : &*found;
+    if (data.isByCrankAngle) {
+        return data.span() / kTurn;
+    }
+    const double speed = givenCrankSpeed(data);
+    return speed != 0.0 ? std::abs(speed) * data.span() / kTurn : 0.5 * meanCrossings(data) + 0.5;
 }
 
-Family familyOf(const FitProblem &problem, Coordinate coordinate)
+SpeedCandidates speedCandidates(const Observations &data)
 {
-    Family family;
-    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-        if (const FitColumn *column = columnOf(problem, {coordinate, order}); column && column->spread > 0.0) {
-            family.columns.push_back(column);
-            family.hasPosition = family.hasPosition || order == Order::Position;
+    if (data.isByCrankAngle) {
+        return {{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian}, {}, true}; // in the unit of the heading, or another
+    }
+    if (const double known = givenCrankSpeed(data); known != 0.0) {
+        return {{std::abs(known)}, {}, true};
+    }
+    constexpr double kLeastTurns = 0.7;
+    constexpr double kMostCrossingsOfArc = 6.0;
+    const double crossings = meanCrossings(data);
+    const double span = data.span();
+    // Half of the rows' frequency, and not much more than the columns cross their means.
+    const double high =
+        std::min(std::numbers::pi / data.interval() * 1.02, 1.2 * std::numbers::pi * (crossings + 3.0) / span);
+    SpeedCandidates speeds{periodogramMinima(data, kLeastTurns * kTurn / span, high, 1.0 / span), {}, false};
+    if (crossings <= kMostCrossingsOfArc) {
+        for (double angle = 0.1; angle < 8.0; angle *= 1.25) {
+            speeds.shortArc.push_back(angle / span);
         }
     }
-    return family;
+    return speeds;
 }
 
-Phases phasesAt(const FitProblem &problem, double speed)
+std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
 {
-    Phases phases{speed, {}, {}};
-    for (const double t : problem.time) {
-        phases.cosine.push_back(std::cos(speed * t));
-        phases.sine.push_back(std::sin(speed * t));
+    constexpr std::size_t kFewestRows = 8;
+    constexpr double kErrors = 4.0; // standard errors between two speeds that differ
+    const double speed = data.isByCrankAngle ? 0.0 : givenCrankSpeed(data);
+    const CrankCourse course = speed == 0.0 ? CrankCourse() : crankCourse(data, speed);
+    if (course.size() < kFewestRows) {
+        return std::nullopt;
     }
-    return phases;
-}
-
-void advance(Phases &phases, const Phases &step)
-{
-    phases.speed += step.speed;
-    for (std::size_t i = 0; i < phases.cosine.size(); ++i) {
-        const double cosine = phases.cosine[i];
-        phases.cosine[i] = cosine * step.cosine[i] - phases.sine[i] * step.sine[i];
-        phases.sine[i] = phases.sine[i] * step.cosine[i] + cosine * step.sine[i];
-    }
-}
-
-double leftBy(const FitProblem &problem, const Family &family, const Phases &phases, int harmonics, Series *series)
-{
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostTerms, kMostTerms>;
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostTerms, 1>;
-    const Eigen::Index first = family.hasPosition ? 0 : 1;
-    const Eigen::Index terms = 1 + 2 * harmonics - first;
-    std::array<double, kMostTerms * kMostTerms> sums{};
-    std::array<double, kMostTerms> right{};
+    const ObservedColumn &column = *findColumn(data, {Theta2, Order::Position});
+    const double step = std::abs(speed) * data.printedStep + column.step;
+    const Eigen::Vector2d line = fitPolynomial<2>(course.begin(), course.end(), 0.0).coefficients;
     double squares = 0.0;
-    double left = 0.0;
-    for (std::size_t row = 0; row < problem.time.size(); ++row) {
-        const double cosine = phases.cosine[row];
-        const double sine = phases.sine[row];
-        std::array<double, kMostTerms> basis{};
-        std::array<double, kMostTerms> turned{};
-        basis[0] = 1.0;
-        basis[1] = cosine;
-        basis[2] = sine;
-        for (int h = 2; h <= harmonics; ++h) {
-            const auto i = static_cast<std::size_t>(2 * h - 1);
-            basis[i] = basis[i - 2] * cosine - basis[i - 1] * sine;
-            basis[i + 1] = basis[i - 1] * cosine + basis[i - 2] * sine;
-        }
-        for (const FitColumn *column : family.columns) {
-            const double value = column->values[row];
-            if (std::isnan(value)) {
-                continue;
-            }
-            const int order = static_cast<int>(column->channel.order);
-            const double weight = 1.0 / column->spread;
-            turned[0] = order == 0 ? weight : 0.0;
-            for (int h = 1; h <= harmonics; ++h) {
-                const auto i = static_cast<std::size_t>(2 * h - 1);
-                const double rate = h * phases.speed;
-                const double scale = weight * (order == 0 ? 1.0 : order == 1 ? rate : rate * rate);
-                turned[i] = scale * (order == 0 ? basis[i] : order == 1 ? -basis[i + 1] : -basis[i]);
-                turned[i + 1] = scale * (order == 0 ? basis[i + 1] : order == 1 ? basis[i] : -basis[i + 1]);
-            }
-            const double scaled = weight * value;
-            squares += scaled * scaled;
-            for (Eigen::Index i = first; i < 1 + 2 * harmonics; ++i) {
-                const double one = turned[static_cast<std::size_t>(i)];
-                right[static_cast<std::size_t>(i)] += one * scaled;
-                double *const line = sums.data() + i * kMostTerms;
-                for (Eigen::Index j = first; j <= i; ++j) {
-                    line[j] += one * turned[static_cast<std::size_t>(j)];
-                }
-            }
-        }
-    }
-    Matrix matrix(terms, terms);
-    Vector vector(terms);
-    for (Eigen::Index i = 0; i < terms; ++i) {
-        vector[i] = right[static_cast<std::size_t>(i + first)];
-        for (Eigen::Index j = 0; j <= i; ++j) {
-            const double sum = sums[static_cast<std::size_t>((i + first) * kMostTerms + j + first)];
-            matrix(i, j) = sum;
-            matrix(j, i) = sum;
-        }
-    }
-    // Over less than a turn the harmonics are nearly the same: no term may grow without bound.
-    constexpr double kRidge = 1e-11;
-    matrix.diagonal().array() += kRidge * matrix.diagonal().maxCoeff();
-    const Vector solution = matrix.ldlt().solve(vector);
-    left = squares - vector.dot(solution);
-    if (series) {
-        series->harmonics = harmonics;
-        series->hasConstant = family.hasPosition;
-        series->terms.setZero();
-        series->terms.segment(first, terms) = solution;
-    }
-    return std::max(left, 0.0);
-}
-
-std::vector<double> minimaOver(const std::vector<double> &places, const std::vector<double> &values, std::size_t most,
-                               int steps, const std::function<double(double)> &f)
-{
-    std::vector<std::size_t> minima;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if ((i == 0 || values[i] <= values[i - 1]) && (i + 1 == places.size() || values[i] <= values[i + 1]) &&
-            std::isfinite(values[i])) {
-            minima.push_back(i);
-        }
-    }
-    std::ranges::sort(minima, {}, [&](std::size_t i) { return values[i]; });
-    minima.resize(std::min(minima.size(), most));
-    std::vector<double> found;
-    for (const std::size_t i : minima) {
-        const double low = places[i == 0 ? i : i - 1];
-        const double high = places[std::min(i + 1, places.size() - 1)];
-        found.push_back(leastBetween(low, high, steps, f));
-    }
-    return found;
-}
-
-double crankSpeedOf(const FitProblem &problem)
-{
-    double speed = 0.0;
-    const FitColumn *rate = columnOf(problem, {Theta2, Order::Velocity});
-    if (rate) {
-        double sum = 0.0;
-        for (const double value : rate->values) {
-            sum += std::isnan(value) ? 0.0 : value;
-        }
-        speed = sum / static_cast<double>(rate->count);
-    }
-    const FitColumn *angle = columnOf(problem, {Theta2, Order::Position});
-    if (!angle || angle->count < 2) {
-        return speed;
-    }
-    // Made continuous: by the known rate, or, where it goes on in one direction anyway, not at all.
-    std::vector<double> times;
-    std::vector<double> angles;
-    for (std::size_t i = 0; i < problem.time.size(); ++i) {
-        if (!std::isnan(angle->values[i])) {
-            times.push_back(problem.time[i]);
-            angles.push_back(angle->values[i]);
-        }
-    }
-    const bool isMonotonic = std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::ranges::greater());
-    for (std::size_t i = 1; i < angles.size() && (!isMonotonic || rate); ++i) {
-        const double expected = rate ? speed * (times[i] - times[i - 1]) : 0.0;
-        angles[i] = angles[i - 1] + expected + withoutTurns(angles[i] - angles[i - 1] - expected);
-    }
-    const double n = static_cast<double>(times.size());
-    const double meanTime = std::accumulate(times.begin(), times.end(), 0.0) / n;
-    const double meanAngle = std::accumulate(angles.begin(), angles.end(), 0.0) / n;
     double products = 0.0;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        products += (times[i] - meanTime) * (angles[i] - meanAngle);
-        squares += (times[i] - meanTime) * (times[i] - meanTime);
+    double before = 0.0;
+    double largest = 0.0;
+    for (const auto &[t, angle] : course) {
+        const double residual = angle - course.front().second - line[0] - line[1] * (t - course.front().first);
+        squares += residual * residual;
+        products += residual * before;
+        before = residual;
+        largest = std::max(largest, std::abs(residual));
     }
-    return squares > 0.0 ? products / squares : speed;
-}
-
-std::vector<double> speedsOf(const FitProblem &problem, const std::stop_token &stop)
-{
-    const double speed = crankSpeedOf(problem);
-    return speed != 0.0 ? std::vector<double>{std::abs(speed)} : speedsByHarmonics(problem, familiesOf(problem), stop);
+    const auto n = static_cast<double>(course.size());
+    if (largest <= 2.0 * step + 1e-4 || products <= 3.0 / std::sqrt(n) * squares) { // rounding, or white noise
+        return std::nullopt;
+    }
+    const double interval = data.span() / (n - 1.0);
+    std::ptrdiff_t part = 4; // as few rows as tell the speed to a hundredth, a tenth of them at most
+    while (static_cast<double>(part) < n / 10.0 &&
+           4.0 * step / (std::pow(static_cast<double>(part), 1.5) * interval) > 0.01 * std::abs(speed)) {
+        ++part;
+    }
+    const Polynomial<3> start = fitPolynomial<3>(course.begin(), course.begin() + part, step / std::sqrt(12.0));
+    const Polynomial<3> end = fitPolynomial<3>(course.rbegin(), course.rbegin() + part, step / std::sqrt(12.0));
+    const CrankSpeedChange change{start.coefficients[1], end.coefficients[1]};
+    const double error = std::hypot(start.standardErrors[1], end.standardErrors[1]);
+    return std::abs(change.atEnd - change.atStart) > kErrors * error ? std::optional(change) : std::nullopt;
 }
 
 } // namespace slidercrank

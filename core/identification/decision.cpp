@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/decision.h"
 
+#include "core/identification/candidate_search.h"
+#include "core/mechanism/turn.h"
+
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,275 +21,348 @@ using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
 using Why = Identification::Alternative::Why;
 
-/// Within so much of a score (odds of 1 : 400) two explanations are equally good.
-constexpr double kMargin = 12.0;
+constexpr double kMargin = 12.0;          // of a score, odds of 1 : 400: within it two explanations are equally good
+constexpr double kFarErrors = 5.0;        // standard errors between two mechanisms
+constexpr double kLeastDifference = 1e-3; // of a parameter's size
 
-constexpr double kFarStandardErrors = 5.0;
-
-FitProblem problemOf(const SearchRows &rows, const Candidate &candidate)
-{
-    FitProblem problem = problemOf(rows.all, candidate.reading);
-    problem.clockStep = candidate.isClockExact ? 0.0 : problem.clockStep;
-    return problem;
-}
-
-/// Whether another mechanism, images apart, lies outside of what the standard errors leave room for.
+/// Whether another mechanism, its images apart, is farther away than the standard errors allow.
 bool isAnother(const Parameters &one, const std::array<double, kParameterCount> &errors, const Parameters &other)
 {
-    const auto room = [&](Parameter parameter, double size) {
+    const auto tolerance = [&](Parameter parameter, double size) {
         const double error = errors[indexOf(parameter)];
-        return std::max(1e-3 * size, std::isfinite(error) ? kFarStandardErrors * error : 0.0);
+        return std::max(kLeastDifference * size, std::isfinite(error) ? kFarErrors * error : 0.0);
     };
     return std::ranges::none_of(mirrorImages(other), [&](const Parameters &image) {
-        return std::abs(one.a - image.a) <= room(Parameter::A, one.a) &&
-               std::abs(one.b - image.b) <= room(Parameter::B, one.b) &&
-               std::abs(one.c - image.c) <= room(Parameter::C, std::max(std::abs(one.c), one.a)) &&
-               std::abs(one.omega2 - image.omega2) <= room(Parameter::Omega2, std::abs(one.omega2)) &&
-               std::abs(std::remainder(one.theta20 - image.theta20, 2.0 * std::numbers::pi)) <=
-                   room(Parameter::Theta20, 2.0);
-    });
-}
-
-/// The same reading, but for a constant more or less.
-bool isSameButForZeros(const FileReading &x, const FileReading &y)
-{
-    return std::ranges::equal(x, y, [](ColumnReading one, ColumnReading other) {
-        one.isZeroFree = other.isZeroFree;
-        return one == other;
+        return std::abs(one.a - image.a) <= tolerance(Parameter::A, one.a) &&
+               std::abs(one.b - image.b) <= tolerance(Parameter::B, one.b) &&
+               std::abs(one.c - image.c) <= tolerance(Parameter::C, std::max(std::abs(one.c), one.a)) &&
+               std::abs(one.omega2 - image.omega2) <= tolerance(Parameter::Omega2, std::abs(one.omega2)) &&
+               std::abs(std::remainder(one.theta20 - image.theta20, kTurn)) <= tolerance(Parameter::Theta20, 2.0);
     });
 }
 
 struct Image {
-    Fit fit;
+    Candidate candidate;
     Why why;
 };
 
-/// The images that the columns do not exclude, itself apart.
-std::vector<Image> imagesLeft(const FitProblem &problem, const Candidate &candidate, const std::stop_token &stop)
+/// The images of a candidate that the columns do not exclude, itself apart.
+std::vector<Image> remainingImages(const Observations &data, const Candidate &candidate)
 {
-    constexpr FreeParameters kNoneFree{};
-    const std::array<Parameters, 8> images = mirrorImages(candidate.fit.parameters);
-    std::vector<Image> left;
+    std::vector<Image> remaining;
+    if (data.isByCrankAngle) { // its origin tells them apart
+        return remaining;
+    }
+    const std::array<Parameters, 8> images = mirrorImages(middleParameters(candidate.fit.hypothesis));
     for (std::size_t i = 1; i < images.size(); ++i) {
-        const Fit fitted = fit(problem, images[i], kNoneFree, 3, stop);
-        if (fitted.exists() && std::abs(fitted.chiSquared - candidate.fit.chiSquared) <= kMargin &&
-            fitted.score < candidate.fit.score + kMargin) {
-            left.push_back({fitted, i > 3 ? Why::OtherAssembly : i == 1 ? Why::Reversed : Why::MirrorImage});
+        Hypothesis hypothesis = candidate.fit.hypothesis;
+        setMiddleParameters(images[i], hypothesis);
+        Fit fit = evaluateHypothesis(data, std::move(hypothesis));
+        if (fit.exists() && std::abs(fit.chiSquare - candidate.fit.chiSquare) <= kMargin &&
+            fit.score < candidate.fit.score + kMargin) {
+            fit.iterations = candidate.fit.iterations;
+            remaining.push_back({judgedCandidate(data, std::move(fit)), i > 3    ? Why::OtherAssembly
+                                                                        : i == 1 ? Why::Reversed
+                                                                                 : Why::MirrorImage});
         }
     }
-    return left;
+    return remaining;
 }
 
-/// Of mechanisms that no column tells apart, the one that is assembled and turns as the one at hand.
-void turnLike(const Parameters &given, Fit &fit, std::vector<Image> &images)
+/// Among a candidate and its images, chooses the one that is assembled and turns as the given mechanism.
+void chooseImageLike(const Parameters &given, Candidate &candidate, std::vector<Image> &images)
 {
-    const auto likeness = [&](const Parameters &p) {
+    const auto likeness = [&](const Candidate &one) {
+        const Parameters p = middleParameters(one.fit.hypothesis);
         return 2 * static_cast<int>(p.branch == given.branch) + static_cast<int>(p.omega2 * given.omega2 > 0.0);
     };
     for (Image &image : images) {
-        if (likeness(image.fit.parameters) > likeness(fit.parameters)) {
-            std::swap(image.fit, fit);
+        if (likeness(image.candidate) > likeness(candidate)) {
+            std::swap(image.candidate, candidate);
         }
     }
 }
 
-bool hasOnlyAngles(const SearchRows &rows)
+/// Sum of ln(z / sqrt(2 π e V)) over the values that are used, and their number.
+std::pair<double, double> evidenceAndCount(const Observations &data, const Fit &fit)
 {
-    return !rows.isFree[indexOf(Parameter::A)];
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const double spread = data.columns[j].spread * std::abs(fit.hypothesis.columns[j].factor());
+        for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
+            if (!std::isnan(fit.residuals[j][i])) {
+                count += 1.0;
+                sum += std::log(spread / std::sqrt(kTurn * std::numbers::e * fit.variances[j][i]));
+            }
+        }
+    }
+    return {sum, count};
 }
 
-std::array<bool, kParameterCount> openParametersOf(const Fit &fit, const Uncertainty &uncertainty)
+/// Whether three standard errors along each eigenvector raise chi-square by 9, within a factor of 2.
+bool isParabolic(const Observations &data, const Fit &fit, const Eigen::MatrixXd &directions,
+                 const Eigen::VectorXd &eigenvalues)
 {
-    constexpr double kMostOfSize = 0.2;
-    const Parameters &p = fit.parameters;
+    constexpr double kErrors = 3.0;
+    const double least = chiSquareAt(data, fit, fit.hypothesis.unknowns);
+    for (Eigen::Index k = 0; k < eigenvalues.size(); ++k) {
+        Eigen::VectorXd step = kErrors / std::sqrt(eigenvalues[k]) * directions.col(k);
+        for (std::size_t i = 0; i < kParameterCount; ++i) {
+            step[static_cast<Eigen::Index>(i)] *= fit.hypothesis.isFree[i] ? 1.0 : 0.0;
+        }
+        if (step.norm() == 0.0) {
+            continue;
+        }
+        for (const double sign : {-1.0, 1.0}) {
+            const double growth = chiSquareAt(data, fit, fit.hypothesis.unknowns + sign * step) - least;
+            if (!(growth > 0.5 * kErrors * kErrors && growth < 2.0 * kErrors * kErrors)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// By how much the speed may be another at the same rows: positions alone, at even rows, few a turn. 0 if it may not.
+double aliasDistance(const Observations &data, double speed)
+{
+    constexpr double kFewestRowsPerTurn = 4.5; // 1.3 rows a turn look like 4.3
+    const bool positionsOnly = std::ranges::none_of(data.columns, [](const ObservedColumn &column) {
+        return column.channel.coordinate == Theta2 ||
+               (column.channel.order != Order::Position && column.channel.coordinate != R4y);
+    });
+    if (data.isByCrankAngle || !positionsOnly) {
+        return 0.0;
+    }
+    constexpr double kOffGrid = 0.02;
+    const double interval = data.interval();
+    for (const double at : data.abscissa) {
+        const double steps = (at - data.abscissa.front()) / interval;
+        if (std::abs(steps - std::round(steps)) > kOffGrid + data.printedStep / interval) {
+            return 0.0;
+        }
+    }
+    const double difference = kTurn / interval;
+    return std::abs(speed) * kFewestRowsPerTurn > difference ? difference : 0.0;
+}
+
+/// The same interpretation apart from free origins, of which the other has more.
+bool isExtension(const Hypothesis &rival, const Hypothesis &best)
+{
+    bool hasMore = false;
+    for (std::size_t j = 0; j < best.columns.size(); ++j) {
+        ColumnUse use = rival.columns[j];
+        hasMore = hasMore || use.hasOffset != best.columns[j].hasOffset;
+        use.hasOffset = best.columns[j].hasOffset;
+        if (use != best.columns[j]) {
+            return false;
+        }
+    }
+    return hasMore;
+}
+
+void addAlternatives(const Observations &data, std::span<const Candidate> candidates, const Candidate &best,
+                     const Uncertainty &uncertainty, Identification &result)
+{
+    const Parameters middle = middleParameters(best.fit.hypothesis);
+    for (const Candidate &rival : candidates) {
+        const bool isAsGood = isExtension(rival.fit.hypothesis, best.fit.hypothesis)
+                                  ? rival.fit.score < best.fit.score - kMargin
+                                  : rival.score() < best.score() + kMargin;
+        if (rival.acceptance == best.acceptance && isAsGood &&
+            isAnother(middle, uncertainty.standardError, middleParameters(rival.fit.hypothesis))) {
+            const Parameters other = parametersOf(data, rival.fit.hypothesis);
+            result.outcome = Outcome::Ambiguous;
+            if (std::ranges::none_of(result.alternatives,
+                                     [&](const auto &known) { return areNear(known.parameters, other); })) {
+                result.alternatives.push_back({Why::AnotherMechanism, other});
+            }
+        }
+    }
+    if (const double difference = aliasDistance(data, middle.omega2); difference > 0.0) {
+        result.outcome = Outcome::Ambiguous;
+        Hypothesis alias = best.fit.hypothesis;
+        const double shift = alias.unknowns[3] > 0.0 ? -difference : difference;
+        alias.unknowns[3] += shift;
+        alias.unknowns[4] -= shift * data.abscissa.front();
+        result.alternatives.push_back({Why::Alias, parametersOf(data, alias)});
+    }
+}
+
+/// Which parameters the file leaves open: a standard error of more than a fifth of the size.
+std::array<bool, kParameterCount> openParameters(const Parameters &p, const std::array<double, kParameterCount> &errors)
+{
+    constexpr double kLargestPart = 0.2;
     const std::array<double, kParameterCount> sizes{p.a, p.b, std::max(std::abs(p.c), p.a), std::abs(p.omega2), 1.0};
     std::array<bool, kParameterCount> open{};
     for (std::size_t i = 0; i < kParameterCount; ++i) {
-        open[i] = uncertainty.standardError[i] > kMostOfSize * sizes[i]; // not where it is held: NaN
+        open[i] = errors[i] > kLargestPart * sizes[i]; // false for what is held: NaN
     }
     return open;
 }
 
-/// The interval that all instants are multiples of, as far as their rounding tells; 0: none.
-double gridOf(const Observations &observations)
+void fillErrors(const Observations &data, const Candidate &best, const Uncertainty &uncertainty, Identification &result)
 {
-    double interval = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < observations.time.size(); ++i) {
-        interval = std::min(interval, observations.time[i] - observations.time[i - 1]);
-    }
-    // The shortest is too short by what it was rounded: the whole time tells better.
-    const double whole = observations.time.back() - observations.time.front();
-    interval = whole / std::round(whole / interval);
-    constexpr double kOffGrid = 0.02;
-    for (const double t : observations.time) {
-        const double steps = (t - observations.time.front()) / interval;
-        if (std::abs(steps - std::round(steps)) > kOffGrid + observations.printedClockStep / interval) {
-            return 0.0;
-        }
-    }
-    return interval;
-}
-
-/// By how much the speed may be another at the same instants: positions alone, at even instants, few a turn; 0: not.
-double aliasDistanceOf(const Observations &observations, const Fit &fit)
-{
-    // 1.3 rows a turn look like 4.3.
-    constexpr double kFewestRowsATurn = 4.5;
-    const double interval = observations.hasPositionOnly() ? gridOf(observations) : 0.0;
-    const double turnsARow = std::abs(fit.parameters.omega2) * interval / (2.0 * std::numbers::pi);
-    return turnsARow * kFewestRowsATurn > 1.0 ? 2.0 * std::numbers::pi / interval : 0.0;
-}
-
-double rmsInSteps(const FitProblem &problem, const FitResiduals &left)
-{
-    double squares = 0.0;
-    double count = 0.0;
-    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
-        for (const double residual : left.residuals[k]) {
-            if (!std::isnan(residual) && problem.columns[k].step > 0.0) {
-                const double steps = residual / problem.columns[k].step;
-                squares += steps * steps;
-                count += 1.0;
-            }
-        }
-    }
-    return std::sqrt(squares / std::max(count, 1.0));
-}
-
-void fillStandardErrors(const SearchRows &rows, const Uncertainty &uncertainty, Identification &result)
-{
-    const FitUnits &units = rows.all.units;
-    const std::array<double, kParameterCount> scale{units.mm, units.mm, units.mm, 1.0 / units.second, 1.0};
-    for (std::size_t i = 0; i < kParameterCount; ++i) {
-        result.standardError[i] = scale[i] * uncertainty.standardError[i];
-        result.identifiable[i] = std::isfinite(result.standardError[i]);
-    }
-    result.standardError[indexOf(Parameter::Theta20)] = uncertainty.atClockZero;
-    result.onlyRatios = hasOnlyAngles(rows);
+    const Hypothesis &hypothesis = best.fit.hypothesis;
+    result.standardError = uncertainty.standardError;
+    result.standardError[indexOf(Parameter::Theta20)] = data.isByCrankAngle ? kNone : uncertainty.angleAtZero;
+    result.identifiable = hypothesis.isFree;
+    result.identifiable[indexOf(Parameter::Theta20)] = !data.isByCrankAngle;
+    result.onlyRatios = !hypothesis.isFree[indexOf(Parameter::A)];
     if (result.onlyRatios) {
-        for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
-            result.identifiable[indexOf(length)] = false;
+        result.identifiable[indexOf(Parameter::B)] = result.identifiable[indexOf(Parameter::C)] = false;
+    }
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        if (best.residuals[j] == Residual::White) {
+            const ColumnUse &use = hypothesis.columns[j];
+            result.noise.push_back({use.channel, toFileUnit(use.channel, std::sqrt(best.fit.noiseVariances[j]))});
         }
+    }
+    if (best.acceptance == Acceptance::Approximate) {
+        result.noise.clear();
+    }
+}
+
+/// Nothing is accepted: what comes nearest of the candidates that interpret the file as its headings say.
+void decideNearest(const Observations &data, std::span<const Candidate> candidates, Decision &decision)
+{
+    constexpr double kFarthest = 0.45; // of the squares of the columns: more than half has to be explained
+    const Candidate *nearest = nullptr;
+    for (const Candidate &candidate : candidates) {
+        if (isAsWritten(data, candidate) && (!nearest || candidate.distance < nearest->distance)) {
+            nearest = &candidate;
+        }
+    }
+    if (nearest && nearest->distance < kFarthest) {
+        decision.candidate = *nearest;
+        decision.identification.outcome = Outcome::Nearest;
+        decision.identification.iterations = nearest->fit.iterations;
     }
 }
 
 } // namespace
 
-std::optional<Lack> lackOf(const Observations &observations)
+std::optional<Lack> findLack(const Observations &data)
 {
-    constexpr std::size_t kFewestValues = 6;
-    constexpr std::size_t kFewestInstants = 4;
-    std::size_t values = 0;
+    constexpr double kFewestValues = 6.0;
+    constexpr std::ptrdiff_t kFewestRows = 4;
+    double values = 0.0;
     bool moves = false;
-    std::vector<bool> isUsed(observations.time.size());
-    for (const ObservedColumn &column : observations.columns) {
-        const Coordinate coordinate = column.channel.coordinate;
-        if (isPlotted(column.channel) || coordinate == R3x || coordinate == R3y) {
+    std::vector<bool> hasValue(data.abscissa.size());
+    for (const ObservedColumn &column : data.columns) {
+        if (column.channel.coordinate != Theta2 && column.channel.coordinate != R4y) {
             values += column.count;
             moves = moves || column.spread > column.step;
-            for (std::size_t row = 0; row < isUsed.size(); ++row) {
-                isUsed[row] = isUsed[row] || !std::isnan(column.values[row]);
+            for (std::size_t i = 0; i < hasValue.size(); ++i) {
+                hasValue[i] = hasValue[i] || !std::isnan(column.values[i]);
             }
         }
+    }
+    if (data.isEmpty()) {
+        return Lack::FewInstants;
     }
     if (values < kFewestValues) {
         return Lack::FewValues;
     }
-    if (static_cast<std::size_t>(std::ranges::count(isUsed, true)) < kFewestInstants) {
-        return Lack::FewInstants;
-    }
-    return moves ? std::nullopt : std::optional(Lack::NothingMoves);
+    return std::ranges::count(hasValue, true) < kFewestRows ? std::optional(Lack::FewInstants)
+           : moves                                          ? std::nullopt
+                                                            : std::optional(Lack::NothingMoves);
 }
 
-Identification decisionOn(const SearchRows &rows, std::span<const Candidate> candidates, const Parameters &given,
-                          const std::stop_token &stop)
+Uncertainty computeUncertainty(const Observations &data, const Candidate &candidate)
 {
-    Identification result;
+    // A systematic residual is one error in some ten rows, whatever their number; where a noise was estimated, it is
+    // uncertain itself.
+    constexpr double kIndependentRows = 10.0;
+    Uncertainty result;
+    const Fit &fit = candidate.fit;
+    const Hypothesis &hypothesis = fit.hypothesis;
+    const Eigen::MatrixXd matrix = normalEquations(data, fit, hypothesis.unknowns).matrix;
+    const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+        Eigen::MatrixXd(scale.asDiagonal() * matrix * scale.asDiagonal()));
+    const Eigen::VectorXd eigenvalues = eigen.eigenvalues().cwiseMax(1e-17);
+    const Eigen::MatrixXd directions = scale.asDiagonal() * eigen.eigenvectors();
+    const Eigen::MatrixXd covariance = directions * eigenvalues.cwiseInverse().asDiagonal() * directions.transpose();
+    result.conditionNumber = std::sqrt(eigenvalues.maxCoeff() / eigenvalues.minCoeff());
+    const auto [logarithms, count] = evidenceAndCount(data, fit);
+    const auto unknowns = static_cast<double>(hypothesis.freeParameterCount());
+    const double spare = std::max(count - unknowns, 0.0);
+    result.evidence = spare < unknowns ? 0.0 : spare / count * logarithms;
+    double inflation = candidate.isExact ? 1.0 : 1.0 + 2.0 / std::max(spare, 1.0);
+    if (candidate.acceptance != Acceptance::Identified) {
+        inflation *= std::sqrt(std::max(static_cast<double>(data.abscissa.size()) / kIndependentRows, 1.0));
+    }
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        result.standardError[i] = hypothesis.isFree[i] ? inflation * std::sqrt(covariance(k, k)) : kNone;
+    }
+    const double variance =
+        covariance(4, 4) + data.origin * data.origin * covariance(3, 3) - 2.0 * data.origin * covariance(3, 4);
+    result.angleAtZero = inflation * std::sqrt(std::max(variance, 0.0));
+    const UnknownLayout layout(hypothesis.columns);
+    for (const Eigen::Index k : layout.offset) {
+        result.offsetErrors.push_back(k >= 0 ? inflation * std::sqrt(covariance(k, k)) : kNone);
+    }
+    result.isStraight = isParabolic(data, fit, directions, eigenvalues);
+    return result;
+}
+
+Decision decide(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
+{
+    constexpr double kLeastEvidence = 30.0; // nats
+    Decision decision;
+    Identification &result = decision.identification;
     result.parameters = given;
     result.claimNothing();
-    if (stop.stop_requested()) {
-        result.stopped = true;
-        return result;
+    if (candidates.empty() || candidates.front().acceptance == Acceptance::Rejected) {
+        decideNearest(data, candidates, decision);
+    } else {
+        decision.candidate = candidates.front();
     }
-    if (candidates.empty() || !candidates.front().fit.exists()) {
-        return result;
+    if (!decision.candidate) {
+        return decision;
     }
-    // Of what does not stand, the nearest: a score calls misfit noise, and gives up one column for another.
-    const Candidate &best = candidates.front().standing.stands
-                                ? candidates.front()
-                                : *std::ranges::min_element(candidates, {}, &Candidate::distance);
-    const FitUnits &units = rows.all.units;
-    const FitProblem problem = problemOf(rows, best);
-    result.iterations = best.fit.iterations;
-    FitResiduals left;
-    residualsOf(problem, best.fit, left);
-    result.rms = rmsInSteps(problem, left);
-    Fit chosen = best.fit;
-    std::vector<Image> images = imagesLeft(problem, best, stop);
-    turnLike(given, chosen, images);
-    result.parameters = units.fromFit(chosen.parameters);
-    if (!best.standing.stands) {
-        constexpr double kFar = 0.45; // of all that the columns vary: more than half has to be explained
-        result.outcome = best.distance < kFar ? Outcome::Nearest : Outcome::None;
-        result.parameters = result.outcome == Outcome::None ? given : result.parameters;
-        return result;
-    }
-
-    const Uncertainty uncertainty = uncertaintyOf(rows.all, problem, best.fit, best.isFree, best.standing);
-    result.conditionNumber = uncertainty.conditionNumber;
-    const auto insufficient = [&](Lack lack) {
-        result.outcome = Outcome::Insufficient;
-        result.lack = lack;
-        result.parameters = given;
-        result.claimNothing();
-        return result;
+    Candidate &best = *decision.candidate;
+    std::vector<Image> images = remainingImages(data, best);
+    chooseImageLike(given, best, images);
+    const auto setParameters = [&] {
+        result.parameters = parametersOf(data, best.fit.hypothesis);
+        result.parameters.theta20 = data.isByCrankAngle ? given.theta20 : result.parameters.theta20;
     };
-    constexpr double kLeastEvidence = 30.0; // nats
-    const std::size_t unknowns = freeCount(problem, best.isFree);
-    if (problem.valueCount < 2 * unknowns || uncertainty.evidence < kLeastEvidence) {
-        return insufficient(Lack::NoEvidence);
+    if (result.outcome == Outcome::Nearest) {
+        setParameters();
+        return decision;
     }
-    result.openParameters = openParametersOf(best.fit, uncertainty);
-    if (std::ranges::count(result.openParameters, true) > 0) {
-        return insufficient(Lack::OpenParameters);
+    decision.uncertainty = computeUncertainty(data, best);
+    result.iterations = best.fit.iterations;
+    result.conditionNumber = decision.uncertainty.conditionNumber;
+    result.openParameters = openParameters(middleParameters(best.fit.hypothesis), decision.uncertainty.standardError);
+    const bool isOpen = std::ranges::count(result.openParameters, true) > 0;
+    if (decision.uncertainty.evidence < kLeastEvidence || isOpen || !decision.uncertainty.isStraight) {
+        result.outcome = Outcome::Insufficient;
+        result.lack = decision.uncertainty.evidence < kLeastEvidence ? Lack::NoEvidence
+                      : isOpen                                       ? Lack::OpenParameters
+                                                                     : Lack::Crooked;
+        return decision;
     }
-    if (!uncertainty.isStraight) {
-        return insufficient(Lack::Crooked);
+    setParameters();
+    result.outcome = best.acceptance == Acceptance::Identified ? Outcome::Identified : Outcome::Approximate;
+    fillErrors(data, best, decision.uncertainty, result);
+    for (const Image &image : images) { // also of an approximate mechanism: no column excludes them
+        result.alternatives.push_back({image.why, parametersOf(data, image.candidate.fit.hypothesis)});
     }
-
-    fillStandardErrors(rows, uncertainty, result);
-    for (const Image &image : images) {
-        result.alternatives.push_back({image.why, units.fromFit(image.fit.parameters)});
+    if (result.outcome == Outcome::Identified) {
+        addAlternatives(data, candidates.subspan(1), best, decision.uncertainty, result);
     }
-    for (std::size_t k = 0; k < problem.columns.size(); ++k) {
-        if (best.fit.noise[k] > 0.0) {
-            result.noise.push_back(
-                {problem.columns[k].channel, std::sqrt(best.fit.noise[k]) / units.factor(problem.columns[k].channel)});
-        }
+    const double timeUnit = best.fit.hypothesis.timeUnit;
+    result.parameters.omega2 /= timeUnit;
+    result.standardError[indexOf(Parameter::Omega2)] /= timeUnit;
+    for (Identification::Alternative &alternative : result.alternatives) {
+        alternative.parameters.omega2 /= timeUnit;
     }
-    result.outcome = Outcome::Identified;
-    for (const Candidate &rival : candidates.subspan(1)) {
-        // The plain reading goes before the same with another origin, unless that tells of another mechanism and is
-        // met by more than chance the better.
-        constexpr double kMoreThanChance = 12.0;
-        const bool isExtension = isSameButForZeros(rival.reading, best.reading) && rival.reading != best.reading;
-        const bool isAsGood = isExtension ? rival.fit.deviance < best.fit.deviance - kMoreThanChance
-                                          : rival.score() < best.score() + kMargin;
-        if (rival.standing.stands && isAsGood &&
-            isAnother(best.fit.parameters, uncertainty.standardError, rival.fit.parameters)) {
-            result.outcome = Outcome::Ambiguous;
-            result.alternatives.push_back({Why::AnotherMechanism, units.fromFit(rival.fit.parameters)});
-        }
-    }
-    if (const double more = aliasDistanceOf(rows.all, best.fit); more > 0.0) {
-        result.outcome = Outcome::Ambiguous;
-        // The next one: another whole turn between two instants, the other way round.
-        Parameters alias = chosen.parameters;
-        alias.omega2 += alias.omega2 > 0.0 ? -more : more;
-        alias.theta20 += (chosen.parameters.omega2 - alias.omega2) * rows.all.time.front();
-        result.alternatives.push_back({Why::Alias, units.fromFit(alias)});
-    }
-    return result;
+    return decision;
 }
 
 } // namespace slidercrank

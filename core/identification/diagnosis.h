@@ -6,9 +6,7 @@
 
 #include "core/comparison/comparison.h"
 #include "core/identification/convention.h"
-#include "core/identification/uneven_crank.h"
 #include "core/identification/identification.h"
-#include "core/identification/parameter_change.h"
 
 #include <optional>
 #include <stop_token>
@@ -16,6 +14,20 @@
 
 namespace slidercrank
 {
+
+/// One parameter of the given mechanism, changed to what was found: a number mistyped, a length changed in one program
+/// and not in the other.
+struct ParameterChange {
+    Parameter parameter = Parameter::A;
+    double value = 0.0;
+    double explained = 0.0; ///< the part of the squared error that is gone, 0 to 1
+};
+
+/// The crank's speed at the first and the last rows, rad/s.
+struct CrankSpeedChange {
+    double atStart = 0.0;
+    double atEnd = 0.0;
+};
 
 struct Diagnosis {
     /// In the order in which they are to be applied. Empty unless Identified or Ambiguous, or the file, so read, is the

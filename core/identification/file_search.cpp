@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/file_search.h"
 
+#include "core/identification/crank_speed.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -10,100 +13,292 @@ namespace slidercrank
 namespace
 {
 
-/// A file of so many rows is looked at as a whole.
-constexpr std::size_t kShortFile = 600;
+constexpr std::size_t kSearchRows = 300;
+constexpr std::size_t kFinalRows = 1000;
+constexpr double kMostExcluded = 0.05; // of the rows
 
-constexpr std::size_t kWindowRows = 360;
-
-/// Swings of a column within a window.
-constexpr double kWindowSwings = 8.0;
-
-/// How often a column goes all the way up, from the lowest to the highest quarter of its range.
-std::size_t swingsOf(std::span<const double> values)
+/// The rows of a selection whose flag is not set.
+Observations without(const Observations &data, const std::vector<bool> &flags)
 {
-    const ValueRange range = rangeOf(values);
-    const double low = range.low + 0.25 * range.width();
-    const double high = range.high - 0.25 * range.width();
-    std::size_t swings = 0;
-    bool isDown = false;
-    for (const double value : values) {
-        if (isDown && value > high) {
-            isDown = false;
-            ++swings;
-        } else if (value < low) {
-            isDown = true;
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+        if (!flags[i]) {
+            rows.push_back(i);
         }
     }
-    return swings;
+    return selection(data, rows);
 }
 
-Candidate refitted(const SearchRows &rows, const FitUnits &from, const Candidate &candidate,
-                   const std::stop_token &stop)
+bool mayBeExcluded(std::ptrdiff_t count, std::size_t rows)
 {
-    // The constants come out of the fit by themselves.
-    const Parameters start = rows.all.units.toFit(from.fromFit(candidate.fit.parameters));
-    const double crossed = candidate.fit.parameters.branch == Branch::Crossed ? kPriceOfCrossed : 0.0;
-    return candidateFrom(rows, candidate.reading, candidate.penalty - crossed, start, stop);
+    return count > 0 && static_cast<double>(count) <= kMostExcluded * static_cast<double>(rows);
+}
+
+double medianOf(std::vector<double> values)
+{
+    if (values.empty()) {
+        return 0.0;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// Rows in which a value stands far off the line between its neighbours: not to be relied on in the search.
+std::vector<bool> suspiciousRows(const Observations &data)
+{
+    constexpr double kFar = 12.0;       // times the median distance of all rows
+    constexpr double kLeastPart = 0.05; // of the spread
+    std::vector<bool> flags(data.abscissa.size(), false);
+    for (const ObservedColumn &column : data.columns) {
+        std::vector<double> distances(flags.size(), 0.0);
+        std::vector<double> magnitudes;
+        for (std::size_t i = 1; i + 1 < flags.size(); ++i) {
+            const double part =
+                (data.abscissa[i] - data.abscissa[i - 1]) / (data.abscissa[i + 1] - data.abscissa[i - 1]);
+            const double between = (1.0 - part) * column.values[i - 1] + part * column.values[i + 1];
+            distances[i] = std::isnan(column.values[i] - between) ? 0.0 : column.values[i] - between;
+            magnitudes.push_back(std::abs(distances[i]));
+        }
+        const double far = std::max(kFar * medianOf(std::move(magnitudes)), kLeastPart * column.spread);
+        for (std::size_t i = 1; i + 1 < flags.size(); ++i) {
+            const bool isPeak = std::abs(distances[i]) >= std::abs(distances[i - 1]) &&
+                                std::abs(distances[i]) >= std::abs(distances[i + 1]);
+            if (tellsShape(column) && isPeak && std::abs(distances[i]) > far) {
+                flags[i] = true;
+            }
+        }
+    }
+    return mayBeExcluded(std::ranges::count(flags, true), flags.size()) ? flags
+                                                                        : std::vector<bool>(flags.size(), false);
+}
+
+/// Rows in which a used column is beyond 8 standard deviations of a robust scale (median absolute deviation).
+std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
+{
+    constexpr double kFar = 8.0;
+    constexpr double kOfNormal = 1.4826; // standard deviation per median absolute deviation
+    std::vector<bool> flags(data.abscissa.size(), false);
+    const Fit fit = evaluateHypothesis(data, candidate.fit.hypothesis);
+    if (!fit.exists()) {
+        return flags;
+    }
+    // Near a toggle the accelerations have no bound, and no deviation says anything about the reading.
+    constexpr double kNearToggle = 1e-4; // of the square of the coupler's length
+    std::vector<bool> isNearToggle;
+    const Parameters p = middleParameters(fit.hypothesis);
+    for (const double angle : crankAngles(data, fit.hypothesis)) {
+        const double height = (fit.hypothesis.unknowns[2] - fit.hypothesis.unknowns[0] * std::sin(angle)) / p.b;
+        isNearToggle.push_back(1.0 - height * height < kNearToggle);
+    }
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const double factor = fit.hypothesis.columns[j].factor();
+        std::vector<double> magnitudes;
+        for (const double residual : fit.residuals[j]) {
+            if (!std::isnan(residual)) {
+                magnitudes.push_back(std::abs(residual));
+            }
+        }
+        const double scale = kOfNormal * medianOf(std::move(magnitudes));
+        for (std::size_t i = 0; i < flags.size(); ++i) {
+            // Without the noise, which the outliers themselves may have raised beyond all digits of the sum.
+            const double rounding = factor * factor * data.columns[j].variances[i];
+            const double variance = std::max(fit.variances[j][i] - fit.noiseVariances[j], rounding);
+            flags[i] = flags[i] || (!isNearToggle[i] &&
+                                    std::abs(fit.residuals[j][i]) > kFar * std::max(scale, std::sqrt(variance)));
+        }
+    }
+    return flags;
+}
+
+/// Beginning of the file with a few turns, so thinned that it still shows them.
+Observations searchWindow(const Observations &all)
+{
+    constexpr double kMostTurns = 6.0;
+    const std::size_t count = all.abscissa.size();
+    if (count <= kSearchRows) {
+        return all;
+    }
+    const double turns = roughTurns(all);
+    std::size_t end = count;
+    if (turns > kMostTurns) {
+        end = static_cast<std::size_t>(static_cast<double>(count) * kMostTurns / turns);
+        end = std::clamp(end, std::min(kSearchRows, count), count);
+    }
+    std::vector<std::size_t> rows;
+    const std::size_t used = std::min(kSearchRows, end);
+    for (std::size_t k = 0; k < used; ++k) {
+        rows.push_back(k * (end - 1) / (used - 1));
+    }
+    return selection(all, rows);
+}
+
+/// At most a thousand rows of all: blocks of consecutive ones, so that neighbours can be compared.
+Observations finalRows(const Observations &all)
+{
+    constexpr std::size_t kBlock = 20;
+    const std::size_t count = all.abscissa.size();
+    if (count <= kFinalRows) {
+        return all;
+    }
+    std::vector<std::size_t> rows;
+    constexpr std::size_t kBlocks = kFinalRows / kBlock;
+    for (std::size_t block = 0; block < kBlocks; ++block) {
+        const std::size_t first = block * (count - kBlock) / (kBlocks - 1);
+        for (std::size_t i = 0; i < kBlock; ++i) {
+            if (rows.empty() || first + i > rows.back()) {
+                rows.push_back(first + i);
+            }
+        }
+    }
+    return selection(all, rows);
+}
+
+/// A candidate of the window fitted to ever more of the file, four times as much each time, while its speed becomes
+/// known ever better; at last to `last`.
+Candidate extended(const Observations &all, const Observations &window, const Observations &last,
+                   const Candidate &found)
+{
+    constexpr std::size_t kGrowth = 4;
+    constexpr std::size_t kRows = 200;
+    constexpr int kRounds = 3;
+    Hypothesis hypothesis = found.fit.hypothesis;
+    std::size_t end =
+        static_cast<std::size_t>(std::ranges::upper_bound(all.abscissa, window.abscissa.back()) - all.abscissa.begin());
+    while (end < all.abscissa.size()) {
+        end = std::min(kGrowth * end, all.abscissa.size());
+        std::vector<std::size_t> rows;
+        const std::size_t used = std::min(kRows, end);
+        for (std::size_t k = 0; k < used; ++k) {
+            rows.push_back(k * (end - 1) / (used - 1));
+        }
+        Fit fit = fitHypothesis(selection(all, rows), hypothesis, kRounds);
+        if (!fit.exists()) {
+            break;
+        }
+        hypothesis = std::move(fit.hypothesis);
+    }
+    return fitCandidate(last, std::move(hypothesis));
+}
+
+/// The candidates of the window in the whole file.
+std::vector<Candidate> inWholeFile(const Observations &all, const Observations &window, const Observations &last,
+                                   std::span<const Candidate> candidates, const std::stop_token &stop)
+{
+    constexpr std::size_t kMost = 6;
+    if (window.abscissa.size() == last.abscissa.size()) {
+        return {candidates.begin(), candidates.end()};
+    }
+    std::vector<Candidate> whole;
+    for (const Candidate &candidate : candidates.first(std::min(kMost, candidates.size()))) {
+        if (Candidate one = extended(all, window, last, candidate); one.fit.exists() && !stop.stop_requested()) {
+            whole.push_back(std::move(one));
+        }
+    }
+    std::ranges::stable_sort(whole, isBetter);
+    return whole;
+}
+
+/// All candidates of what is left of a file.
+std::vector<Candidate> searchRest(const Observations &rest, const Observations &last, const Parameters &given,
+                                  const std::stop_token &stop)
+{
+    const Observations window = searchWindow(rest);
+    return inWholeFile(rest, window, last, searchCandidates(window, given, stop), stop);
+}
+
+/// The best candidate if it is accepted, else the plainest of those that come nearest.
+const Candidate &nearestCandidate(const std::vector<Candidate> &candidates)
+{
+    constexpr double kAbout = 1.05;
+    if (candidates.front().acceptance == Acceptance::Identified) {
+        return candidates.front();
+    }
+    const double least = std::ranges::min_element(candidates, {}, &Candidate::distance)->distance;
+    const Candidate *plainest = nullptr;
+    for (const Candidate &candidate : candidates) {
+        if (candidate.distance <= kAbout * least && (!plainest || candidate.price < plainest->price)) {
+            plainest = &candidate;
+        }
+    }
+    return *plainest;
+}
+
+bool isIdentified(const FileSearch &search)
+{
+    return !search.candidates.empty() && search.candidates.front().acceptance == Acceptance::Identified;
+}
+
+/// Excludes the rows that are outliers of the best candidate, in some rounds because they may have misled it; returns
+/// whether the rest is explained.
+bool excludeOutliers(const Observations &all, const Parameters &given, const std::stop_token &stop, FileSearch &search)
+{
+    constexpr int kRounds = 4;
+    if (search.candidates.empty()) {
+        return false;
+    }
+    Candidate nearest = nearestCandidate(search.candidates);
+    std::vector<bool> flags;
+    for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
+        std::vector<bool> found = outliers(all, nearest);
+        if (found == flags || !mayBeExcluded(std::ranges::count(found, true), found.size())) {
+            break;
+        }
+        flags = std::move(found);
+        Candidate refitted = fitCandidate(finalRows(without(all, flags)), nearest.fit.hypothesis);
+        if (!refitted.fit.exists()) {
+            return false;
+        }
+        nearest = std::move(refitted);
+    }
+    const Acceptance before = search.candidates.front().acceptance;
+    if (flags.empty() || nearest.acceptance == Acceptance::Rejected || nearest.acceptance > before ||
+        (nearest.acceptance == before && before != Acceptance::Identified)) {
+        return false;
+    }
+    const Observations rest = without(all, flags);
+    search.data = finalRows(rest);
+    search.candidates = searchRest(rest, search.data, given, stop);
+    if (search.candidates.empty() || isBetter(nearest, search.candidates.front())) {
+        search.candidates.insert(search.candidates.begin(), std::move(nearest));
+    }
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+        if (flags[i]) {
+            search.excluded.push_back(all.rows[i]);
+        }
+    }
+    std::ranges::sort(search.excluded);
+    return true;
 }
 
 } // namespace
 
-std::optional<FileSearch> searchIn(const ReferenceData &data, const Parameters &given)
+FileSearch searchFile(const Observations &all, const Parameters &given, const std::stop_token &stop)
 {
     FileSearch search;
-    search.rows = rowsOf(data);
-    if (search.rows.count < 2) {
-        return std::nullopt;
-    }
-    search.clock = clockOf(data);
-    RowRange first = search.rows;
-    if (first.count > kShortFile) {
-        std::size_t swings = 0;
-        for (const ReferenceSeries &series : data.series) {
-            swings = std::max(swings, swingsOf(series.values));
+    const Observations window = searchWindow(all);
+    search.data = finalRows(all);
+    const std::vector<bool> suspicious = suspiciousRows(window);
+    const bool isSuspicious = std::ranges::count(suspicious, true) > 0;
+    search.candidates = inWholeFile(all, window, search.data, searchCandidates(window, given, stop), stop);
+    if (isIdentified(search)) {
+        if (search.data.abscissa.size() < all.abscissa.size()) {
+            excludeOutliers(all, given, stop, search);
         }
-        const double part = std::min(1.0, kWindowSwings / std::max(static_cast<double>(swings), 1.0));
-        const auto rows = static_cast<std::size_t>(std::ceil(part * static_cast<double>(first.end - first.first)));
-        first = counted(data, first.first, std::min(first.end, first.first + std::max(rows, kWindowRows)));
-        search.isWhole = false;
+        return search;
     }
-    const std::size_t most = search.isWhole ? kShortFile : kWindowRows;
-    search.window = searchRowsOf(data, search.clock, spreadOver(data, first, most), given);
+    if (isSuspicious) { // single bad readings may hide the motion
+        FileSearch cleaned = search;
+        const Observations rest = without(window, suspicious);
+        const bool isWhole = window.abscissa.size() == all.abscissa.size();
+        cleaned.candidates =
+            inWholeFile(all, rest, isWhole ? rest : search.data, searchCandidates(rest, given, stop), stop);
+        if (excludeOutliers(all, given, stop, cleaned)) {
+            return cleaned;
+        }
+    }
+    excludeOutliers(all, given, stop, search);
     return search;
-}
-
-SearchRows wholeOf(const ReferenceData &data, const FileSearch &search, const Parameters &given)
-{
-    return search.isWhole ? search.window
-                          : searchRowsOf(data, search.clock, spreadOver(data, search.rows, kMostFitRows), given);
-}
-
-Candidate grown(const ReferenceData &data, const FileSearch &search, const SearchRows &whole,
-                const Candidate &candidate, const std::stop_token &stop)
-{
-    if (search.isWhole) {
-        return candidate;
-    }
-    constexpr double kGrowth = 4.0;
-    const FitUnits &units = search.window.all.units;
-    const double first = data.time[search.rows.first];
-    double reach = 2.0 * (units.origin - first) + 0.0; // from the first row to the window's last
-    Candidate current = candidate;
-    FitUnits from = units;
-    const double span = data.time[search.rows.end - 1] - first;
-    for (reach *= kGrowth; reach < span && !stop.stop_requested(); reach *= kGrowth) {
-        const auto last =
-            static_cast<std::size_t>(std::ranges::upper_bound(data.time, first + reach) - data.time.begin());
-        const RowRange some = counted(data, search.rows.first, std::min(last, search.rows.end));
-        const SearchRows part =
-            searchRowsOf(data, search.clock, spreadOver(data, some, kWindowRows), from.fromFit(current.fit.parameters));
-        if (part.all.columns.size() != current.reading.size()) {
-            break;
-        }
-        current = refitted(part, from, current, stop);
-        from = part.all.units;
-    }
-    return whole.all.columns.size() == current.reading.size() ? refitted(whole, from, current, stop) : current;
 }
 
 } // namespace slidercrank

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How a search goes through a file of any length: over a window of some hundred rows from its start, in which the
-// motion is still to be seen between them; then what was found there, over ever more of the file.
+// The search through a file of any length: over some hundred rows of its beginning, in which the motion can still be
+// seen from row to row; then what was found there over ever more of the file; and the rows that are bad readings.
 
-#include "core/identification/candidate.h"
+#include "core/identification/candidate_search.h"
 
 #include <cstddef>
-#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -15,22 +14,11 @@ namespace slidercrank
 {
 
 struct FileSearch {
-    RowRange rows;
-    Clock clock;
-    SearchRows window;
-    bool isWhole = true; ///< the window is all there is
+    Observations data;                 ///< a thousand rows at most, without the excluded ones
+    std::vector<Candidate> candidates; ///< fitted to `data`, the best first
+    std::vector<std::size_t> excluded; ///< rows of the file that are outliers, rising
 };
 
-/// None where there are fewer than two rows.
-std::optional<FileSearch> searchIn(const ReferenceData &data, const Parameters &given);
-
-/// The whole file, at most so many rows of it, evenly spread: more would make the parameters no more exact than the
-/// file's digits, only slower to find.
-inline constexpr std::size_t kMostFitRows = 1000;
-SearchRows wholeOf(const ReferenceData &data, const FileSearch &search, const Parameters &given);
-
-/// What fits the window, fitted to the whole file, the speed ever better known.
-Candidate grown(const ReferenceData &data, const FileSearch &search, const SearchRows &whole,
-                const Candidate &candidate, const std::stop_token &stop);
+FileSearch searchFile(const Observations &all, const Parameters &given, const std::stop_token &stop);
 
 } // namespace slidercrank

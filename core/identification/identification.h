@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which mechanism made these data: (a, b, c, ω2, θ20) and the assembly, from every column that a mechanism can say
-// anything about, each read as the file says; and how sure that is. Starts come from the data themselves
-// (motion_start.h); the fit weighs each value by what it is known to (motion_fit.h); a mechanism is claimed only where
-// what is left is rounding or looks like noise (standing.h), where the data fix it, and where no other explains them as
-// well (decision.h). θ2 and θ3 are taken up to whole turns.
-//
-// Lengths in mm, angles in rad, time in s; the data in the author's units (mm, °, s).
+// The answer to "which mechanism made these data": its parameters, how sure they are, and what took no part in finding
+// them. Lengths in mm, angles in rad, time in s; the data in the units of the files (mm, °, s).
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
-#include "core/import/reference_data.h"
 
 #include <array>
 #include <cstddef>
-#include <stop_token>
 #include <vector>
 
 namespace slidercrank
@@ -42,7 +35,8 @@ struct Identification {
         return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Approximate);
     }
 
-    /// Identified, Approximate, Ambiguous: the (first) mechanism; Nearest: what comes nearest; else the mechanism at hand. θ20 in
+    /// Identified, Approximate, Ambiguous: the (first) mechanism; Nearest: what comes nearest; else the mechanism at
+    /// hand. θ20 in
     /// (-π, π]; what is not identifiable is as in the mechanism at hand.
     Parameters parameters;
 
@@ -102,18 +96,12 @@ struct Identification {
 
     int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
-    double rms = 0.0;             ///< of the residuals in steps of the file's rounding: 0.29 when only that is left
 
     /// Nothing is known of the parameters any more, whatever they are.
     void claimNothing();
 
-    /// Finds nothing where a parameter is beyond what a mechanism may have: a fit may run off to there, or the file may
-    /// be of lengths and speeds that nothing has. Then the mechanism at hand is what is given.
-    void keepToMechanisms(const Parameters &atHand);
+    /// Becomes None, with the given parameters, where a parameter is beyond what a mechanism may have.
+    void rejectImpossible(const Parameters &given);
 };
-
-/// `start` gives the crank's length where the data hold no length, is the mechanism given where none is found, and is
-/// itself one of the starts tried.
-Identification identify(const ReferenceData &data, const Mechanism &start, std::stop_token stop = {});
 
 } // namespace slidercrank

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/observations.h"
 
-#include "core/comparison/comparison.h"
+#include "core/import/clock.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace slidercrank
 {
@@ -14,296 +16,330 @@ namespace slidercrank
 namespace
 {
 
-/// What every mechanism has as zeros: the ground, the slider's angle, what does not change.
-bool isNothing(Channel channel)
+constexpr double kArithmeticPart = 1e-12; // of a column's peak: no computation promises more digits
+
+/// Channels that are zero in every mechanism.
+bool isAlwaysZero(Channel channel)
 {
     return channel.coordinate == R1x || channel.coordinate == R1y || channel.coordinate == Theta1 ||
            channel.coordinate == Theta4;
 }
 
-/// Not the derivative of what does not move, where it is zero; nor a column of the crank's or the coupler's centre that
-/// nobody filled in.
-bool saysSomething(const ObservedColumn &column)
+bool isAnglePosition(Channel channel)
 {
-    const Coordinate coordinate = column.channel.coordinate;
-    const bool isByNatureConstant =
-        coordinate == Theta2 || (coordinate == R4y && column.channel.order == Order::Position);
-    return column.varies || isByNatureConstant || isPlotted(column.channel);
+    return isAngle(channel.coordinate) && channel.order == Order::Position;
 }
 
-/// Takes out jumps of whole turns: between two rows the coupler turns by less than half of one. Where something that is
-/// no whole turn looks like a jump, the column is in another unit, and is left as it is.
-bool takeOutJumps(std::vector<double> &degrees)
+/// Removes jumps by whole turns and returns whether there were any. A column with jumps of another size is left as it
+/// is: it is in another unit.
+bool removeJumps(std::vector<double> &radians)
 {
-    constexpr double kNearTurn = 90.0;
-    std::vector<double> continuous = degrees;
-    bool any = false;
+    std::vector<double> continuous = radians;
     double last = kNone;
     double turns = 0.0;
+    bool any = false;
     for (double &value : continuous) {
-        if (!std::isfinite(value)) {
+        if (std::isnan(value)) {
             continue;
         }
-        if (std::isfinite(last)) {
-            const double change = value + turns - last;
-            const double jumps = std::round(change / 360.0);
-            if (jumps != 0.0 && std::abs(change - 360.0 * jumps) > kNearTurn) {
-                return false;
-            }
-            any = any || jumps != 0.0;
-            turns -= 360.0 * jumps;
+        const double change = std::isnan(last) ? 0.0 : value + turns - last;
+        const double jump = kTurn * std::round(change / kTurn);
+        if (jump != 0.0 && std::abs(change - jump) > kQuarterTurn) {
+            return false;
         }
+        any = any || jump != 0.0;
+        turns -= jump;
         value += turns;
         last = value;
     }
-    degrees = std::move(continuous);
+    radians = std::move(continuous);
     return any;
 }
 
-bool hasValue(const ReferenceData &data, std::size_t row)
+/// The number of rows that count as one observation: rows that repeat do not round independently of each other.
+double repetitionOf(const ObservedColumn &column)
 {
-    return std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
-        return std::isfinite(series.values[row]) && !isNothing(series.channel);
-    });
-}
-
-/// How many rows count for one: see observations.h.
-double repetition(const std::vector<double> &values, std::size_t count, double step)
-{
-    std::size_t runs = 1;      // of the same value
-    std::size_t stretches = 0; // of the same difference
+    constexpr double kSamePart = 1e-3; // of a step: two differences are equal
+    double runs = 1.0;                 // of equal values
+    double stretches = 0.0;            // of equal differences
     double last = kNone;
     double difference = kNone;
-    for (const double value : values) {
-        if (!std::isfinite(value)) {
+    for (const double value : column.values) {
+        if (std::isnan(value)) {
             continue;
         }
-        if (std::isfinite(last)) {
-            runs += value != last ? 1 : 0;
-            stretches += std::abs(value - last - difference) <= 1e-3 * step ? 0 : 1;
+        if (!std::isnan(last)) {
+            runs += value != last ? 1.0 : 0.0;
+            stretches += std::abs(value - last - difference) <= kSamePart * column.step ? 0.0 : 1.0;
             difference = value - last;
         }
         last = value;
     }
-    const std::size_t independent = runs > 1 ? std::min({runs, 2 * stretches, count}) : 1;
-    return static_cast<double>(count) / static_cast<double>(independent);
+    return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, column.count}) : 1.0);
 }
 
-void learn(ObservedColumn &column, const Rounding &rounding)
+/// The sharpened step if all levels are multiples of about `step` above the first, each rounded to the printed digits;
+/// 0 if not. The step becomes known better from level to level.
+double sharpenedStep(const std::vector<double> &levels, double step, double printedStep)
 {
-    double sum = 0.0;
-    ValueRange range = rangeOf(column.values);
-    column.count = range.count;
-    for (const double value : column.values) {
-        sum += std::isfinite(value) ? value : 0.0;
+    constexpr double kSurely = 0.4; // of a step: farther from a multiple it is none, whatever the tolerance
+    double countBefore = std::max(std::round((levels[1] - levels[0]) / step), 1.0);
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        const double height = levels[i] - levels[0];
+        const double count = std::round(height / step);
+        const double tolerance = 1.02 * printedStep * (1.0 + count / countBefore);
+        if (std::abs(height - count * step) > std::min(tolerance, kSurely * step)) {
+            return 0.0;
+        }
+        step = height / count;
+        countBefore = count;
     }
-    column.mean = sum / static_cast<double>(std::max<std::size_t>(column.count, 1));
-    double squares = 0.0;
-    RoundingSteps steps(rounding);
-    for (const double value : column.values) {
-        if (std::isfinite(value)) {
-            squares += (value - column.mean) * (value - column.mean);
-            column.step = std::max(column.step, steps.at(value));
+    return step;
+}
+
+/// The step of a quantized column (encoder, converter): the values are multiples of one step that is much coarser than
+/// the printed digits. 0 if they are not.
+double quantizationStep(const std::vector<double> &values, double printedStep)
+{
+    constexpr double kCoarser = 5.0;          // printed steps at least
+    constexpr std::size_t kFewestLevels = 12; // distinct values
+    constexpr int kMostParts = 40;            // the smallest difference between two values may be so many steps
+    std::vector<double> levels;
+    levels.reserve(values.size());
+    for (const double value : values) {
+        if (!std::isnan(value)) {
+            levels.push_back(value);
         }
     }
-    // A column whose digits say nothing is taken to be as good as the others usually are.
-    constexpr double kUsualStep = 1e-6;
-    constexpr double kStepOfNothing = 1e-3;
-    if (!(column.step > 0.0)) {
-        column.step = range.size() > 0.0 ? kUsualStep * range.size() : kStepOfNothing;
+    std::ranges::sort(levels);
+    const double finest =
+        levels.empty() ? 0.0 : std::max(printedStep, kArithmeticPart * (levels.back() - levels.front()));
+    const auto isSame = [&](double x, double y) { return std::abs(x - y) <= 1.1 * finest; };
+    const auto repeats = std::ranges::unique(levels, isSame);
+    levels.erase(repeats.begin(), repeats.end());
+    if (levels.size() < kFewestLevels) {
+        return 0.0;
     }
-    column.step = std::max(column.step, kArithmeticStep * range.size());
-    column.varies = range.width() > 0.0;
-    column.spread = std::max(std::sqrt(squares / static_cast<double>(std::max<std::size_t>(column.count, 1))),
-                             column.varies ? 0.0 : column.step);
+    double smallest = levels[1] - levels[0];
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        smallest = std::min(smallest, levels[i] - levels[i - 1]);
+    }
+    for (int parts = 1; parts <= kMostParts && smallest / parts >= kCoarser * finest; ++parts) {
+        if (const double step = sharpenedStep(levels, smallest / parts, finest); step > 0.0) {
+            return step;
+        }
+    }
+    return 0.0;
+}
 
-    constexpr double kFinest = 0.01; // of the largest step
-    column.repetition = repetition(column.values, column.count, column.step);
-    column.variance.resize(column.values.size());
-    for (std::size_t i = 0; i < column.values.size(); ++i) {
-        const double value = column.values[i];
-        const double step = std::isfinite(value)
-                                ? std::max({steps.at(value), kFinest * column.step, kArithmeticStep * range.size()})
-                                : column.step;
-        column.variance[i] = step * step / 12.0 * column.repetition;
+/// Makes gaps of the values of a saturated sensor and returns whether there are any: a run of equal extreme values
+/// whose neighbours are much farther away than those of a rounded turning point.
+bool removeSaturation(std::vector<double> &values, double step)
+{
+    constexpr std::size_t kShortestRun = 3;
+    constexpr double kMostPart = 0.4; // of the rows
+    constexpr double kSudden = 4.0;   // times the drop of a rounded parabola
+    constexpr std::size_t kBeside = 3;
+    const ValueRange range = rangeOf(values);
+    if (!(range.width() > 0.0)) {
+        return false;
     }
+    std::vector<std::pair<std::size_t, std::size_t>> runs;
+    for (std::size_t first = 0; first < values.size(); ++first) {
+        std::size_t end = first;
+        while (end < values.size() && (values[end] == range.low || values[end] == range.high) &&
+               values[end] == values[first]) {
+            ++end;
+        }
+        const bool hasBefore = first >= kBeside;
+        const bool hasBehind = end + kBeside <= values.size();
+        if (end - first >= kShortestRun && (hasBefore || hasBehind)) {
+            const double half = 0.5 * static_cast<double>(end - first);
+            const double ratio = (half + static_cast<double>(kBeside)) / half;
+            const double natural = std::max(step, kArithmeticPart * range.size()) * ratio * ratio;
+            const bool isSuddenBefore =
+                !hasBefore || std::abs(values[first - kBeside] - values[first]) > kSudden * natural;
+            const bool isSuddenBehind =
+                !hasBehind || std::abs(values[end + kBeside - 1] - values[first]) > kSudden * natural;
+            if (isSuddenBefore && isSuddenBehind) {
+                runs.emplace_back(first, end);
+            }
+        }
+        first = std::max(first, end == first ? first : end - 1);
+    }
+    std::size_t count = 0;
+    for (const auto &[first, end] : runs) {
+        count += end - first;
+    }
+    if (static_cast<double>(count) > kMostPart * static_cast<double>(values.size())) { // a square wave
+        return false;
+    }
+    for (const auto &[first, end] : runs) {
+        std::fill(values.begin() + static_cast<std::ptrdiff_t>(first),
+                  values.begin() + static_cast<std::ptrdiff_t>(end), kNone);
+    }
+    return !runs.empty();
+}
+
+/// Mean, spread, steps and variances of a column whose values are set. `unit`: mm or rad per unit of the file's
+/// rounding.
+void learnStatistics(ObservedColumn &column, const Rounding &rounding, double unit)
+{
+    constexpr double kUsualStep = 1e-6;   // of the peak, where the digits say nothing
+    constexpr double kStepOfZeros = 1e-3; // mm or rad
+    constexpr double kFinestPart = 0.01;  // of the column's largest step
+    double sum = 0.0;
+    for (const double value : column.values) {
+        if (!std::isnan(value)) {
+            sum += value;
+            column.count += 1.0;
+        }
+    }
+    const ValueRange range = rangeOf(column.values);
+    column.mean = sum / std::max(column.count, 1.0);
+    column.range = column.count > 0.0 ? range.width() : 0.0;
+    column.varies = column.range > 0.0;
+    RoundingSteps steps(rounding);
+    std::vector<double> stepAt(column.values.size(), 0.0);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < stepAt.size(); ++i) {
+        if (const double value = column.values[i]; !std::isnan(value)) {
+            stepAt[i] = steps.at(value / unit) * unit;
+            column.step = std::max(column.step, stepAt[i]);
+            squares += (value - column.mean) * (value - column.mean);
+        }
+    }
+    const double finest = kArithmeticPart * range.size();
+    const double usual = range.size() > 0.0 ? kUsualStep * range.size() : kStepOfZeros;
+    column.step = std::max(column.step > 0.0 ? column.step : usual, finest);
+    if (const double step = column.varies ? quantizationStep(column.values, column.step) : 0.0; step > 0.0) {
+        column.step = step;
+        std::ranges::fill(stepAt, step);
+    }
+    column.spread = std::max(std::sqrt(squares / std::max(column.count, 1.0)), column.varies ? 0.0 : column.step);
+    const double repetition = repetitionOf(column);
+    column.variances.reserve(stepAt.size());
+    for (const double step : stepAt) {
+        const double counted = std::max({step, kFinestPart * column.step, finest});
+        column.variances.push_back(counted * counted / 12.0 * repetition);
+        column.meanVariance += column.variances.back() / static_cast<double>(stepAt.size());
+    }
+}
+
+std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std::span<const std::size_t> rows,
+                                             bool &hasSaturation)
+{
+    ObservedColumn column;
+    column.channel = series.channel;
+    const double unit = isAngle(series.channel.coordinate) ? 1.0 / kDegreesPerRadian : 1.0;
+    column.values.reserve(rows.size());
+    for (const std::size_t row : rows) {
+        const double value = series.values[row];
+        column.values.push_back(std::isfinite(value) ? value * unit : kNone);
+    }
+    hasSaturation |= removeSaturation(column.values, series.rounding.stepAt(rangeOf(series.values).size()) * unit);
+    if (isAnglePosition(column.channel)) {
+        column.hadJumps = removeJumps(column.values);
+    }
+    learnStatistics(column, series.rounding, unit);
+    const bool isPlotted = column.channel.coordinate == R4x || column.channel.coordinate == Theta3;
+    const bool counts =
+        column.varies || isPlotted || isConstantByNature(column.channel) || column.channel.coordinate == Theta2;
+    return counts && column.count >= 2.0 ? std::optional(std::move(column)) : std::nullopt;
 }
 
 } // namespace
 
-bool isPlotted(Channel channel)
+bool tellsShape(const ObservedColumn &column)
 {
-    return channel.coordinate == Theta3 || channel.coordinate == R4x;
+    return column.varies && column.channel.coordinate != Theta2 && column.channel.coordinate != R4y;
 }
 
-bool Observations::has(Channel channel) const
+bool isConstantByNature(Channel channel)
 {
-    return std::ranges::find(columns, channel, &ObservedColumn::channel) != columns.end();
+    return channel == Channel{R4y, Order::Position} || channel == Channel{Theta2, Order::Velocity};
 }
 
-bool Observations::has(Coordinate coordinate) const
+double Observations::interval() const
 {
-    return std::ranges::any_of(columns,
-                               [&](const ObservedColumn &column) { return column.channel.coordinate == coordinate; });
-}
-
-bool Observations::hasPositionOnly() const
-{
-    return std::ranges::none_of(columns, [](const ObservedColumn &column) {
-        return column.channel.coordinate == Theta2 ||
-               (column.channel.order != Order::Position && column.channel.coordinate != R4y);
-    });
-}
-
-std::size_t Observations::valueCount() const
-{
-    std::size_t count = 0;
-    for (const ObservedColumn &column : columns) {
-        count += column.count;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < abscissa.size(); ++i) {
+        shortest = std::min(shortest, abscissa[i] - abscissa[i - 1]);
     }
-    return count;
+    return span() / std::round(span() / shortest);
 }
 
-RowRange rowsOf(const ReferenceData &data)
+Observations observe(const ReferenceData &data)
 {
-    RowRange range{0, data.time.size(), 0};
-    while (range.first < range.end && !hasValue(data, range.first)) {
-        ++range.first;
-    }
-    while (range.end > range.first && !hasValue(data, range.end - 1)) {
-        --range.end;
-    }
-    return counted(data, range.first, range.end);
-}
-
-RowRange counted(const ReferenceData &data, std::size_t first, std::size_t end)
-{
-    RowRange range{first, end, 0};
-    for (std::size_t row = first; row < end; ++row) {
-        range.count += hasValue(data, row) ? 1 : 0;
-    }
-    return range;
-}
-
-std::vector<std::size_t> spreadOver(const ReferenceData &data, const RowRange &range, std::size_t most)
-{
-    const std::size_t count = std::min(range.count, most);
-    std::vector<std::size_t> rows;
-    std::size_t seen = 0;
-    for (std::size_t row = range.first; row < range.end && rows.size() < count; ++row) {
-        if (hasValue(data, row)) {
-            const std::size_t wanted = count == 1 ? 0 : rows.size() * (range.count - 1) / (count - 1);
-            if (seen++ >= wanted) {
-                rows.push_back(row);
-            }
+    Observations all;
+    all.rows.reserve(data.time.size());
+    for (std::size_t row = 0; row < data.time.size(); ++row) {
+        if (std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+                return std::isfinite(series.values[row]) && !isAlwaysZero(series.channel);
+            })) {
+            all.rows.push_back(row);
         }
     }
-    return rows;
-}
-
-std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t most)
-{
-    const std::size_t count = std::min(rows.size(), most);
-    std::vector<std::size_t> result(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        result[i] = rows[count == 1 ? 0 : i * (rows.size() - 1) / (count - 1)];
+    if (all.rows.size() < 2) {
+        return all;
     }
-    return result;
-}
-
-FitUnits unitsFor(const ReferenceData &data, std::span<const std::size_t> rows, double length)
-{
-    FitUnits units;
-    const double first = data.time[rows.front()];
-    const double last = data.time[rows.back()];
-    units.second = last > first ? last - first : 1.0;
-    units.origin = 0.5 * (first + last);
-    units.mm = length;
-    bool isKnown = false;
-    for (const Coordinate coordinate : {R4x, R3x, R2x, R3y, R2y}) {
-        for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-            const ReferenceSeries *series = data.find({coordinate, order});
-            if (!series || isKnown) {
-                continue;
-            }
-            ValueRange range;
-            for (const std::size_t row : rows) {
-                const double value = series->values[row];
-                if (std::isfinite(value)) {
-                    range.low = std::min(range.low, value);
-                    range.high = std::max(range.high, value);
-                }
-            }
-            // A derivative's unit of time is guessed to be that of a turn in all.
-            const double size =
-                0.5 * range.width() * std::pow(units.second / (2.0 * std::numbers::pi), static_cast<int>(order));
-            if (size > 0.0 && std::isfinite(size)) {
-                units.mm = size;
-                isKnown = true;
-            }
-        }
+    all.isByCrankAngle = data.crank.has_value();
+    const std::vector<double> &abscissa = data.crank ? data.crank->degrees : data.time;
+    const double unit = data.crank ? 1.0 / kDegreesPerRadian : 1.0;
+    if (abscissa[all.rows.front()] > abscissa[all.rows.back()]) { // an angle that falls
+        std::ranges::reverse(all.rows);
     }
-    return units;
-}
-
-Parameters FitUnits::toFit(const Parameters &parameters) const
-{
-    return {parameters.a / mm,
-            parameters.b / mm,
-            parameters.c / mm,
-            parameters.omega2 * second,
-            std::remainder(parameters.omega2 * origin + parameters.theta20, 2.0 * std::numbers::pi),
-            parameters.branch};
-}
-
-Parameters FitUnits::fromFit(const Parameters &fitted) const
-{
-    Parameters parameters{std::abs(fitted.a) * mm, std::abs(fitted.b) * mm, fitted.c * mm,
-                          fitted.omega2 / second,  fitted.theta20,          fitted.branch};
-    const double halfTurn = fitted.a < 0.0 ? std::numbers::pi : 0.0;
-    parameters.theta20 = std::remainder(fitted.theta20 + halfTurn - parameters.omega2 * origin, 2.0 * std::numbers::pi);
-    if (parameters.theta20 <= -std::numbers::pi) {
-        parameters.theta20 = std::numbers::pi;
+    all.abscissa.reserve(all.rows.size());
+    all.origin = 0.5 * unit * (abscissa[all.rows.front()] + abscissa[all.rows.back()]);
+    for (const std::size_t row : all.rows) {
+        all.abscissa.push_back(abscissa[row] * unit - all.origin);
     }
-    return parameters;
-}
-
-double FitUnits::factor(Channel channel) const
-{
-    const double unit = isAngle(channel.coordinate) ? 1.0 / kDegreesPerRadian : 1.0 / mm;
-    return unit * std::pow(second, static_cast<int>(channel.order));
-}
-
-Observations observe(const ReferenceData &data, const Clock &clock, const FitUnits &units,
-                     std::span<const std::size_t> rows)
-{
-    Observations observations;
-    observations.units = units;
-    observations.time.reserve(rows.size());
-    for (const std::size_t row : rows) {
-        observations.time.push_back(units.timeOf(data.time[row]));
-    }
-    observations.printedClockStep = clock.printedStep / units.second;
-    observations.clockStep = clock.step() / units.second;
+    const Clock clock = data.crank ? clockOf(data.crank->degrees, data.crank->rounding) : clockOf(data);
+    all.step = clock.step() * unit;
+    all.printedStep = clock.printedStep * unit;
     for (const ReferenceSeries &series : data.series) {
-        if (isNothing(series.channel)) {
-            continue;
-        }
-        ObservedColumn column;
-        column.channel = series.channel;
-        column.values.reserve(rows.size());
-        for (const std::size_t row : rows) {
-            column.values.push_back(std::isfinite(series.values[row]) ? series.values[row] : kNone);
-        }
-        if (series.channel == Channel{Theta3, Order::Position}) {
-            column.hasJumps = takeOutJumps(column.values);
-        }
-        learn(column, series.rounding);
-        if (column.count >= 2 && saysSomething(column)) {
-            observations.columns.push_back(std::move(column));
+        if (!isAlwaysZero(series.channel) && !(data.crank && series.channel == Channel{Theta2, Order::Position})) {
+            if (std::optional<ObservedColumn> column = observedColumn(series, all.rows, all.hasSaturation)) {
+                all.columns.push_back(*std::move(column));
+            }
         }
     }
-    return observations;
+    return all;
+}
+
+Observations selection(const Observations &all, std::span<const std::size_t> rows)
+{
+    Observations some;
+    some.origin = all.origin;
+    some.isByCrankAngle = all.isByCrankAngle;
+    some.step = all.step;
+    some.printedStep = all.printedStep;
+    for (const std::size_t row : rows) {
+        some.rows.push_back(all.rows[row]);
+        some.abscissa.push_back(all.abscissa[row]);
+    }
+    for (const ObservedColumn &whole : all.columns) {
+        ObservedColumn &column = some.columns.emplace_back();
+        static_cast<ColumnStatistics &>(column) = whole;
+        for (const std::size_t row : rows) {
+            column.values.push_back(whole.values[row]);
+            column.variances.push_back(whole.variances[row]);
+            column.count += std::isnan(column.values.back()) ? 0.0 : 1.0;
+        }
+    }
+    return some;
+}
+
+Observations thinned(const Observations &all, std::size_t count)
+{
+    if (all.abscissa.size() <= count) {
+        return all;
+    }
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < count; ++k) {
+        rows.push_back(k * (all.abscissa.size() - 1) / (count - 1));
+    }
+    return selection(all, rows);
 }
 
 } // namespace slidercrank

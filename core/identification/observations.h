@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Rows of reference data made ready for least squares: the columns that a mechanism can say anything about, with what
-// is known of each value's error before any mechanism is fitted.
+// A reference file as the engine sees it: columns of numbers in mm, rad and s, each value with the variance that its
+// rounding leaves, over an abscissa that is counted from the middle of the file.
 
-#include "core/identification/sensitivity.h"
-#include "core/import/clock.h"
 #include "core/import/reference_data.h"
+#include "core/mechanism/channel.h"
 
 #include <cstddef>
 #include <span>
@@ -15,79 +14,60 @@
 namespace slidercrank
 {
 
-/// What lengths, times and instants are counted in while fitting, so that no number is far from 1 whatever the size of
-/// the mechanism and wherever its clock starts.
-struct FitUnits {
-    double mm = 1.0;     ///< unit of length
-    double second = 1.0; ///< unit of time
-    double origin = 0.0; ///< instant (s) that counts as 0
-
-    Parameters toFit(const Parameters &parameters) const;
-    Parameters fromFit(const Parameters &parameters) const; ///< a, b > 0, θ20 in (-π, π]
-
-    /// What a value of the author's unit is to be multiplied by.
-    double factor(Channel channel) const;
-
-    double timeOf(double seconds) const { return (seconds - origin) / second; }
-};
-
-/// One column at the rows of an Observations, in the author's unit.
-struct ObservedColumn {
-    Channel channel;              ///< what the file calls it
-    std::vector<double> values;   ///< NaN: none; θ3 without jumps of whole turns
-    std::vector<double> variance; ///< of their rounding, times the repetition
-    std::size_t count = 0;
-    double repetition = 1.0; ///< how many rows count for one
+/// What all rows of a column tell; a selection of rows keeps it.
+struct ColumnStatistics {
+    Channel channel; ///< what its heading says
     double mean = 0.0;
-    double spread = 0.0; ///< standard deviation, or the step of a column that never changes
-    double step = 0.0;   ///< the largest
+    double spread = 0.0; ///< standard deviation
+    double range = 0.0;  ///< largest less smallest value
+    double step = 0.0;   ///< largest rounding step
+    double meanVariance = 0.0;
     bool varies = false;
-    bool hasJumps = false; ///< of whole turns, that were taken out
+    bool hadJumps = false; ///< an angle that jumped by whole turns, and is continuous here
 };
 
-/// Some rows of the data.
+struct ObservedColumn : ColumnStatistics {
+    std::vector<double> values;    ///< NaN where there is a gap
+    std::vector<double> variances; ///< of the rounding, times the number of rows that count as one observation
+    double count = 0.0;            ///< number of values
+};
+
+/// Channels that tell the shape of the motion: they vary, and do not follow from the crank angle or the offset alone.
+bool tellsShape(const ObservedColumn &column);
+
+inline bool isLength(Channel channel)
+{
+    return !isAngle(channel.coordinate);
+}
+
+/// Channels that every mechanism keeps constant: R4y and the crank's speed.
+bool isConstantByNature(Channel channel);
+
 struct Observations {
-    FitUnits units;
-    std::vector<double> time; ///< in FitUnits
-    double clockStep = 0.0;   ///< of the instants' rounding, in FitUnits; 0 where they are evenly spaced
-    double printedClockStep = 0.0;
+    std::vector<double> abscissa; ///< time in s, or the crank angle in rad, less `origin`
+    double origin = 0.0;
+    bool isByCrankAngle = false;
+    bool hasSaturation = false;    ///< values of a saturated sensor were made gaps
+    double step = 0.0;             ///< rounding of the abscissa that counts: 0 where it is even
+    double printedStep = 0.0;      ///< rounding of the abscissa as it is printed
+    std::vector<std::size_t> rows; ///< of the file
     std::vector<ObservedColumn> columns;
 
-    bool has(Channel channel) const;
-    bool has(Coordinate coordinate) const; ///< in any order
-    bool hasPositionOnly() const;          ///< no derivative, and nothing of θ2
-    std::size_t valueCount() const;
+    double span() const { return abscissa.back() - abscissa.front(); }
+    bool isEmpty() const { return abscissa.size() < 2; }
+
+    /// The shortest interval between two rows, such that a whole number of them makes the span.
+    double interval() const;
 };
 
-bool isPlotted(Channel channel);
+/// All rows that hold a value, and all columns that say something about a mechanism. Values of a saturated sensor (many
+/// equal extreme values with a sudden edge) are gaps.
+Observations observe(const ReferenceData &data);
 
-/// Some rows of a file, of which `count` have a value that says something.
-struct RowRange {
-    std::size_t first = 0;
-    std::size_t end = 0;
-    std::size_t count = 0;
-};
+/// The observations of some rows only, in rising order.
+Observations selection(const Observations &all, std::span<const std::size_t> rows);
 
-/// From the first with a value to the last.
-RowRange rowsOf(const ReferenceData &data);
-RowRange counted(const ReferenceData &data, std::size_t first, std::size_t end);
-
-/// At most so many of those with a value, evenly spread.
-std::vector<std::size_t> spreadOver(const ReferenceData &data, const RowRange &range, std::size_t most);
-
-/// At most so many of the rows, evenly spread.
-std::vector<std::size_t> thinned(std::span<const std::size_t> rows, std::size_t most);
-
-/// `length` (mm): the unit of length where the file holds none.
-FitUnits unitsFor(const ReferenceData &data, std::span<const std::size_t> rows, double length);
-
-/// Columns with fewer than two values in these rows are left out, and those that every mechanism has as zeros.
-///
-/// The rounding's variance is that of a uniform distribution over the step. Rows that repeat do not round
-/// independently: what is left of n such rows is as many as there are runs, or two of each run of the same difference.
-/// A value that happens to be next to nothing, as a position counted from its start, is known no better than a
-/// hundredth of the column's largest step.
-Observations observe(const ReferenceData &data, const Clock &clock, const FitUnits &units,
-                     std::span<const std::size_t> rows);
+/// The observations of at most `count` rows, evenly spread.
+Observations thinned(const Observations &all, std::size_t count);
 
 } // namespace slidercrank

@@ -69,9 +69,8 @@ bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span
     const std::vector<ChannelComparison> channels = compareExactly(rounded, timed ? *timed : data).channels;
     double growth = 0.0;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        const double before = std::max(
-            identified[i].rms.value_or(0.0),
-            kArithmeticStep * toFileUnit(channels[i].channel, naturalSize(rounded.parameters(), channels[i].channel)));
+        const double natural = toFileUnit(channels[i].channel, naturalSize(rounded.parameters(), channels[i].channel));
+        const double before = std::max(identified[i].rms.value_or(0.0), kArithmeticStep * natural);
         const double ratio = channels[i].rms.value_or(0.0) / before;
         growth += static_cast<double>(channels[i].count) * (ratio * ratio - 1.0);
         if (channels[i].verdict > identified[i].verdict) {
@@ -79,6 +78,48 @@ bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span
         }
     }
     return growth <= kMostGrowth;
+}
+
+/// Whether no channel is more than a tenth farther off, rounding apart.
+bool explainsAsWell(const Mechanism &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
+{
+    constexpr double kFactor = 1.1;
+    constexpr double kStepsOfRounding = 0.3; // root mean square of a rounding error
+    const std::optional<ReferenceData> timed = data.crank ? timedBy(rounded, data) : std::nullopt;
+    const std::vector<ChannelComparison> channels = compareExactly(rounded, timed ? *timed : data).channels;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const double before =
+            std::max(identified[i].rms.value_or(0.0), kStepsOfRounding * identified[i].roundingStep.value_or(0.0));
+        if (channels[i].rms.value_or(0.0) > kFactor * before) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Each parameter as the roundest number that its standard error, so many times, leaves room for.
+Parameters roundedBy(const Identification &found, double errorFactor)
+{
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    constexpr double kTurnAMinute = std::numbers::pi / 30.0;
+    constexpr std::array kLengthUnits{1.0};
+    constexpr std::array kSpeedUnits{1.0, kDegree, kTurnAMinute};
+    constexpr std::array kAngleUnits{kDegree, 1.0};
+
+    const Parameters &fitted = found.parameters;
+    const auto rounded = [&](Parameter parameter, double value, double scale, std::span<const double> units) {
+        const double standardError =
+            std::max(errorFactor * found.standardError[indexOf(parameter)], kArithmetic * scale);
+        return standardError > 0.0 && std::isfinite(standardError) ? roundest(value, standardError, units) : value;
+    };
+    const double size = characteristicLength(fitted);
+    Parameters parameters = fitted;
+    parameters.a = rounded(Parameter::A, fitted.a, size, kLengthUnits);
+    parameters.b = rounded(Parameter::B, fitted.b, size, kLengthUnits);
+    parameters.c = rounded(Parameter::C, fitted.c, size, kLengthUnits);
+    parameters.omega2 = rounded(Parameter::Omega2, fitted.omega2, std::abs(fitted.omega2), kSpeedUnits);
+    parameters.theta20 = rounded(Parameter::Theta20, fitted.theta20, 1.0, kAngleUnits);
+    return parameters;
 }
 
 } // namespace
@@ -100,26 +141,18 @@ double roundest(double value, double standardError, std::span<const double> unit
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,
                           std::span<const ChannelComparison> identified)
 {
-    constexpr double kDegree = std::numbers::pi / 180.0;
-    constexpr double kTurnAMinute = std::numbers::pi / 30.0;
-    constexpr std::array kLengthUnits{1.0};
-    constexpr std::array kSpeedUnits{1.0, kDegree, kTurnAMinute};
-    constexpr std::array kAngleUnits{kDegree, 1.0};
-
-    const Parameters &fitted = found.parameters;
-    const auto rounded = [&found](Parameter parameter, double value, double scale, std::span<const double> units) {
-        const double standardError = std::max(found.standardError[indexOf(parameter)], kArithmetic * scale);
-        return standardError > 0.0 && std::isfinite(standardError) ? roundest(value, standardError, units) : value;
-    };
-    const double size = characteristicLength(fitted);
-    Parameters parameters = fitted;
-    parameters.a = rounded(Parameter::A, fitted.a, size, kLengthUnits);
-    parameters.b = rounded(Parameter::B, fitted.b, size, kLengthUnits);
-    parameters.c = rounded(Parameter::C, fitted.c, size, kLengthUnits);
-    parameters.omega2 = rounded(Parameter::Omega2, fitted.omega2, std::abs(fitted.omega2), kSpeedUnits);
-    parameters.theta20 = rounded(Parameter::Theta20, fitted.theta20, 1.0, kAngleUnits);
-    const bool isGood = !findFault(parameters) && agreesAsWell(Mechanism(parameters), data, identified);
-    return isGood ? parameters : fitted;
+    if (found.outcome != Identification::Outcome::Approximate) {
+        const Parameters rounded = roundedBy(found, 1.0);
+        const bool isGood = !findFault(rounded) && agreesAsWell(Mechanism(rounded), data, identified);
+        return isGood ? rounded : found.parameters;
+    }
+    for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) { // a filter moves the parameters far
+        const Parameters nominal = roundedBy(found, errorFactor);
+        if (!findFault(nominal) && explainsAsWell(Mechanism(nominal), data, identified)) {
+            return nominal;
+        }
+    }
+    return found.parameters;
 }
 
 } // namespace slidercrank

@@ -1742,6 +1742,14 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
             <numerusform>Se dejaron fuera %n filas muy apartadas del movimiento: líneas %1.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 (%2 % of its peak)</source>
+        <translation>%1 (%2 % de su pico)</translation>
+    </message>
+    <message>
+        <source>It fits the other columns, but these disagree with them: %1.</source>
+        <translation>Se ajusta a las demás columnas, pero estas no concuerdan con ellas: %1.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::EditCommandText</name>

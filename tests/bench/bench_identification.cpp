@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What it costs to find the mechanism that made 201 rows, the parameter that explains a difference, and how a file is
-// to be read. The start is Table 1 of the report, which the data are far from.
+// What it costs to find the mechanism that made 201 rows, and how a file has to be interpreted. The start is Table 1 of the report, which the data are far from.
 
 #include "core/identification/diagnosis.h"
-#include "core/identification/identification.h"
-#include "core/identification/parameter_change.h"
 #include "tests/support/printed_motion.h"
 
 #include <benchmark/benchmark.h>
@@ -34,7 +31,7 @@ void identifyChannels(benchmark::State &state, const Parameters &truth, const st
     const ReferenceData data = printedData(truth, printing);
     int iterations = 0;
     for (auto _ : state) {
-        const Identification result = identify(data, Mechanism());
+        const Identification result = diagnose(data, Mechanism()).identification;
         iterations = result.iterations;
         benchmark::DoNotOptimize(&result);
     }
@@ -49,17 +46,6 @@ BENCHMARK_CAPTURE(identifyChannels, velocities, kFarOff, "001100", 201, 1.0)->Un
 BENCHMARK_CAPTURE(identifyChannels, accelerations, kFarOff, "000011", 201, 1.0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(identifyChannels, half_a_turn, kFarOff, "111111", 201, 0.3)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(identifyChannels, many_rows, kFarOff, "111111", 100000, 100.0)->Unit(benchmark::kMillisecond);
-
-void changeOne(benchmark::State &state, const Parameters &truth)
-{
-    const ReferenceData data = printedData(truth);
-    for (auto _ : state) {
-        const std::vector<ParameterChange> changes = parameterChanges(data, Mechanism(), truth);
-        benchmark::DoNotOptimize(changes.data());
-    }
-}
-BENCHMARK_CAPTURE(changeOne, authors_file, kAuthors)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(changeOne, far_off, kFarOff)->Unit(benchmark::kMillisecond);
 
 /// Of a file with its angles in radians, against Table 1.
 void findRadians(benchmark::State &state, const Parameters &truth, int rows, double duration)

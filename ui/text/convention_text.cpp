@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/convention_text.h"
 
-#include "core/identification/explanation.h"
 #include "core/import/difference.h"
 
 #include "ui/text/finding_text.h"

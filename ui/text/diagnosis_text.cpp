@@ -157,6 +157,19 @@ QString approximateSentence(const Diagnosis &diagnosis)
              errorText(worst ? *worst->percentOfPeak : 0.0));
 }
 
+/// Which columns belong to another mechanism than the others; empty where there are none.
+QString disagreementSentence(const Identification &found)
+{
+    QStringList columns;
+    for (const Identification::LeftOut &column : found.leftOut) {
+        columns << DiagnosisText::tr("%1 (%2 % of its peak)")
+                       .arg(symbolOf(column.channel), errorText(column.percentOfPeak));
+    }
+    return columns.isEmpty() ? QString()
+                             : DiagnosisText::tr("It fits the other columns, but these disagree with them: %1.")
+                                   .arg(columns.join(DiagnosisText::tr(", ")));
+}
+
 /// Columns that take no part in the fit, and rows that were taken for outliers; a sentence each.
 QStringList exclusionSentences(const Identification &found)
 {
@@ -232,10 +245,15 @@ QString lackSentence(const Identification &found)
 
 QString crankSpeedSentence(const CrankSpeedChange &speed)
 {
-    constexpr int kDigits = 4;
+    constexpr int kMostDigits = 9;
+    int digits = 4; // more where those do not show the change to two digits
+    while (digits < kMostDigits &&
+           std::abs(speed.atEnd - speed.atStart) < 20.0 * std::abs(speed.atStart) * std::pow(10.0, 1 - digits)) {
+        ++digits;
+    }
     return DiagnosisText::tr(
                "The crank speed is not constant: θ₂ turns at %1 rad/s at the start and %2 rad/s at the end.")
-        .arg(numberText(speed.atStart, kDigits), numberText(speed.atEnd, kDigits));
+        .arg(numberText(speed.atStart, digits), numberText(speed.atEnd, digits));
 }
 
 QString nearestSentence(const Diagnosis &diagnosis)
@@ -336,7 +354,15 @@ QString summaryOf(const Diagnosis &diagnosis)
             ? DiagnosisText::tr("No mechanism was found that explains this file.")
             : DiagnosisText::tr(
                   "No mechanism was found that explains this file: check which column is which, and their units.");
-    return diagnosis.unevenCrank ? crankSpeedSentence(*diagnosis.unevenCrank) + u' ' + text : text;
+    QStringList sentences{text};
+    if (diagnosis.unevenCrank) {
+        sentences.prepend(crankSpeedSentence(*diagnosis.unevenCrank));
+    }
+    if (found.outcome == Outcome::Nearest) {
+        sentences << disagreementSentence(found);
+    }
+    sentences.removeAll(QString());
+    return sentences.join(u' ');
 }
 
 QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/identification.h"
-#include "core/identification/parameter_change.h"
+#include "core/identification/diagnosis.h"
 
-#include "core/identification/sensitivity.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
@@ -12,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 using namespace slidercrank;
@@ -21,8 +20,10 @@ namespace
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::uint64_t kSeed = 20240611;
+const Parameters kOrdinary{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
 
-const QString kAuthorsFile = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv");
+using Outcome = Identification::Outcome;
+using Why = Identification::Alternative::Why;
 
 /// A mechanism of the kind that people build: the coupler 3 % to three times longer than a full turn needs.
 Parameters ordinary(RandomMechanisms &random)
@@ -38,44 +39,31 @@ Parameters ordinary(RandomMechanisms &random)
     return p;
 }
 
-Printing turnsOf(const Parameters &p, double turns, int rows, const QString &channels)
+Printing printingOfTurns(const Parameters &p, double turns, int rows, const std::string &channels)
 {
     Printing printing;
     printing.to = turns * 2.0 * kPi / std::abs(p.omega2);
     printing.rows = rows;
-    printing.channels = channels.toStdString();
+    printing.channels = channels;
     return printing;
 }
 
-/// What R4x cannot tell apart.
-Parameters mirrored(Parameters p)
+/// Largest difference of lengths as part of a, of the speed as part of itself, of angles in rad; of the image that
+/// comes nearest, where `images` are allowed.
+double distance(const Parameters &found, const Parameters &truth, bool images = false)
 {
-    p.c = -p.c;
-    p.omega2 = -p.omega2;
-    p.theta20 = -p.theta20;
-    return p;
-}
-
-/// What θ3 cannot tell apart.
-Parameters reversed(Parameters p)
-{
-    p.omega2 = -p.omega2;
-    p.theta20 = kPi - p.theta20;
-    return p;
-}
-
-/// Largest difference of lengths as part of a, of the speed as part of itself, of angles in rad.
-double distance(const Parameters &found, const Parameters &truth)
-{
-    if (found.branch != truth.branch) {
-        return std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Parameters &p : mirrorImages(truth)) {
+        if (found.branch == p.branch && (images || p == truth)) {
+            least = std::min(least, std::max({std::abs(found.a - p.a) / p.a, std::abs(found.b - p.b) / p.a,
+                                              std::abs(found.c - p.c) / p.a, std::abs(found.omega2 / p.omega2 - 1.0),
+                                              std::abs(std::remainder(found.theta20 - p.theta20, 2.0 * kPi))}));
+        }
     }
-    return std::max({std::abs(found.a - truth.a) / truth.a, std::abs(found.b - truth.b) / truth.a,
-                     std::abs(found.c - truth.c) / truth.a, std::abs(found.omega2 / truth.omega2 - 1.0),
-                     std::abs(std::remainder(found.theta20 - truth.theta20, 2.0 * kPi))});
+    return least;
 }
 
-QString described(const Parameters &p)
+QByteArray described(const Parameters &p)
 {
     return QStringLiteral("a %1 b %2 c %3 omega2 %4 theta20 %5 %6")
         .arg(p.a, 0, 'g', 10)
@@ -83,19 +71,40 @@ QString described(const Parameters &p)
         .arg(p.c, 0, 'g', 10)
         .arg(p.omega2, 0, 'g', 10)
         .arg(p.theta20, 0, 'g', 10)
-        .arg(p.branch == Branch::Open ? "open" : "crossed");
+        .arg(p.branch == Branch::Open ? "open" : "crossed")
+        .toUtf8();
 }
 
-using Why = Identification::Alternative::Why;
+Identification identified(const ReferenceData &data, const Parameters &given = {})
+{
+    return diagnose(data, Mechanism(given)).identification;
+}
 
 bool hasAlternative(const Identification &result, Why why)
 {
     return std::ranges::count(result.alternatives, why, &Identification::Alternative::why) > 0;
 }
 
-bool isFound(const Identification &result)
+std::vector<double> &valuesOf(ReferenceData &data, Channel channel)
 {
-    return result.outcome == Identification::Outcome::Identified;
+    return std::ranges::find(data.series, channel, &ReferenceSeries::channel)->values;
+}
+
+constexpr Channel kX{R4x, Order::Position};
+constexpr Channel kXDot{R4x, Order::Velocity};
+constexpr Channel kTheta{Theta3, Order::Position};
+
+void average(std::vector<double> &values, std::ptrdiff_t width)
+{
+    const std::vector<double> before = values;
+    const auto n = static_cast<std::ptrdiff_t>(values.size());
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+        const std::ptrdiff_t first = std::clamp(i - width / 2, std::ptrdiff_t{0}, n - width);
+        values[static_cast<std::size_t>(i)] = 0.0;
+        for (std::ptrdiff_t k = first; k < first + width; ++k) {
+            values[static_cast<std::size_t>(i)] += before[static_cast<std::size_t>(k)] / static_cast<double>(width);
+        }
+    }
 }
 
 } // namespace
@@ -105,252 +114,134 @@ class TestIdentification : public QObject
     Q_OBJECT
 
 private slots:
-    void differentiatesAsDifferencesDo()
+    void findsTheMechanismOfTheReferenceReport()
     {
-        RandomMechanisms random(kSeed);
-        for (int i = 0; i < 200; ++i) {
-            const Parameters p = ordinary(random);
-            const double t = random.uniform(-3.0, 3.0) / std::abs(p.omega2);
-            PlottedValues values;
-            PlottedDerivatives derivatives;
-            QVERIFY(plottedMotion(p, t, values, derivatives));
-            const PrintedRow expected = textbookMotion(p, t);
-            for (std::size_t k = 0; k < kPrintedChannels; ++k) {
-                const double found = toFileUnit(kPlottedChannels[k], values[static_cast<Eigen::Index>(k)]);
-                const auto value = static_cast<double>(expected[k]);
-                QVERIFY2(std::abs(found - value) <= 1e-9 * std::max(std::abs(value), 1.0), qPrintable(described(p)));
-            }
-            double Parameters::*const members[] = {&Parameters::a, &Parameters::b, &Parameters::c, &Parameters::omega2,
-                                                   &Parameters::theta20};
-            for (Eigen::Index j = 0; j < derivatives.cols(); ++j) {
-                double Parameters::*const member = members[j];
-                const double step = 1e-5 * (j == 4 ? 1.0 : std::abs(j == 3 ? p.omega2 : p.a));
-                const auto at = [&](double steps) {
-                    Parameters moved = p;
-                    moved.*member += steps * step;
-                    PlottedValues result;
-                    plottedMotion(moved, t, result);
-                    return result;
-                };
-                // Fourth order.
-                const PlottedValues difference = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step);
-                for (Eigen::Index k = 0; k < kPlottedCount; ++k) {
-                    const double scale = std::abs(values[k]) / step * 1e-5 + std::abs(derivatives(k, j));
-                    QVERIFY2(std::abs(difference[k] - derivatives(k, j)) <= 1e-5 * scale,
-                             qPrintable(QStringLiteral("channel %1, parameter %2: %3 for %4; %5")
-                                            .arg(k)
-                                            .arg(j)
-                                            .arg(derivatives(k, j))
-                                            .arg(difference[k])
-                                            .arg(described(p))));
-                }
-            }
-        }
-    }
-
-    void findsItWhereFewRowsHoldNothingOfAColumn()
-    {
-        const Parameters truth{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
-        Printing printing;
-        printing.rows = 401;
-        const ReferenceData data =
-            printedData(truth, printing, [](int row, std::size_t channel) { return channel == 0 && row % 130 != 3; });
-        const Identification found = identify(data, Mechanism());
-        QVERIFY(isFound(found));
-        QVERIFY(distance(found.parameters, truth) < 1e-4);
-    }
-
-    void findsTheMechanismOfTheAuthorsFile()
-    {
-        QFile file(kAuthorsFile);
+        QFile file(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv"));
         if (!file.open(QIODevice::ReadOnly)) {
-            QSKIP("The author's file is not here.");
+            QSKIP("The reference report's file is not here.");
         }
         const QByteArray bytes = file.readAll();
         const auto outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-        const ReferenceData &data = std::get<ReferenceData>(outcome);
-        const Identification result = identify(data, Mechanism());
-        QVERIFY(isFound(result));
-        const Parameters truth{20.0, 60.0, 25.0, 2.0 * kPi, 0.0, Branch::Open};
-        QVERIFY2(std::abs(result.parameters.a - 20.0) < 1e-5, qPrintable(described(result.parameters)));
-        QVERIFY2(std::abs(result.parameters.b - 60.0) < 1e-5, qPrintable(described(result.parameters)));
-        QVERIFY2(std::abs(result.parameters.c - 25.0) < 1e-5, qPrintable(described(result.parameters)));
-        QVERIFY(distance(result.parameters, truth) < 1e-6);
+        const Diagnosis found = diagnose(std::get<ReferenceData>(outcome), Mechanism());
+        const Identification &result = found.identification;
+        QCOMPARE(result.outcome, Outcome::Identified);
+        QCOMPARE(found.rounded, (Parameters{20.0, 60.0, 25.0, 2.0 * kPi, 0.0, Branch::Open}));
+        QVERIFY(found.conventions.empty() && result.leftOut.empty() && result.excludedRows.empty());
+        QCOMPARE(found.identified.size(), std::size_t{6});
+        QVERIFY(std::ranges::count(found.identified, Verdict::Agrees, &ChannelComparison::verdict) == 6);
         for (std::size_t i = 0; i < kParameterCount; ++i) {
-            QVERIFY(result.identifiable[i]);
-            QVERIFY(result.standardError[i] > 0.0 && result.standardError[i] < 1e-5);
+            QVERIFY(result.identifiable[i] && result.standardError[i] > 0.0 && result.standardError[i] < 1e-5);
         }
-        QVERIFY(result.iterations <= 10);
         QVERIFY(result.conditionNumber > 5.0 && result.conditionNumber < 20.0);
-        QVERIFY(result.rms < 0.4);
-
-        const std::vector<ParameterChange> causes =
-            parameterChanges(data, Mechanism(), identify(data, Mechanism()).parameters);
-        QCOMPARE(causes.size(), kParameterCount);
-        QCOMPARE(causes[0].parameter, Parameter::B);
-        QVERIFY(std::abs(causes[0].value - 60.0) < 5e-4);
-        QVERIFY(causes[0].explained > 0.999999);
-        QVERIFY(causes[1].explained < 0.9);
-    }
-
-    void findsRandomMechanisms_data()
-    {
-        QTest::addColumn<QString>("channels");
-        QTest::newRow("all six channels") << "111111";
-        QTest::newRow("θ3 and R4x") << "110000";
-        QTest::newRow("R4x") << "010000";
-        QTest::newRow("θ3 and the speed of R4x") << "100100";
-        QTest::newRow("R4x and the speed of θ3") << "011000";
-        QTest::newRow("both speeds") << "001100";
-        QTest::newRow("everything of R4x") << "010101";
-        QTest::newRow("the speed of R4x") << "000100";
+        QCOMPARE(found.change->parameter, Parameter::B);
+        QCOMPARE(found.change->value, 60.0);
+        QVERIFY(found.change->explained > 0.999999);
     }
 
     void findsRandomMechanisms()
     {
-        QFETCH(const QString, channels);
-        const bool onlyR4x =
-            !channels.contains('1') || (channels[0] == '0' && channels[2] == '0' && channels[4] == '0');
-        RandomMechanisms random(kSeed);
-        for (int i = 0; i < numericRuns(100, 1000); ++i) {
-            const Parameters truth = ordinary(random);
-            const double turns = random.uniform(0.6, 3.0);
-            const int rows = static_cast<int>(random.uniform(80.0, 500.0));
-            const ReferenceData data = printedData(truth, turnsOf(truth, turns, rows, channels));
-            const Identification result = identify(data, Mechanism());
-            const bool image = onlyR4x && result.parameters.omega2 * truth.omega2 < 0.0;
-            const double found = distance(result.parameters, image ? mirrored(truth) : truth);
-            QVERIFY2(isFound(result) && found <= 1e-3,
-                     qPrintable(QStringLiteral("%1: %2 turns, %3 rows: off by %4: %5 instead of %6")
-                                    .arg(i)
-                                    .arg(turns)
-                                    .arg(rows)
-                                    .arg(found)
-                                    .arg(described(result.parameters), described(truth))));
-            QCOMPARE(hasAlternative(result, Why::MirrorImage), onlyR4x);
-            QVERIFY(!result.onlyRatios && result.alternatives.size() == (onlyR4x ? 1 : 0));
+        struct Row {
+            const char *channels;
+            bool hasMirrorImage = false;
+        };
+        for (const Row &row : {Row{"111111"}, Row{"110000"}, Row{"010000", true}, Row{"100100"}, Row{"011000"},
+                               Row{"001100"}, Row{"010101", true}, Row{"000100", true}, Row{"000011"}}) {
+            RandomMechanisms random(kSeed);
+            for (int i = 0; i < numericRuns(15, 500); ++i) {
+                const Parameters truth = ordinary(random);
+                const double turns = random.uniform(0.6, 3.0);
+                const int rows = static_cast<int>(random.uniform(80.0, 500.0));
+                const Identification result =
+                    identified(printedData(truth, printingOfTurns(truth, turns, rows, row.channels)));
+                QVERIFY2(result.outcome == Outcome::Identified, row.channels + (": " + described(truth)));
+                QVERIFY2(distance(result.parameters, truth, row.hasMirrorImage) <= 1e-3, described(truth));
+                QCOMPARE(hasAlternative(result, Why::MirrorImage), row.hasMirrorImage);
+                QCOMPARE(result.alternatives.size(), std::size_t{row.hasMirrorImage ? 1U : 0U});
+                QVERIFY(!result.onlyRatios);
+            }
         }
-    }
-
-    void findsTheRatiosFromTheCouplerAlone_data()
-    {
-        QTest::addColumn<QString>("channels");
-        QTest::newRow("θ3") << "100000";
-        QTest::newRow("θ3 and its derivatives") << "101010";
-        QTest::newRow("the speed of θ3") << "001000";
     }
 
     void findsTheRatiosFromTheCouplerAlone()
     {
-        QFETCH(const QString, channels);
-        RandomMechanisms random(kSeed);
-        for (int i = 0; i < numericRuns(100, 100); ++i) {
-            const Parameters truth = ordinary(random);
-            const ReferenceData data = printedData(truth, turnsOf(truth, random.uniform(0.6, 3.0), 201, channels));
-            Parameters given;
-            given.a = truth.a;
-            given.omega2 = 1.0;
-            given.branch = truth.branch;
-            const Identification result = identify(data, Mechanism(given));
-            QVERIFY(isFound(result));
-            QCOMPARE(result.parameters.a, given.a);
-            QVERIFY(result.parameters.omega2 > 0.0);
-            const double found = distance(result.parameters, truth.omega2 < 0.0 ? reversed(truth) : truth);
-            QVERIFY2(found <= 1e-3, qPrintable(described(result.parameters) + " instead of " + described(truth)));
-            QVERIFY(result.onlyRatios && hasAlternative(result, Why::Reversed));
-            QVERIFY(!hasAlternative(result, Why::MirrorImage));
-            QCOMPARE(hasAlternative(result, Why::OtherAssembly), channels[0] == '0');
-            QVERIFY(!result.identifiable[indexOf(Parameter::A)] && !result.identifiable[indexOf(Parameter::B)]);
-            QVERIFY(!result.identifiable[indexOf(Parameter::C)] && result.identifiable[indexOf(Parameter::Omega2)]);
-        }
-    }
-
-    void findsAMechanismFromItsAccelerations()
-    {
-        RandomMechanisms random(kSeed);
-        for (int i = 0; i < 10; ++i) {
-            const Parameters truth = ordinary(random);
-            const double turns = random.uniform(0.6, 3.0);
-            const Identification result =
-                identify(printedData(truth, turnsOf(truth, turns, 201, "000011")), Mechanism());
-            QVERIFY2(isFound(result) && distance(result.parameters, truth) <= 1e-3,
-                     qPrintable(described(result.parameters) + " instead of " + described(truth)));
+        for (const char *channels : {"100000", "101010", "001000"}) {
+            RandomMechanisms random(kSeed);
+            for (int i = 0; i < numericRuns(20, 100); ++i) {
+                const Parameters truth = ordinary(random);
+                Parameters given;
+                given.a = truth.a;
+                given.omega2 = 1.0;
+                given.branch = truth.branch;
+                const Identification result =
+                    identified(printedData(truth, printingOfTurns(truth, 2.0, 201, channels)), given);
+                QCOMPARE(result.outcome, Outcome::Identified);
+                QCOMPARE(result.parameters.a, given.a);
+                QVERIFY2(distance(result.parameters, truth, true) <= 1e-3, described(truth));
+                QVERIFY(result.parameters.omega2 > 0.0 && result.onlyRatios && hasAlternative(result, Why::Reversed));
+                QCOMPARE(hasAlternative(result, Why::OtherAssembly), channels[0] == '0');
+                QCOMPARE(result.identifiable, (std::array{false, false, false, true, true}));
+            }
         }
     }
 
     void findsARocker()
     {
-        RandomMechanisms random(kSeed);
-        for (int i = 0; i < numericRuns(100, 100); ++i) {
-            // Around the middle of the arc where c - a sin θ2 stays within ±b.
-            Parameters truth = ordinary(random);
-            const double c = std::abs(truth.c);
-            truth.b = c + truth.a * random.uniform(-0.3, 0.9);
-            if (truth.b < 0.1 * truth.a || truth.b < c - 0.7 * truth.a || truth.b > 0.9 * (truth.a + c)) {
-                continue;
-            }
-            const double limit = std::asin(std::clamp((c - truth.b) / truth.a, -1.0, 1.0));
-            const double upper = c + truth.b > truth.a ? kPi - limit : std::asin((c + truth.b) / truth.a);
-            const double margin = 0.02 * (upper - limit);
-            const double sign = truth.c < 0.0 ? -1.0 : 1.0;
-            const double from = truth.omega2 * sign > 0.0 ? limit + margin : upper - margin;
-            const double to = truth.omega2 * sign > 0.0 ? upper - margin : limit + margin;
-            truth.theta20 = sign * from;
-            Printing printing;
-            printing.to = std::abs((to - from) / truth.omega2);
-            for (const char *channels : {"111111", "110000", "010000"}) {
-                printing.channels = channels;
-                const Identification result = identify(printedData(truth, printing), Mechanism());
-                const bool image = channels[0] == '0' && result.parameters.omega2 * truth.omega2 < 0.0;
-                QVERIFY2(isFound(result) && distance(result.parameters, image ? mirrored(truth) : truth) <= 1e-3,
-                         qPrintable(described(result.parameters) + " instead of " + described(truth)));
-            }
+        // Around the middle of the arc where c - a sin θ2 stays within ±b.
+        const Parameters truth{30.0, 20.0, 25.0, 3.0, 0.45, Branch::Open};
+        Printing printing;
+        printing.to = 0.6;
+        for (const char *channels : {"111111", "110000", "010000"}) {
+            printing.channels = channels;
+            const Identification result = identified(printedData(truth, printing));
+            QCOMPARE(result.outcome, Outcome::Identified);
+            QVERIFY2(distance(result.parameters, truth, true) <= 1e-3, described(result.parameters));
         }
     }
 
     void bridgesGaps()
     {
         RandomMechanisms random(kSeed);
-        for (int i = 0; i < numericRuns(100, 100); ++i) {
+        for (int i = 0; i < numericRuns(10, 100); ++i) {
             const Parameters truth = ordinary(random);
-            Printing printing = turnsOf(truth, 3.0, 300, "111111");
             // A turn is missing altogether, of the rest one cell in two; θ3 ends early, R4x begins late.
             const auto isGap = [&](int row, std::size_t channel) {
                 return (row > 100 && row < 200) || (channel == 0 && row > 220) || (channel == 1 && row < 80) ||
                        random.uniform(0.0, 1.0) < 0.5;
             };
-            const Identification result = identify(printedData(truth, printing, isGap), Mechanism());
-            QVERIFY2(isFound(result) && distance(result.parameters, truth) <= 1e-3,
-                     qPrintable(described(result.parameters) + " instead of " + described(truth)));
+            const Identification result =
+                identified(printedData(truth, printingOfTurns(truth, 3.0, 300, "111111"), isGap));
+            QVERIFY2(result.outcome == Outcome::Identified && distance(result.parameters, truth) <= 1e-3,
+                     described(truth));
         }
     }
 
     void findsAMechanismOfAnySizeAtAnyTime()
     {
-        for (const double size : {1e-9, 1e9}) {
+        for (const double size : {1e-6, 1e9}) {
             Parameters truth{20.0 * size, 60.0 * size, -25.0 * size, -1e3, 1.0, Branch::Crossed};
             Printing printing;
             printing.from = 1e4;
             printing.to = 1e4 + 0.01;
             printing.timeFormat = "%.12g";
-            const Identification result = identify(printedData(truth, printing), Mechanism());
-            QVERIFY(isFound(result));
+            const Identification result = identified(printedData(truth, printing));
+            QCOMPARE(result.outcome, Outcome::Identified);
             // At t = 0 the angle is as uncertain as the speed times 1e4 s.
-            const double error = result.standardError[indexOf(Parameter::Theta20)];
             const double off = std::remainder(result.parameters.theta20 - truth.theta20, 2.0 * kPi);
-            QVERIFY2(std::abs(off) < 5.0 * error, qPrintable(QStringLiteral("%1 ± %2").arg(off).arg(error)));
+            QVERIFY(std::abs(off) < 5.0 * result.standardError[indexOf(Parameter::Theta20)]);
             truth.theta20 = result.parameters.theta20;
-            QVERIFY2(distance(result.parameters, truth) < 1e-5, qPrintable(described(result.parameters)));
+            QVERIFY2(distance(result.parameters, truth) < 1e-5, described(result.parameters));
         }
     }
 
     void findsAThousandTurnsInManyRows()
     {
         const Parameters truth{20.0, 60.0, 25.0, -7.0, 2.0, Branch::Open};
-        const Identification result =
-            identify(printedData(truth, turnsOf(truth, 1000.0, 50000, "110000")), Mechanism());
-        QVERIFY2(isFound(result) && distance(result.parameters, truth) < 1e-5,
-                 qPrintable(described(result.parameters)));
+        ReferenceData data = printedData(truth, printingOfTurns(truth, 1000.0, 50000, "110000"));
+        valuesOf(data, kX)[30000] = 500.0;
+        const Identification result = identified(data);
+        QCOMPARE(result.outcome, Outcome::Identified);
+        QVERIFY2(distance(result.parameters, truth) < 1e-5, described(result.parameters));
+        QCOMPARE(result.excludedRows, std::vector<std::size_t>{30002}); // the heading is line 1
     }
 
     void tellsHowFarOffItMayBe()
@@ -359,36 +250,93 @@ private slots:
         RandomMechanisms random(kSeed);
         int count = 0;
         int beyond = 0;
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < 60; ++i) {
             const Parameters truth = ordinary(random);
-            const Identification result =
-                identify(printedData(truth, turnsOf(truth, random.uniform(0.6, 3.0), 201, "110000")), Mechanism());
-            const double errors[] = {result.parameters.a - truth.a, result.parameters.b - truth.b,
-                                     result.parameters.c - truth.c, result.parameters.omega2 - truth.omega2,
-                                     std::remainder(result.parameters.theta20 - truth.theta20, 2.0 * kPi)};
+            const Identification result = identified(printedData(truth, printingOfTurns(truth, 1.7, 201, "110000")));
+            const std::array errors{result.parameters.a - truth.a, result.parameters.b - truth.b,
+                                    result.parameters.c - truth.c, result.parameters.omega2 - truth.omega2,
+                                    std::remainder(result.parameters.theta20 - truth.theta20, 2.0 * kPi)};
             for (std::size_t k = 0; k < kParameterCount; ++k) {
                 ++count;
                 beyond += std::abs(errors[k]) > 3.0 * result.standardError[k] ? 1 : 0;
             }
         }
-        QVERIFY2(beyond <= count / 50, qPrintable(QStringLiteral("%1 of %2").arg(beyond).arg(count)));
+        QVERIFY2(beyond <= count / 50, QByteArray::number(beyond));
     }
 
-    void leavesOutAColumnThatIsWrong()
+    void isOnlyApproximateWhereTheResidualIsSystematic()
     {
-        ReferenceData data = printedData({20.0, 60.0, 25.0, 5.0, 0.5, Branch::Open});
+        const Parameters truth{40.0, 130.0, -20.0, 6.25, 0.25, Branch::Open};
+        ReferenceData data = printedData(truth, printingOfTurns(truth, 2.0, 401, "110000"));
         for (ReferenceSeries &series : data.series) {
-            if (series.channel.order == Order::Velocity) {
-                for (double &value : series.values) {
-                    value *= kDegreesPerRadian;
-                }
+            average(series.values, 9);
+        }
+        const Diagnosis found = diagnose(data, Mechanism());
+        QCOMPARE(found.identification.outcome, Outcome::Approximate);
+        QVERIFY(distance(found.identification.parameters, truth) < 0.02);
+        QVERIFY(
+            std::ranges::all_of(found.identification.standardError, [](double error) { return std::isnan(error); }));
+        QVERIFY(std::ranges::all_of(found.identified, [](const ChannelComparison &channel) {
+            return channel.percentOfPeak > 0.001 && channel.percentOfPeak < 2.0;
+        }));
+    }
+
+    void namesTheColumnThatIsLeftOut()
+    {
+        ReferenceData data = printedData(kOrdinary);
+        Parameters other = kOrdinary;
+        other.b *= 1.01;
+        valuesOf(data, kXDot) = valuesOf(*std::make_unique<ReferenceData>(printedData(other)), kXDot);
+        const Diagnosis found = diagnose(data, Mechanism());
+        QCOMPARE(found.identification.outcome, Outcome::Identified);
+        QVERIFY(distance(found.identification.parameters, kOrdinary) < 1e-5);
+        QCOMPARE(found.identification.leftOut.size(), std::size_t{1});
+        QVERIFY(found.identification.leftOut[0].channel == kXDot);
+        QVERIFY(found.identification.leftOut[0].percentOfPeak > 0.1 && found.conventions.empty());
+    }
+
+    void findsNoMechanismInColumnsOfTwo()
+    {
+        ReferenceData data = printedData(kOrdinary);
+        Parameters other = kOrdinary;
+        other.b *= 1.02;
+        const ReferenceData second = printedData(other);
+        for (std::size_t i = 0; i < data.series.size(); ++i) {
+            if (data.series[i].channel.coordinate == Theta3) {
+                data.series[i] = second.series[i];
             }
         }
-        const Identification result = identify(data, Mechanism());
-        // As they say, no mechanism explains all of them; the one that explains the others comes nearest.
-        QCOMPARE(result.outcome, Identification::Outcome::Nearest);
-        QVERIFY2(distance(result.parameters, {20.0, 60.0, 25.0, 5.0, 0.5, Branch::Open}) < 1e-5,
-                 qPrintable(described(result.parameters)));
+        const Diagnosis found = diagnose(data, Mechanism());
+        QCOMPARE(found.identification.outcome, Outcome::Nearest);
+        const double worst = *std::ranges::max(found.identified, {}, &ChannelComparison::percentOfPeak).percentOfPeak;
+        QVERIFY2(worst < 5.0, QByteArray::number(worst)); // it is what was fitted
+    }
+
+    void excludesBadReadingsAndNamesTheirLines()
+    {
+        ReferenceData data = printedData(kOrdinary, printingOfTurns(kOrdinary, 2.0, 240, "010000"));
+        valuesOf(data, kX)[100] = 0.0;
+        valuesOf(data, kX)[7] *= 1.3;
+        const Identification result = identified(data);
+        QCOMPARE(result.outcome, Outcome::Identified);
+        QVERIFY(distance(result.parameters, kOrdinary, true) < 1e-4 && result.noise.empty());
+        QCOMPARE(result.excludedRows, (std::vector<std::size_t>{9, 102}));
+    }
+
+    void takesQuantizedAndSaturatedValuesAsSuch()
+    {
+        ReferenceData data = printedData(kOrdinary, printingOfTurns(kOrdinary, 2.0, 240, "110000"));
+        constexpr double kEncoderStep = 360.0 / 2048.0;
+        for (double &value : valuesOf(data, kTheta)) {
+            value = std::round(value / kEncoderStep) * kEncoderStep;
+        }
+        const ValueRange range = rangeOf(valuesOf(data, kX));
+        for (double &value : valuesOf(data, kX)) {
+            value = std::min(value, range.high - 0.1 * range.width());
+        }
+        const Identification result = identified(data);
+        QCOMPARE(result.outcome, Outcome::Identified);
+        QVERIFY(result.noise.empty() && result.excludedRows.empty() && distance(result.parameters, kOrdinary) < 1e-4);
     }
 
     void findsNothingInNonsense()
@@ -400,73 +348,55 @@ private slots:
                 value = random.uniform(-1.0, 1.0);
             }
         }
-        QCOMPARE(identify(data, Mechanism()).outcome, Identification::Outcome::None);
+        QCOMPARE(identified(data).outcome, Outcome::None);
     }
 
-    void saysThatNothingMoves()
+    void saysWhatIsMissing()
     {
+        using Lack = Identification::Lack;
         Parameters standing;
         standing.omega2 = 0.0;
         standing.theta20 = 0.3;
-        QCOMPARE(identify(printedData(standing), Mechanism()).lack, Identification::Lack::NothingMoves);
-    }
-
-    void saysThatThereAreTooFewData()
-    {
         Printing printing;
         printing.rows = 4;
         printing.channels = "010000";
-        QCOMPARE(identify(printedData(Parameters(), printing), Mechanism()).lack, Identification::Lack::FewValues);
-        QCOMPARE(identify(ReferenceData(), Mechanism()).outcome, Identification::Outcome::Insufficient);
-        QVERIFY(parameterChanges(ReferenceData(), Mechanism(), Parameters()).empty());
+        QCOMPARE(identified(printedData(standing)).lack, Lack::NothingMoves);
+        QCOMPARE(identified(printedData(Parameters(), printing)).lack, Lack::FewValues);
+        QCOMPARE(identified(ReferenceData()).lack, Lack::FewInstants);
+        printing.rows = 7; // of seven numbers to six digits five parameters are chance
+        QCOMPARE(identified(printedData(Parameters(), printing)).outcome, Outcome::Insufficient);
     }
 
     void stopsWhenAsked()
     {
         std::stop_source source;
         source.request_stop();
-        const ReferenceData data = printedData(Parameters());
-        QVERIFY(identify(data, Mechanism(), source.get_token()).stopped);
-        QVERIFY(parameterChanges(data, Mechanism(), Parameters(), source.get_token()).empty());
-    }
-
-    void findsTheParameterThatMakesADifference_data()
-    {
-        QTest::addColumn<int>("which");
-        QTest::newRow("a") << 0;
-        QTest::newRow("b") << 1;
-        QTest::newRow("c") << 2;
-        QTest::newRow("ω2") << 3;
-        QTest::newRow("θ20") << 4;
+        QVERIFY(diagnose(printedData(Parameters()), Mechanism(), source.get_token()).identification.stopped);
     }
 
     void findsTheParameterThatMakesADifference()
     {
-        QFETCH(const int, which);
         RandomMechanisms random(kSeed);
-        for (int i = 0; i < 50; ++i) {
-            const Parameters truth = ordinary(random);
-            Parameters given = truth;
-            double Parameters::*const members[] = {&Parameters::a, &Parameters::b, &Parameters::c, &Parameters::omega2,
-                                                   &Parameters::theta20};
-            double Parameters::*const member = members[which];
-            switch (which) {
-            case 0: given.a *= random.uniform(0.3, 0.99); break;
-            case 1: given.b *= random.uniform(1.01, 2.0); break;
-            case 2: given.c = given.a * random.uniform(-1.5, 1.5); break;
-            case 3: given.omega2 *= random.uniform(-1.5, 1.5); break;
-            default: given.theta20 += random.uniform(-kPi, kPi); break;
+        for (const Parameter parameter :
+             {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
+            for (int i = 0; i < numericRuns(6, 50); ++i) {
+                const Parameters truth = ordinary(random);
+                Parameters given = truth;
+                valueOf(given, parameter) += parameter == Parameter::Theta20 ? random.uniform(0.3, 3.0)
+                                             : parameter == Parameter::B     ? given.b * random.uniform(0.05, 1.0)
+                                                                             : -valueOf(given, parameter) * 0.4;
+                const Diagnosis found =
+                    diagnose(printedData(truth, printingOfTurns(truth, 2.0, 201, "111111")), Mechanism(given));
+                if (parameter == Parameter::Theta20) {
+                    QVERIFY2(!found.conventions.empty() &&
+                                 found.conventions[0].convention.kind == Convention::Kind::TimeShift,
+                             described(truth));
+                    continue;
+                }
+                QVERIFY2(found.change && found.change->parameter == parameter, described(truth));
+                QVERIFY(std::abs(found.change->value - valueOf(truth, parameter)) <=
+                        1e-3 * std::abs(valueOf(truth, parameter)));
             }
-            const ReferenceData data = printedData(truth, turnsOf(truth, random.uniform(0.6, 3.0), 201, "111111"));
-            const std::vector<ParameterChange> causes =
-                parameterChanges(data, Mechanism(given), identify(data, Mechanism(given)).parameters);
-            QCOMPARE(causes.size(), kParameterCount);
-            const QString what = described(given) + " instead of " + described(truth);
-            QVERIFY2(indexOf(causes[0].parameter) == static_cast<std::size_t>(which), qPrintable(what));
-            QVERIFY2(causes[0].explained > 0.999, qPrintable(what));
-            const double off = causes[0].value - truth.*member;
-            const double scale = which == 4 ? 1.0 : which == 3 ? std::abs(truth.omega2) : truth.a;
-            QVERIFY2(std::abs(which == 4 ? std::remainder(off, 2.0 * kPi) : off) <= 1e-3 * scale, qPrintable(what));
         }
     }
 };

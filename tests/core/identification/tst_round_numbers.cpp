@@ -120,7 +120,7 @@ private slots:
             printing.to = turns * 2.0 * kPi / p.omega2;
             printing.format = format.constData();
             const ReferenceData data = printedData(p, printing);
-            const Identification identification = identify(data, Mechanism(p));
+            const Identification identification = diagnose(data, Mechanism(p)).identification;
             if (identification.outcome != Identification::Outcome::Identified) {
                 continue;
             }

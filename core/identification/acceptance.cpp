@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/acceptance.h"
+
+#include "core/identification/interpretation.h"
+#include "core/mechanism/turn.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kFewestRowsForNoise = 20.0; // fewer tell no noise from misfit
+constexpr double kLargestNoisePart = 0.15;   // of the spread
+constexpr Eigen::Index kHarmonics = 8;
+
+/// The part of the sum of squares of some residuals that eight harmonics of the crank angle explain, 0 to 1.
+double harmonicPart(const std::vector<double> &residuals, const std::vector<double> &angles)
+{
+    constexpr double kRegularization = 1e-9;
+    constexpr Eigen::Index kTerms = 2 * kHarmonics + 1;
+    Eigen::MatrixXd basis(static_cast<Eigen::Index>(residuals.size()), kTerms);
+    Eigen::VectorXd right(basis.rows());
+    for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+        basis(i, 0) = 1.0;
+        right[i] = residuals[static_cast<std::size_t>(i)];
+        const double angle = angles[static_cast<std::size_t>(i)];
+        for (Eigen::Index h = 1; h <= kHarmonics; ++h) {
+            basis(i, 2 * h - 1) = std::cos(static_cast<double>(h) * angle);
+            basis(i, 2 * h) = std::sin(static_cast<double>(h) * angle);
+        }
+    }
+    Eigen::MatrixXd matrix = basis.transpose() * basis;
+    matrix.diagonal().array() += kRegularization * static_cast<double>(basis.rows());
+    const Eigen::VectorXd projected = basis.transpose() * right;
+    const double squares = right.squaredNorm();
+    return squares > 0.0 ? std::clamp(projected.dot(matrix.ldlt().solve(projected)) / squares, 0.0, 1.0) : 0.0;
+}
+
+/// Sum of the products of values that are so many apart, over the sum of squares; values across a gap in `rows` do not
+/// count. `rows` may be empty: then all follow each other.
+double autocorrelation(const std::vector<double> &values, std::size_t lag, const std::vector<std::size_t> &rows,
+                       std::size_t stride)
+{
+    double squares = 0.0;
+    double products = 0.0;
+    double pairs = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        squares += values[i] * values[i];
+        if (i >= lag && (rows.empty() || rows[i] - rows[i - lag] == lag * stride)) {
+            products += values[i] * values[i - lag];
+            pairs += 1.0;
+        }
+    }
+    return squares > 0.0 && pairs > 0.0 ? products / squares * static_cast<double>(values.size()) / pairs : 0.0;
+}
+
+/// Mean fourth power over the squared mean square: 3 for normally distributed values.
+double kurtosis(const std::vector<double> &values)
+{
+    double squares = 0.0;
+    double fourths = 0.0;
+    for (const double value : values) {
+        squares += value * value;
+        fourths += value * value * value * value;
+    }
+    return squares > 0.0 ? fourths * static_cast<double>(values.size()) / (squares * squares) : 0.0;
+}
+
+/// Whether the values look like independent noise of one distribution: in the order of time by eight autocorrelations
+/// (Ljung-Box), by the first of them, and by their kurtosis, which single bad readings raise.
+bool isWhiteInTime(const std::vector<double> &values, const std::vector<std::size_t> &rows)
+{
+    constexpr std::size_t kLags = 8;
+    constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
+    constexpr double kSigmas = 3.3;
+    constexpr double kLargestKurtosis = 9.0;
+    const auto n = static_cast<double>(values.size());
+    std::size_t stride = std::numeric_limits<std::size_t>::max();
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        stride = std::min(stride, rows[i] - rows[i - 1]);
+    }
+    double sum = 0.0;
+    for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
+        const double correlation = autocorrelation(values, lag, rows, stride);
+        sum += n * correlation * correlation;
+        if (lag == 1 && std::abs(correlation) > kSigmas / std::sqrt(n)) {
+            return false;
+        }
+    }
+    return sum <= kLargestSum && kurtosis(values) <= kLargestKurtosis;
+}
+
+/// Whether values in the order of the crank angle are neither alike from one to the next nor a function of the angle.
+bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double> &angles)
+{
+    constexpr double kSigmas = 3.3;
+    constexpr double kDegreesOfFreedom = 2.0 * kHarmonics + 1.0;
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return wrapToPi(angles[i]); });
+    std::vector<double> sorted;
+    for (const std::size_t i : order) {
+        sorted.push_back(values[i]);
+    }
+    const auto n = static_cast<double>(values.size());
+    const double explained = n * harmonicPart(values, angles);
+    return autocorrelation(sorted, 1, {}, 1) <= kSigmas / std::sqrt(n) &&
+           explained <= kDegreesOfFreedom + 4.0 * std::sqrt(2.0 * kDegreesOfFreedom);
+}
+
+Residual judgeColumn(const Observations &data, const Fit &fit, const std::vector<double> &angles, std::size_t j)
+{
+    if (!fit.hypothesis.columns[j].isUsed) {
+        return Residual::NotUsed;
+    }
+    if (fit.noiseVariances[j] == 0.0) {
+        return Residual::Rounding;
+    }
+    std::vector<double> values;
+    std::vector<double> valueAngles;
+    std::vector<std::size_t> rows;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
+        const double residual = fit.residuals[j][i];
+        if (!std::isnan(residual)) {
+            values.push_back(residual / std::sqrt(fit.variances[j][i]));
+            valueAngles.push_back(angles[i]);
+            rows.push_back(data.rows[i]);
+            largest = std::max(largest, std::abs(residual));
+        }
+    }
+    const double range = interpretedRange(data, fit.hypothesis, j);
+    const double spread = std::max(data.columns[j].spread * std::abs(fit.hypothesis.columns[j].factor()),
+                                   isConstantByNature(data.columns[j].channel) ? range : 0.0);
+    if (data.columns[j].count < kFewestRowsForNoise) {
+        return Residual::Unexplained;
+    }
+    const bool isSmall = std::sqrt(fit.noiseVariances[j]) <= kLargestNoisePart * spread;
+    if (isSmall && isWhiteInTime(values, rows) && isWhiteInAngle(values, valueAngles)) {
+        return Residual::White;
+    }
+    return largest <= kLargestSystematicPart * range ? Residual::Systematic : Residual::Unexplained;
+}
+
+} // namespace
+
+double Candidate::score() const
+{
+    constexpr double kPricePerSpeed = 1e-5; // of aliases the slower is preferred
+    return fit.score + price + kPricePerSpeed * std::abs(fit.hypothesis.unknowns[3]);
+}
+
+std::vector<double> crankAngles(const Observations &data, const Hypothesis &hypothesis)
+{
+    const double rate = phaseRate(data, hypothesis, hypothesis.unknowns);
+    std::vector<double> angles;
+    for (const double at : data.abscissa) {
+        angles.push_back(rate * at + hypothesis.unknowns[4]);
+    }
+    return angles;
+}
+
+double interpretedRange(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
+{
+    const Channel channel = data.columns[column].channel;
+    const double natural = channel.coordinate == R4y ? hypothesis.unknowns[0] : hypothesis.unknowns[3];
+    return isConstantByNature(channel) ? std::abs(natural)
+                                       : data.columns[column].range * std::abs(hypothesis.columns[column].factor());
+}
+
+bool looksLikeNoise(const std::vector<double> &residuals, const std::vector<double> &angles)
+{
+    constexpr double kLargestHarmonicPart = 0.6; // smoothed differences are off systematically, too
+    constexpr double kSmooth = 0.92;             // correlation from row to row of a smooth signal
+    const auto n = static_cast<double>(residuals.size());
+    const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / n, 0.95);
+    return harmonicPart(residuals, angles) <= largest && autocorrelation(residuals, 1, {}, 1) <= kSmooth;
+}
+
+Candidate judgedCandidate(const Observations &data, Fit fit)
+{
+    Candidate candidate;
+    candidate.price = priceOf(data, fit.hypothesis);
+    candidate.fit = std::move(fit);
+    const Fit &found = candidate.fit;
+    const std::vector<double> angles = crankAngles(data, found.hypothesis);
+    candidate.isExact = true;
+    candidate.acceptance = Acceptance::Identified;
+    double off = 0.0;
+    double all = 0.0;
+    bool hasOffset = data.isByCrankAngle && found.hypothesis.isFree[indexOf(Parameter::Theta20)];
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const ObservedColumn &column = data.columns[j];
+        const ColumnUse &use = found.hypothesis.columns[j];
+        candidate.residuals.push_back(judgeColumn(data, found, angles, j));
+        hasOffset = hasOffset || (use.isUsed && use.hasOffset);
+        if (tellsShape(column)) {
+            const double spread = column.spread * use.factor();
+            off += column.count * (use.isUsed ? std::min(found.noiseVariances[j] / (spread * spread), 1.0) : 1.0);
+            all += column.count;
+        }
+        const Residual residual = candidate.residuals.back();
+        candidate.isExact = candidate.isExact && (residual == Residual::Rounding || residual == Residual::NotUsed);
+        candidate.acceptance =
+            std::max(candidate.acceptance, residual == Residual::Unexplained  ? Acceptance::Rejected
+                                           : residual == Residual::Systematic ? Acceptance::Approximate
+                                                                              : Acceptance::Identified);
+    }
+    if (candidate.acceptance == Acceptance::Approximate && hasOffset) { // a free origin would take up systematic errors
+        candidate.acceptance = Acceptance::Rejected;
+    }
+    candidate.distance = all > 0.0 ? off / all : 1.0;
+    return candidate;
+}
+
+bool isBetter(const Candidate &x, const Candidate &y)
+{
+    return x.acceptance != y.acceptance ? x.acceptance < y.acceptance : x.score() < y.score();
+}
+
+} // namespace slidercrank

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/candidate_search.h"
+
+#include "core/identification/interpretation.h"
+#include "core/identification/shape_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+bool isPlottedDerivative(Channel channel)
+{
+    return channel.order != Order::Position && (channel.coordinate == R4x || channel.coordinate == Theta3);
+}
+
+/// A hypothesis without the offsets and scales of another fit; they start anew.
+Hypothesis restarted(const Hypothesis &hypothesis)
+{
+    Hypothesis result = hypothesis;
+    result.unknowns.conservativeResize(static_cast<Eigen::Index>(kParameterCount));
+    return result;
+}
+
+void addWithVariants(const Observations &data, Candidate candidate, std::vector<Candidate> &all);
+
+/// Adds the candidate without those of its free origins that turned out to be next to nothing.
+void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate, std::vector<Candidate> &all)
+{
+    constexpr double kIdlePart = 2e-2; // of the spread, of the crank's length for R4y, of a radian for θ2
+    const Hypothesis &fitted = candidate.fit.hypothesis;
+    const UnknownLayout layout(fitted.columns);
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const ObservedColumn &column = data.columns[j];
+        const double size = column.channel.coordinate == R4y ? std::abs(fitted.unknowns[0]) : column.spread;
+        if (layout.offset[j] >= 0 &&
+            std::abs(fitted.unknowns[layout.offset[j]]) < std::max(kIdlePart * size, column.step)) {
+            Hypothesis without = restarted(fitted);
+            without.columns[j].hasOffset = false;
+            addWithVariants(data, fitCandidate(data, std::move(without)), all);
+        }
+    }
+    const double plainAngle = fitted.abscissaFactor * data.origin;
+    const double zero = std::remainder(fitted.unknowns[4] - plainAngle, 2.0 * std::numbers::pi);
+    if (data.isByCrankAngle && fitted.isFree[indexOf(Parameter::Theta20)] && std::abs(zero) < kIdlePart) {
+        Hypothesis without = restarted(fitted);
+        without.isFree[indexOf(Parameter::Theta20)] = false;
+        without.unknowns[4] = plainAngle;
+        addWithVariants(data, fitCandidate(data, std::move(without)), all);
+    }
+}
+
+/// The columns that keep a candidate from being accepted as well as it might be.
+std::vector<std::size_t> failingColumns(const Candidate &candidate, Residual least)
+{
+    std::vector<std::size_t> failing;
+    for (std::size_t j = 0; j < candidate.residuals.size(); ++j) {
+        if (candidate.residuals[j] >= least && candidate.residuals[j] != Residual::NotUsed) {
+            failing.push_back(j);
+        }
+    }
+    return failing;
+}
+
+/// Whether a column deviates by little, or as noise does rather than as a function of the crank angle: what differences
+/// of the positions do.
+bool mayBeDifference(const Observations &data, const Candidate &candidate, const std::vector<double> &angles,
+                     std::size_t j)
+{
+    const double spread = data.columns[j].spread * std::abs(candidate.fit.hypothesis.columns[j].factor());
+    if (std::sqrt(candidate.fit.noiseVariances[j]) <= kLargestDifferencePart * spread) {
+        return true;
+    }
+    std::vector<double> residuals;
+    std::vector<double> residualAngles;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        if (const double residual = candidate.fit.residuals[j][i]; !std::isnan(residual)) {
+            residuals.push_back(residual);
+            residualAngles.push_back(angles[i]);
+        }
+    }
+    return data.columns[j].channel.order != Order::Position && looksLikeNoise(residuals, residualAngles);
+}
+
+/// Adds the candidate without its failing columns, where these are derivatives; if positions fail as well, all columns
+/// being off as differences are, the one with the lowest orders only: differences may mislead the positions.
+void addWithFewerColumns(const Observations &data, const Candidate &candidate, Residual least,
+                         std::vector<Candidate> &all)
+{
+    const std::vector<std::size_t> failing = failingColumns(candidate, least);
+    Hypothesis hypothesis = restarted(candidate.fit.hypothesis);
+    bool onlyDerivatives = !failing.empty();
+    bool areDifferences = true;
+    const std::vector<double> angles = crankAngles(data, candidate.fit.hypothesis);
+    for (const std::size_t j : failing) {
+        onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
+        areDifferences = areDifferences && mayBeDifference(data, candidate, angles, j);
+        hypothesis.columns[j] = {data.columns[j].channel};
+        hypothesis.columns[j].isUsed = false;
+    }
+    const auto leftOut = static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnUse::isUsed));
+    if (onlyDerivatives && (areDifferences || 2 * leftOut <= data.columns.size()) && leftOut < data.columns.size()) {
+        addWithVariants(data, fitCandidate(data, std::move(hypothesis)), all);
+    } else if (areDifferences && isAsWritten(data, candidate)) {
+        hypothesis = restarted(candidate.fit.hypothesis);
+        for (ColumnUse &use : hypothesis.columns) {
+            use.isUsed =
+                !isPlottedDerivative(use.channel) || std::ranges::none_of(hypothesis.columns, [&](const ColumnUse &o) {
+                    return o.channel.coordinate == use.channel.coordinate && o.channel.order < use.channel.order;
+                });
+        }
+        Candidate lowest = fitCandidate(data, std::move(hypothesis));
+        if (lowest.fit.exists() && lowest.acceptance != Acceptance::Rejected) {
+            all.push_back(std::move(lowest));
+        }
+    }
+}
+
+/// Adds a candidate and what follows from it.
+void addWithVariants(const Observations &data, Candidate candidate, std::vector<Candidate> &all)
+{
+    if (!candidate.fit.exists()) {
+        return;
+    }
+    addWithoutIdleOffsets(data, candidate, all);
+    const bool isRejected = candidate.acceptance == Acceptance::Rejected;
+    if (isRejected) {
+        addWithFewerColumns(data, candidate, Residual::Unexplained, all);
+    }
+    if (std::ranges::count(candidate.residuals, Residual::Systematic) > 0) {
+        addWithFewerColumns(data, candidate, Residual::Systematic, all);
+    }
+    all.push_back(std::move(candidate));
+}
+
+/// Shapes for columns under each other's names: the exchanges with which the motion is most like the file.
+std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speeds, double scoreBefore,
+                                 const std::stop_token &stop)
+{
+    constexpr std::size_t kMost = 4;
+    constexpr double kLeastGain = 24.0; // the price of an exchange
+    constexpr std::size_t kRows = 40;
+    std::vector<ColumnUse> columns = plainColumns(data);
+    speeds.periodic.resize(std::min<std::size_t>(speeds.periodic.size(), 1));
+    speeds.shortArc.clear();
+    std::vector<Fit> shapes;
+    const auto mayBeExchanged = [&](std::size_t j) {
+        return tellsShape(data.columns[j]) &&
+               (columns[j].channel.coordinate == R4x || columns[j].channel.coordinate == Theta3);
+    };
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!mayBeExchanged(i) || !mayBeExchanged(j)) {
+                continue;
+            }
+            std::swap(columns[i].channel, columns[j].channel);
+            std::vector<Fit> fits = searchShapes(data, columns, speeds, {kRows, 2 * kRows, stop});
+            if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {
+                shapes.push_back(std::move(fits.front()));
+            }
+            std::swap(columns[i].channel, columns[j].channel);
+        }
+    }
+    std::ranges::sort(shapes, {}, &Fit::score);
+    shapes.resize(std::min(shapes.size(), kMost));
+    return shapes;
+}
+
+/// Whether the best shape leaves a column unexplained by more than a hundredth of its spread.
+bool isFarOff(const Observations &data, const Fit &shape)
+{
+    constexpr double kPart = 0.01;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const double largest = kPart * data.columns[j].spread;
+        if (shape.noiseVariances[j] > largest * largest) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// A mechanism about the given one is preferred: of two names of the same fault, the file is rather interpreted to be
+/// about it.
+double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Parameters &given)
+{
+    constexpr double kBonus = 24.0;
+    constexpr double kPart = 0.25;
+    const Parameters found = parametersOf(data, hypothesis);
+    const bool isAbout = !data.isByCrankAngle && found.branch == given.branch &&
+                         std::abs(found.a - given.a) <= kPart * given.a &&
+                         std::abs(found.b - given.b) <= kPart * given.b &&
+                         std::abs(found.c - given.c) <= kPart * std::max(std::abs(given.c), given.a) &&
+                         std::abs(found.omega2 - given.omega2) <= kPart * std::abs(given.omega2) &&
+                         std::abs(std::remainder(found.theta20 - given.theta20, 2.0 * std::numbers::pi)) <= kPart;
+    return isAbout ? kBonus : 0.0;
+}
+
+/// Fits the most promising interpretations of some shapes.
+void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes, const InterpretationOptions &options,
+                        std::vector<Candidate> &all)
+{
+    const std::size_t most = options.allowed == Interpretations::All ? 5 : 3;
+    std::vector<Interpretation> interpretations;
+    for (const Fit &shape : shapes) {
+        addInterpretations(data, shape, options, interpretations);
+    }
+    for (Interpretation &interpretation : interpretations) {
+        interpretation.misfit -= bonusOf(data, interpretation.hypothesis, options.given);
+    }
+    std::ranges::stable_sort(interpretations, {}, &Interpretation::misfit);
+    const auto isSame = [](const Hypothesis &x, const Hypothesis &y) {
+        return x.timeUnit == y.timeUnit && x.columns == y.columns && x.abscissaFactor == y.abscissaFactor &&
+               x.isFree == y.isFree && areNear(middleParameters(x), middleParameters(y));
+    };
+    std::size_t tried = 0;
+    for (std::size_t i = 0; i < interpretations.size() && tried < most && !options.stop.stop_requested(); ++i) {
+        const Hypothesis &hypothesis = interpretations[i].hypothesis;
+        const bool isPlain = std::ranges::all_of(hypothesis.columns, &ColumnUse::isPlain) &&
+                             !(data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)]);
+        const auto before = std::span(interpretations).first(i);
+        if ((options.allowed == Interpretations::Offsets && isPlain) ||
+            std::ranges::any_of(before,
+                                [&](const Interpretation &other) { return isSame(other.hypothesis, hypothesis); })) {
+            continue;
+        }
+        ++tried;
+        addWithVariants(data, fitCandidate(data, hypothesis), all);
+    }
+}
+
+} // namespace
+
+bool isAsWritten(const Observations &data, const Candidate &candidate)
+{
+    const Hypothesis &hypothesis = candidate.fit.hypothesis;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        if (!hypothesis.columns[j].isPlain() || hypothesis.columns[j].channel != data.columns[j].channel) {
+            return false;
+        }
+    }
+    return !data.isByCrankAngle ||
+           (hypothesis.abscissaFactor == 1.0 && !hypothesis.isFree[indexOf(Parameter::Theta20)]);
+}
+
+Candidate fitCandidate(const Observations &data, Hypothesis hypothesis)
+{
+    constexpr int kRounds = 12;
+    Fit fit = fitHypothesis(data, std::move(hypothesis), kRounds);
+    if (fit.exists() && fit.hypothesis.abscissaStep > 0.0) {
+        Hypothesis exact = fit.hypothesis;
+        exact.abscissaStep = 0.0;
+        if (Fit other = fitHypothesis(data, std::move(exact), kRounds); other.score < fit.score) {
+            fit = std::move(other);
+        }
+    }
+    return fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
+}
+
+std::vector<Candidate> searchCandidates(const Observations &data, const Parameters &given, const std::stop_token &stop)
+{
+    constexpr std::size_t kMostShapes = 6;
+    std::vector<Candidate> all;
+    const SpeedCandidates speeds = speedCandidates(data);
+    std::vector<Fit> shapes = searchShapes(data, plainColumns(data), speeds, {40, 80, stop});
+    shapes.resize(std::min(shapes.size(), kMostShapes));
+    InterpretationOptions options{Interpretations::Plain, given, !speeds.shortArc.empty(), stop};
+    for (const Interpretations allowed : {Interpretations::Plain, Interpretations::Offsets, Interpretations::All}) {
+        options.allowed = allowed;
+        if (allowed == Interpretations::All && !shapes.empty() && isFarOff(data, shapes.front())) {
+            std::vector<Fit> exchanged = exchangedShapes(data, speeds, shapes.front().score, stop);
+            shapes.insert(shapes.begin(), exchanged.begin(), exchanged.end());
+        }
+        tryInterpretations(data, shapes, options, all);
+        std::ranges::stable_sort(all, isBetter);
+        if (stop.stop_requested() ||
+            (!all.empty() && all.front().acceptance == Acceptance::Identified && isAsWritten(data, all.front()))) {
+            break;
+        }
+    }
+    for (Candidate &candidate : all) {
+        candidate.price -= bonusOf(data, candidate.fit.hypothesis, given);
+    }
+    std::ranges::stable_sort(all, isBetter);
+    return all;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/shape_search.h"
+
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct Start {
+    double misfit = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd unknowns;
+    double abscissaFactor = 1.0;
+};
+
+/// The part of its time in which the grid prefers a shape that meets all columns nearly to one that meets half of them
+/// well.
+constexpr double kLeastUnexplained = 3e-3;
+
+/// Sum of n ln(1 − ρ²) over the columns.
+double dissimilarity(const Observations &data, const Hypothesis &hypothesis, double leastUnexplained)
+{
+    const std::vector<ColumnRegression> regressions = columnRegressions(data, hypothesis);
+    double sum = regressions.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+    for (std::size_t j = 0; j < regressions.size(); ++j) {
+        const ObservedColumn &column = data.columns[j];
+        if (hypothesis.columns[j].isUsed && column.count > 0.0) {
+            const double rounding = column.meanVariance / (column.spread * column.spread);
+            sum += column.count * std::log(regressions[j].unexplained() + leastUnexplained + rounding);
+        }
+    }
+    return sum;
+}
+
+/// Adds the best shapes of a coarse grid at one speed, at most `most`. Both signs of c: with ω2 > 0 and the open
+/// assembly no shape of the grid is an image of another.
+void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double speed, std::size_t most, bool isPeriodic,
+                   std::vector<Start> &starts)
+{
+    if (coarse.isByCrankAngle) { // the derivatives are by the angle, then
+        hypothesis.abscissaFactor = speed;
+        speed = 1.0;
+    }
+    constexpr std::array kOffsets{0.0, 0.5, -0.5, 1.2, -1.2, 5.0, -5.0, 60.0, -60.0}; // c / a
+    constexpr std::array kCouplers{0.85, 1.05, 1.25, 1.7, 2.7, 8.0};                  // b / (a + |c|)
+    const int angles = isPeriodic ? 24 : 12;
+    std::vector<Start> found;
+    for (const double offset : kOffsets) {
+        for (const double coupler : kCouplers) {
+            Start best;
+            const double b = coupler * (1.0 + std::abs(offset));
+            for (int k = 0; k < angles; ++k) {
+                hypothesis.unknowns << 1.0 / b, 1.0, offset / b, speed, k * kTurn / angles;
+                const double misfit = dissimilarity(coarse, hypothesis, isPeriodic ? kLeastUnexplained : 0.0);
+                if (misfit < best.misfit) {
+                    best = {misfit, hypothesis.unknowns, hypothesis.abscissaFactor};
+                }
+            }
+            if (best.unknowns.size() > 0) {
+                found.push_back(best);
+            }
+        }
+    }
+    std::ranges::sort(found, {}, &Start::misfit);
+    found.resize(std::min(found.size(), most));
+    starts.insert(starts.end(), found.begin(), found.end());
+}
+
+/// Whether rounding explains all columns, or nearly so where there are many.
+bool isExactShape(const Observations &data, const Fit &fit)
+{
+    constexpr double kNearly = 1e-6; // of a column's variance
+    double largest = 0.0;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        largest = std::max(largest, fit.noiseVariances[j] / (data.columns[j].spread * data.columns[j].spread));
+    }
+    return largest <= (std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0);
+}
+
+/// Fits the best of some starts and adds what is new. Returns whether one of them is exact.
+bool fitStarts(const Observations &data, const Hypothesis &hypothesis, std::vector<Start> starts, std::size_t most,
+               std::vector<Fit> &fits)
+{
+    constexpr int kRounds = 6;
+    std::ranges::sort(starts, {}, &Start::misfit);
+    starts.resize(std::min(starts.size(), most));
+    bool isExact = false;
+    for (const Start &start : starts) {
+        Hypothesis free = hypothesis;
+        for (ColumnUse &column : free.columns) {
+            column.hasOffset = column.hasScale = column.isUsed;
+        }
+        free.unknowns = start.unknowns;
+        free.abscissaFactor = start.abscissaFactor;
+        regressScales(data, free, free.unknowns);
+        Fit fit = fitHypothesis(data, std::move(free), kRounds);
+        const auto isSame = [&](const Fit &other) {
+            return other.hypothesis.abscissaFactor == fit.hypothesis.abscissaFactor &&
+                   areNear(middleParameters(other.hypothesis), middleParameters(fit.hypothesis));
+        };
+        if (fit.exists() && std::ranges::none_of(fits, isSame)) {
+            isExact = isExact || isExactShape(data, fit);
+            fits.push_back(std::move(fit));
+        }
+    }
+    std::ranges::sort(fits, {}, &Fit::score);
+    return isExact;
+}
+
+} // namespace
+
+std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
+                              const SpeedCandidates &speeds, const ShapeSearchOptions &options)
+{
+    constexpr std::size_t kPerSpeed = 3;
+    constexpr std::size_t kPerArc = 2;
+    constexpr std::size_t kArcs = 8;
+    const Observations coarse = thinned(data, options.coarseRows);
+    const Observations fine = thinned(data, options.fitRows);
+    Hypothesis hypothesis;
+    hypothesis.unknowns.resize(static_cast<Eigen::Index>(kParameterCount));
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+        ColumnUse column{columns[j].channel};
+        column.isUsed = tellsShape(data.columns[j]);
+        hypothesis.columns.push_back(column);
+    }
+    hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: a short crank is then a small number
+    std::vector<Fit> fits;
+    for (const double speed : speeds.periodic) {
+        std::vector<Start> starts;
+        addGridStarts(coarse, hypothesis, speed, kPerSpeed, true, starts);
+        if (fitStarts(fine, hypothesis, std::move(starts), kPerSpeed, fits) || options.stop.stop_requested()) {
+            return fits;
+        }
+    }
+    std::vector<Start> starts;
+    for (const double speed : speeds.shortArc) {
+        if (!options.stop.stop_requested()) {
+            addGridStarts(coarse, hypothesis, speed, kPerArc, false, starts);
+        }
+    }
+    fitStarts(fine, hypothesis, std::move(starts), kArcs, fits);
+    return fits;
+}
+
+} // namespace slidercrank
