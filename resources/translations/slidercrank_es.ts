@@ -126,10 +126,6 @@
         <translation>Usar estas columnas</translation>
     </message>
     <message>
-        <source>Guess anew</source>
-        <translation>Volver a deducir</translation>
-    </message>
-    <message>
         <source>Forgets what was chosen for files with these headings</source>
         <translation>Olvida lo que se eligió para los archivos con estos encabezados</translation>
     </message>
@@ -188,6 +184,10 @@
     <message>
         <source>crank angle, instead of a time</source>
         <translation>ángulo de la manivela, en lugar del tiempo</translation>
+    </message>
+    <message>
+        <source>Detect again</source>
+        <translation>Detectar de nuevo</translation>
     </message>
 </context>
 <context>
@@ -1782,276 +1782,16 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>cambio del método</translation>
     </message>
     <message>
-        <source>forgetting the kept motions</source>
-        <translation>olvido de los movimientos conservados</translation>
+        <source>removal of the pinned motions</source>
+        <translation>retirada de los movimientos fijados</translation>
     </message>
     <message>
-        <source>keeping the motion</source>
-        <translation>conservación del movimiento</translation>
+        <source>pinning of the motion</source>
+        <translation>fijación del movimiento</translation>
     </message>
     <message>
-        <source>change of the run</source>
-        <translation>cambio del recorrido</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::EmptyPage</name>
-    <message>
-        <source>Open reference…</source>
-        <translation>Abrir referencia…</translation>
-    </message>
-    <message>
-        <source>Open the sample</source>
-        <translation>Abrir el ejemplo</translation>
-    </message>
-    <message>
-        <source>The motion that the report&apos;s author exported from Inventor</source>
-        <translation>El movimiento que el autor del informe exportó de Inventor</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::ErrorPanel</name>
-    <message>
-        <source>agrees</source>
-        <translation>coincide</translation>
-    </message>
-    <message>
-        <source>close</source>
-        <translation>próximo</translation>
-    </message>
-    <message>
-        <source>differs</source>
-        <translation>difiere</translation>
-    </message>
-    <message>
-        <source>1 row of the file was skipped (line %1)</source>
-        <translation>Se omitió 1 fila del archivo (línea %1)</translation>
-    </message>
-    <message>
-        <source>%1 rows of the file were skipped</source>
-        <translation>Se omitieron %1 filas del archivo</translation>
-    </message>
-    <message>
-        <source>Line %1, column %2: “%3” %4</source>
-        <translation>Línea %1, columna %2: «%3» %4</translation>
-    </message>
-    <message>
-        <source>… and %1 more</source>
-        <translation>… y %1 más</translation>
-    </message>
-    <message>
-        <source>1 column was ignored</source>
-        <translation>1 columna no se usó</translation>
-    </message>
-    <message>
-        <source>%1 columns were ignored</source>
-        <translation>%1 columnas no se usaron</translation>
-    </message>
-    <message>
-        <source>Ignored: %1</source>
-        <translation>Sin usar: %1</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>; </source>
-        <translation>; </translation>
-    </message>
-    <message>
-        <source>.</source>
-        <translation>.</translation>
-    </message>
-    <message>
-        <source>Errors against the reference</source>
-        <translation>Errores frente a la referencia</translation>
-    </message>
-    <message>
-        <source>Load a simulation&apos;s exported motion (CSV) to see how far it is from this mechanism: the largest error of each channel, where it is, and whether it is more than the file&apos;s own rounding.</source>
-        <translation>Cargue el movimiento exportado de una simulación (CSV) para ver cuánto se aparta de este mecanismo: el error máximo de cada canal, dónde está, y si es más que el redondeo del propio archivo.</translation>
-    </message>
-    <message>
-        <source>channel</source>
-        <translation>canal</translation>
-    </message>
-    <message>
-        <source>What is compared, and its unit</source>
-        <translation>Lo que se compara, y su unidad</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>veredicto</translation>
-    </message>
-    <message>
-        <source>max error</source>
-        <translation>error máx.</translation>
-    </message>
-    <message>
-        <source>max |model − reference|, in the channel&apos;s unit</source>
-        <translation>máx. |modelo − referencia|, en la unidad del canal</translation>
-    </message>
-    <message>
-        <source>at [s]</source>
-        <translation>en [s]</translation>
-    </message>
-    <message>
-        <source>Instant of the largest error</source>
-        <translation>Instante del error máximo</translation>
-    </message>
-    <message>
-        <source>rms</source>
-        <translation>rms</translation>
-    </message>
-    <message>
-        <source>√( mean of (model − reference)² ), in the channel&apos;s unit</source>
-        <translation>√( media de (modelo − referencia)² ), en la unidad del canal</translation>
-    </message>
-    <message>
-        <source>max %</source>
-        <translation>% máx.</translation>
-    </message>
-    <message>
-        <source>max |model − reference| / |reference| · 100, as in the report, over the instants where the reference is not zero</source>
-        <translation>máx. |modelo − referencia| / |referencia| · 100, como en el informe, en los instantes en que la referencia no es cero</translation>
-    </message>
-    <message>
-        <source>Instant of the largest percentage</source>
-        <translation>Instante del porcentaje máximo</translation>
-    </message>
-    <message>
-        <source>% of peak</source>
-        <translation>% del pico</translation>
-    </message>
-    <message>
-        <source>max |model − reference| / max |reference| · 100</source>
-        <translation>máx. |modelo − referencia| / máx. |referencia| · 100</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>paso</translation>
-    </message>
-    <message>
-        <source>Errors, a row a channel</source>
-        <translation>Errores, una fila por canal</translation>
-    </message>
-    <message>
-        <source>%1%2: %3</source>
-        <translation>%1%2: %3</translation>
-    </message>
-    <message>
-        <source>Click to go to the instant of the largest error</source>
-        <translation>Clic para ir al instante del error máximo</translation>
-    </message>
-    <message>
-        <source>%1 in the file, %2 instants</source>
-        <translation>%1 en el archivo, %2 instantes</translation>
-    </message>
-    <message>
-        <source>; at %1 more there is no motion to compare with</source>
-        <translation>; en otros %1 no hay movimiento con el que comparar</translation>
-    </message>
-    <message>
-        <source>%1 [%2]</source>
-        <translation>%1 [%2]</translation>
-    </message>
-    <message>
-        <source>max |model − reference| = %1
-%2</source>
-        <translation>máx. |modelo − referencia| = %1
-%2</translation>
-    </message>
-    <message>
-        <source>√( mean of (model − reference)² ) = %1</source>
-        <translation>√( media de (modelo − referencia)² ) = %1</translation>
-    </message>
-    <message>
-        <source>max |model − reference| / |reference| · 100</source>
-        <translation>máx. |modelo − referencia| / |referencia| · 100</translation>
-    </message>
-    <message>
-        <source> (%1×∞)</source>
-        <translation> (%1×∞)</translation>
-    </message>
-    <message>
-        <source>Click to go to the instant of the largest percentage</source>
-        <translation>Clic para ir al instante del porcentaje máximo</translation>
-    </message>
-    <message>
-        <source>The file writes this channel in steps of %1 at most</source>
-        <translation>El archivo escribe este canal en pasos de %1 como máximo</translation>
-    </message>
-    <message>
-        <source>%1
-%2</source>
-        <translation>%1
-%2</translation>
-    </message>
-    <message>
-        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
-close: none beyond a hundred times
-differs: anything else, and what lies beyond the rounding by 1 % of half the motion&apos;s range</source>
-        <translation>coincide: al menos el 95&#xa0;% de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
-próximo: ninguno más allá de cien veces
-difiere: todo lo demás, y lo que rebasa el redondeo en un 1&#xa0;% de la mitad del recorrido</translation>
-    </message>
-    <message>
-        <source>Without bounds where one of the two ends its stroke</source>
-        <translation>Sin límite donde uno de los dos acaba su carrera</translation>
-    </message>
-    <message>
-        <source>Click to go to the instant of the largest difference</source>
-        <translation>Clic para ir al instante de la mayor diferencia</translation>
-    </message>
-    <message>
-        <source>Differences from the kept motion, a row a channel</source>
-        <translation>Diferencias con el movimiento conservado, una fila por canal</translation>
-    </message>
-    <message>
-        <source>largest difference</source>
-        <translation>mayor diferencia</translation>
-    </message>
-    <message>
-        <source>max |this − kept|, in the channel&apos;s unit</source>
-        <translation>máx |este − conservado|, en la unidad del canal</translation>
-    </message>
-    <message>
-        <source>Instant of the largest difference</source>
-        <translation>Instante de la mayor diferencia</translation>
-    </message>
-    <message>
-        <source>√( mean of (this − kept)² ), in the channel&apos;s unit</source>
-        <translation>√( media de (este − conservado)² ), en la unidad del canal</translation>
-    </message>
-    <message>
-        <source>max |this − kept| / max |kept| · 100</source>
-        <translation>máx |este − conservado| / máx |conservado| · 100</translation>
-    </message>
-    <message>
-        <source>This mechanism is the one that was kept: change it to see what differs.</source>
-        <translation>Este mecanismo es el conservado: cámbielo para ver la diferencia.</translation>
-    </message>
-    <message>
-        <source>This mechanism − kept %1</source>
-        <translation>Este mecanismo − conservado: %1</translation>
-    </message>
-    <message>
-        <source>. Where one of the two cannot be assembled there is nothing to compare.</source>
-        <translation>. Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
-    </message>
-    <message>
-        <source>One unit of the last digit that the file writes, where it is largest, in the channel&apos;s unit. Rounding alone makes an error of up to half of it.</source>
-        <translation>Una unidad de la última cifra que escribe el archivo, donde es mayor, en la unidad del canal. El redondeo por sí solo causa un error de hasta la mitad.</translation>
-    </message>
-    <message>
-        <source>How the file was rounded is unknown</source>
-        <translation>No se sabe cómo se redondeó el archivo</translation>
-    </message>
-    <message>
-        <source>
-Where the reference is zero it is infinite, and left out: %1×</source>
-        <translation>
-Donde la referencia es cero es infinito, y se omite: %1×</translation>
+        <source>change of the time range</source>
+        <translation>cambio del intervalo de tiempo</translation>
     </message>
 </context>
 <context>
@@ -2202,57 +1942,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>A figure of %1 × %2 pixels is too small or too large: choose another size or scale.</source>
         <translation>Una figura de %1 × %2 píxeles es demasiado pequeña o demasiado grande: elija otro tamaño u otra escala.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::FindingList</name>
-    <message>
-        <source>kept</source>
-        <translation>se conserva</translation>
-    </message>
-    <message>
-        <source>assembly</source>
-        <translation>configuración</translation>
-    </message>
-    <message>
-        <source>%1 Largest error: %2 → %3 % of peak.</source>
-        <translation>%1 Error máximo: %2 → %3&#xa0;% del pico.</translation>
-    </message>
-    <message>
-        <source>The file fits %1</source>
-        <translation>El archivo corresponde a %1</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Now → then (as measured ± standard error)</source>
-        <translation>Ahora → después (medido ± error estándar)</translation>
-    </message>
-    <message>
-        <source>Use this mechanism</source>
-        <translation>Usar este mecanismo</translation>
-    </message>
-    <message>
-        <source>Read differently from how it is written: %1.</source>
-        <translation>Leído de manera distinta a como está escrito: %1.</translation>
-    </message>
-    <message>
-        <source>Read as written</source>
-        <translation>Leer como está escrito</translation>
-    </message>
-    <message>
-        <source>Use the first of them</source>
-        <translation>Usar el primero de ellos</translation>
     </message>
 </context>
 <context>
@@ -2442,10 +2131,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>aceleración en y del centro de la %1</translation>
     </message>
     <message>
-        <source>kept</source>
-        <translation>conservado</translation>
-    </message>
-    <message>
         <source>The bound: half a unit of the value&apos;s last digit, plus how far the motion goes in half a unit of the instant&apos;s, though the instants are evenly spaced.</source>
         <translation>La cota: media unidad de la última cifra del valor más lo que el movimiento avanza en media unidad de la del instante, aunque los instantes estén a intervalos iguales.</translation>
     </message>
@@ -2456,6 +2141,10 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>Comes close to this mechanism in every channel, provided that the file&apos;s instants, though evenly spaced, were rounded.</source>
         <translation>Se aproxima a este mecanismo en todos los canales, siempre que los instantes del archivo, aun a intervalos iguales, estén redondeados.</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fijado</translation>
     </message>
 </context>
 <context>
@@ -2801,149 +2490,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
 </context>
 <context>
-    <name>slidercrank::IterationPlot</name>
-    <message>
-        <source>Residual ‖C‖ over the iterations</source>
-        <translation>Residuo ‖C‖ a lo largo de las iteraciones</translation>
-    </message>
-    <message>
-        <source>From %1 s earlier</source>
-        <translation>Desde %1 s antes</translation>
-    </message>
-    <message>
-        <source>tolerance %1</source>
-        <translation>tolerancia %1</translation>
-    </message>
-    <message>
-        <source>from %1 s earlier</source>
-        <translation>desde %1 s antes</translation>
-    </message>
-    <message>
-        <source>‖C‖, relative</source>
-        <translation>‖C‖, relativo</translation>
-    </message>
-    <message>
-        <source>‖C‖</source>
-        <translation>‖C‖</translation>
-    </message>
-    <message>
-        <source>Near the solution each iteration doubles the number of correct digits: the line bends down</source>
-        <translation>Cerca de la solución cada iteración duplica el número de cifras correctas: la línea se curva hacia abajo</translation>
-    </message>
-    <message>
-        <source>From a rough start</source>
-        <translation>Desde un comienzo aproximado</translation>
-    </message>
-    <message>
-        <source>from a rough start</source>
-        <translation>desde un comienzo aproximado</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::LimitsPanel</name>
-    <message>
-        <source>Click or press Enter to go there</source>
-        <translation>Haga clic o pulse Intro para ir allí</translation>
-    </message>
-    <message>
-        <source>The run does not come there</source>
-        <translation>El recorrido no llega hasta allí</translation>
-    </message>
-    <message>
-        <source>Motion limits</source>
-        <translation>Límites del movimiento</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>valor</translation>
-    </message>
-    <message>
-        <source>θ₂ [°]</source>
-        <translation>θ₂ [°]</translation>
-    </message>
-    <message>
-        <source>Crank angle, 0 to 360°</source>
-        <translation>Ángulo de la manivela, de 0 a 360°</translation>
-    </message>
-    <message>
-        <source>t [s]</source>
-        <translation>t [s]</translation>
-    </message>
-    <message>
-        <source>The first instant of the run with the crank there</source>
-        <translation>El primer instante del recorrido con la manivela allí</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>límite</translation>
-    </message>
-    <message>
-        <source>Where slider and crank turn back, and how long the strokes take</source>
-        <translation>Dónde se invierten la corredera y la manivela, y cuánto duran las carreras</translation>
-    </message>
-    <message>
-        <source>peak of a turn</source>
-        <translation>pico en una vuelta</translation>
-    </message>
-    <message>
-        <source>The largest speeds and accelerations over a whole turn of the crank, whatever part of it is sampled</source>
-        <translation>Las velocidades y aceleraciones máximas en una vuelta completa de la manivela, se muestree la parte que se muestree</translation>
-    </message>
-    <message>
-        <source>With its sign: x to the right, angles counter-clockwise</source>
-        <translation>Con su signo: x hacia la derecha, ángulos en sentido antihorario</translation>
-    </message>
-    <message>
-        <source>Limits of the motion</source>
-        <translation>Límites del movimiento</translation>
-    </message>
-    <message>
-        <source>Peaks of speed and acceleration</source>
-        <translation>Picos de velocidad y aceleración</translation>
-    </message>
-    <message>
-        <source>Copy as CSV</source>
-        <translation>Copiar como CSV</translation>
-    </message>
-    <message>
-        <source>Both tables with every digit (Ctrl+C in one of them: the rows that are chosen)</source>
-        <translation>Las dos tablas con todas las cifras (Ctrl+C en una de ellas: las filas elegidas)</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
-    </message>
-    <message>
-        <source>Both tables as a CSV file</source>
-        <translation>Las dos tablas como archivo CSV</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
-    </message>
-    <message>
-        <source>limits.csv</source>
-        <translation>limites.csv</translation>
-    </message>
-    <message>
-        <source>Positions are those of the slider, Rₓ⁴, measured from O₂</source>
-        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂</translation>
-    </message>
-</context>
-<context>
     <name>slidercrank::MainWindow</name>
-    <message>
-        <source>Errors</source>
-        <translation>Errores</translation>
-    </message>
     <message>
         <source>Reference</source>
         <translation>Referencia</translation>
@@ -2973,10 +2520,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>%1[*] – Manivela-corredera</translation>
     </message>
     <message>
-        <source>Errors ⚠</source>
-        <translation>Errores ⚠</translation>
-    </message>
-    <message>
         <source>Cancelled: nothing was written.</source>
         <translation>Cancelado: no se escribió nada.</translation>
     </message>
@@ -2995,6 +2538,14 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>%1 is a scene: open it by itself, and files of one motion together.</source>
         <translation>%1 es una escena: ábrala sola, y los archivos de un mismo movimiento juntos.</translation>
+    </message>
+    <message>
+        <source>Errors against the reference</source>
+        <translation>Errores frente a la referencia</translation>
+    </message>
+    <message>
+        <source>Reference: what was read, and how</source>
+        <translation>Referencia: qué se leyó, y cómo</translation>
     </message>
 </context>
 <context>
@@ -3329,10 +2880,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>&amp;Ver</translation>
     </message>
     <message>
-        <source>Show &amp;all of the plots</source>
-        <translation>Mostrar &amp;todo en las gráficas</translation>
-    </message>
-    <message>
         <source>M&amp;echanism</source>
         <translation>M&amp;ecanismo</translation>
     </message>
@@ -3369,36 +2916,8 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>&amp;Reproducción</translation>
     </message>
     <message>
-        <source>&amp;Play or pause</source>
-        <translation>Re&amp;producir o pausar</translation>
-    </message>
-    <message>
-        <source>Step &amp;forward</source>
-        <translation>Un paso &amp;adelante</translation>
-    </message>
-    <message>
-        <source>Step &amp;back</source>
-        <translation>Un paso a&amp;trás</translation>
-    </message>
-    <message>
-        <source>To the &amp;start</source>
-        <translation>Al &amp;inicio</translation>
-    </message>
-    <message>
-        <source>To the &amp;end</source>
-        <translation>Al &amp;final</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>A&amp;yuda</translation>
-    </message>
-    <message>
-        <source>&amp;What is this program</source>
-        <translation>&amp;Qué es este programa</translation>
-    </message>
-    <message>
-        <source>What is this program</source>
-        <translation>Qué es este programa</translation>
     </message>
     <message>
         <source>&amp;Keyboard and mouse</source>
@@ -3421,48 +2940,40 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo manivela-corredera excéntrico: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&amp;Loop</source>
-        <translation>&amp;Repetir</translation>
-    </message>
-    <message>
-        <source>Spee&amp;d</source>
-        <translation>V&amp;elocidad</translation>
-    </message>
-    <message>
-        <source>F&amp;aster</source>
-        <translation>Más rápi&amp;do</translation>
-    </message>
-    <message>
-        <source>Slo&amp;wer</source>
-        <translation>Más &amp;lento</translation>
-    </message>
-    <message>
-        <source>&amp;Run and speed…</source>
-        <translation>Re&amp;corrido y velocidad…</translation>
-    </message>
-    <message>
-        <source>&amp;Keep this motion</source>
-        <translation>Co&amp;nservar este movimiento</translation>
-    </message>
-    <message>
-        <source>For&amp;get kept motions</source>
-        <translation>&amp;Olvidar los movimientos conservados</translation>
-    </message>
-    <message>
-        <source>Show the file&apos;s or the kept &amp;motion</source>
-        <translation>Mostrar el &amp;movimiento del archivo o el conservado</translation>
-    </message>
-    <message>
         <source>Rese&amp;t all parameters</source>
         <translation>Restablecer todos los &amp;parámetros</translation>
     </message>
     <message>
-        <source>In &amp;front of a class</source>
-        <translation>&amp;Ante una clase</translation>
-    </message>
-    <message>
         <source>%1 + %2 more</source>
         <translation>%1 + %2 más</translation>
+    </message>
+    <message>
+        <source>&amp;Reset plot zoom</source>
+        <translation>Resta&amp;blecer el zoom de las gráficas</translation>
+    </message>
+    <message>
+        <source>&amp;Theory and help</source>
+        <translation>&amp;Teoría y ayuda</translation>
+    </message>
+    <message>
+        <source>Theory and help</source>
+        <translation>Teoría y ayuda</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this motion</source>
+        <translation>F&amp;ijar este movimiento</translation>
+    </message>
+    <message>
+        <source>Re&amp;move pinned motions</source>
+        <translation>&amp;Quitar los movimientos fijados</translation>
+    </message>
+    <message>
+        <source>Show the &amp;motion of the file or pinned</source>
+        <translation>Mostrar el &amp;movimiento del archivo o el fijado</translation>
+    </message>
+    <message>
+        <source>Presentation &amp;mode</source>
+        <translation>Modo &amp;presentación</translation>
     </message>
 </context>
 <context>
@@ -3487,10 +2998,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>Abrir referencia…</translation>
     </message>
     <message>
-        <source>Move a slider and everything follows; Space plays. Drop a simulation&apos;s CSV here to see how far it is from this mechanism, or try it with the sample.</source>
-        <translation>Mueva un deslizador y todo lo sigue; la barra espaciadora reproduce. Suelte aquí el CSV de una simulación para ver cuánto se aparta de este mecanismo, o pruebe con el ejemplo.</translation>
-    </message>
-    <message>
         <source>Open the sample</source>
         <translation>Abrir el ejemplo</translation>
     </message>
@@ -3501,18 +3008,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>The names in %1 do not tell what all of its columns are: some are guessed.</source>
         <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
-    </message>
-    <message>
-        <source>Show the errors</source>
-        <translation>Mostrar los errores</translation>
-    </message>
-    <message>
-        <source>%1 differs from this mechanism.</source>
-        <translation>%1 difiere de este mecanismo.</translation>
-    </message>
-    <message>
-        <source>%1 comes close to this mechanism.</source>
-        <translation>%1 se acerca a este mecanismo.</translation>
     </message>
     <message>
         <source>The run is now that of %1: %2 s to %3 s.</source>
@@ -3529,6 +3024,10 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
         <translation>%1 es una tabla por ángulo de la manivela: ω₂ y θ₂₀ dan su tiempo.</translation>
+    </message>
+    <message>
+        <source>Drag a slider or a link. Press Space to play.</source>
+        <translation>Arrastre un control o un eslabón. Pulse Espacio para reproducir.</translation>
     </message>
 </context>
 <context>
@@ -3561,32 +3060,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>, </translation>
     </message>
     <message>
-        <source>It would turn round with %1.</source>
-        <translation>Daría la vuelta completa con %1.</translation>
-    </message>
-    <message>
-        <source>There is a pose with %1.</source>
-        <translation>Hay una posición con %1.</translation>
-    </message>
-    <message>
         <source>outer dead centre</source>
         <translation>punto muerto exterior</translation>
     </message>
     <message>
         <source>inner dead centre</source>
         <translation>punto muerto interior</translation>
-    </message>
-    <message>
-        <source>only pose</source>
-        <translation>única posición</translation>
-    </message>
-    <message>
-        <source>crank from</source>
-        <translation>manivela desde</translation>
-    </message>
-    <message>
-        <source>crank to</source>
-        <translation>manivela hasta</translation>
     </message>
     <message>
         <source>in %1 s</source>
@@ -3597,40 +3076,16 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>carrera de ida</translation>
     </message>
     <message>
-        <source>The crank&apos;s turn from the inner to the outer dead centre</source>
-        <translation>El giro de la manivela del punto muerto interior al exterior</translation>
-    </message>
-    <message>
         <source>return stroke</source>
         <translation>carrera de vuelta</translation>
-    </message>
-    <message>
-        <source>The crank&apos;s turn from the outer to the inner dead centre</source>
-        <translation>El giro de la manivela del punto muerto exterior al interior</translation>
     </message>
     <message>
         <source>time ratio</source>
         <translation>relación de tiempos</translation>
     </message>
     <message>
-        <source>The slower stroke&apos;s time over the faster one&apos;s</source>
-        <translation>El tiempo de la carrera más lenta dividido entre el de la más rápida</translation>
-    </message>
-    <message>
-        <source>slider speed</source>
-        <translation>velocidad de la corredera</translation>
-    </message>
-    <message>
         <source>slider acceleration</source>
         <translation>aceleración de la corredera</translation>
-    </message>
-    <message>
-        <source>coupler speed</source>
-        <translation>velocidad de la biela</translation>
-    </message>
-    <message>
-        <source>coupler acceleration</source>
-        <translation>aceleración de la biela</translation>
     </message>
     <message>
         <source>throughout</source>
@@ -3638,23 +3093,7 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
     <message>
         <source>crank at rest</source>
-        <translation>manivela quieta</translation>
-    </message>
-    <message>
-        <source>The crank turns round: b = %1 ≥ a + |c| = %2.</source>
-        <translation>La manivela da la vuelta completa: b = %1 ≥ a + |c| = %2.</translation>
-    </message>
-    <message>
-        <source>The crank rocks within one of two arcs: b = %1 &lt; a + |c| = %2, and less than a − |c| = %3 mm too. %4</source>
-        <translation>La manivela oscila dentro de uno de dos arcos: b = %1 &lt; a + |c| = %2, y también menor que a − |c| = %3 mm. %4</translation>
-    </message>
-    <message>
-        <source>The crank rocks: b = %1 &lt; a + |c| = %2. %3</source>
-        <translation>La manivela oscila: b = %1 &lt; a + |c| = %2. %3</translation>
-    </message>
-    <message>
-        <source>The crank is locked in one pose: b = |c| − a = %1. %2</source>
-        <translation>La manivela está bloqueada en una posición: b = |c| − a = %1. %2</translation>
+        <translation>manivela en reposo</translation>
     </message>
     <message>
         <source>It cannot be assembled: b = %1 &lt; |c| − a = %2. %3 %4</source>
@@ -3665,32 +3104,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>carrera</translation>
     </message>
     <message>
-        <source>How far the slider goes: its largest position less its smallest</source>
-        <translation>Cuánto se desplaza la corredera: su posición máxima menos la mínima</translation>
-    </message>
-    <message>
-        <source>least transmission angle</source>
-        <translation>ángulo de transmisión mínimo</translation>
-    </message>
-    <message>
-        <source>Between the coupler and the normal to the slider&apos;s line: 90° − |θ³| at its least. Mechanisms with less than 40° or so tend to jam.</source>
-        <translation>Entre la biela y la normal a la línea de la corredera: 90° − |θ³| en su mínimo. Los mecanismos con menos de unos 40° tienden a trabarse.</translation>
-    </message>
-    <message>
         <source>accelerations</source>
         <translation>aceleraciones</translation>
     </message>
     <message>
-        <source>speeds, accelerations</source>
-        <translation>velocidades, aceleraciones</translation>
-    </message>
-    <message>
         <source>unbounded</source>
         <translation>sin cota</translation>
-    </message>
-    <message>
-        <source>Towards the crank&apos;s limit slider and coupler get ever faster</source>
-        <translation>Hacia el límite de la manivela, corredera y biela van cada vez más rápido</translation>
     </message>
     <message>
         <source>%1 in all, at most %2 an instant</source>
@@ -3701,50 +3120,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>%1 muestras por vuelta son pocas para una curva: bastarían %2 pasos.</translation>
     </message>
     <message>
-        <source>mean speed forward</source>
-        <translation>velocidad media de ida</translation>
-    </message>
-    <message>
-        <source>mean speed back</source>
-        <translation>velocidad media de vuelta</translation>
-    </message>
-    <message>
-        <source>The stroke over the forward stroke&apos;s time</source>
-        <translation>La carrera entre el tiempo de la carrera de ida</translation>
-    </message>
-    <message>
-        <source>The stroke over the return stroke&apos;s time</source>
-        <translation>La carrera entre el tiempo de la carrera de vuelta</translation>
-    </message>
-    <message>
-        <source>The slider position Rₓ⁴ where it turns back, crank and coupler stretched in one line</source>
-        <translation>La posición de la corredera Rₓ⁴ donde se invierte, con manivela y biela extendidas en línea</translation>
-    </message>
-    <message>
-        <source>The slider position Rₓ⁴ where it turns back, crank and coupler folded in one line</source>
-        <translation>La posición de la corredera Rₓ⁴ donde se invierte, con manivela y biela superpuestas en línea</translation>
-    </message>
-    <message>
-        <source>The crank can go no further: the coupler is perpendicular to the slider&apos;s line. The value is the slider&apos;s position Rₓ⁴.</source>
-        <translation>La manivela no puede ir más allá: la biela está perpendicular a la línea de la corredera. El valor es la posición Rₓ⁴ de la corredera.</translation>
-    </message>
-    <message>
-        <source>The largest over a whole turn of the crank: there its own derivative is zero</source>
-        <translation>El mayor valor en una vuelta completa de la manivela: allí su propia derivada es cero</translation>
-    </message>
-    <message>
-        <source>The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° the coupler is perpendicular to the slider&apos;s line, and the speeds jump.</source>
-        <translation>La manivela da justo la vuelta completa: b = a = %1, c = 0, un punto de cambio. En θ₂ = 90° y 270° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
-    </message>
-    <message>
-        <source>The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler is perpendicular to the slider&apos;s line, and the speeds jump.</source>
-        <translation>La manivela da justo la vuelta completa: b = a + |c| = %1. En θ₂ = %2° la biela está perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
-    </message>
-    <message>
-        <source>The coupler is perpendicular to the slider&apos;s line and the speeds jump</source>
-        <translation>La biela está perpendicular a la línea de la corredera y las velocidades saltan</translation>
-    </message>
-    <message>
         <source>%1 in all, at most %2 from one instant to the next, %3 where it had a rough start</source>
         <translation>%1 en total, máx. %2 de un instante al siguiente, %3 donde partió de un comienzo aproximado</translation>
     </message>
@@ -3753,8 +3128,128 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>%1 en total, máx. %2 donde partió de un comienzo aproximado</translation>
     </message>
     <message>
-        <source>The crank stands still, ω₂ = 0; it could turn round: b = %1 ≥ a + |c| = %2.</source>
-        <translation>La manivela está quieta, ω₂ = 0; podría dar la vuelta completa: b = %1 ≥ a + |c| = %2.</translation>
+        <source>It would make full turns if %1.</source>
+        <translation>Daría vueltas completas si %1.</translation>
+    </message>
+    <message>
+        <source>It can be assembled if %1.</source>
+        <translation>Se puede ensamblar si %1.</translation>
+    </message>
+    <message>
+        <source>only position</source>
+        <translation>única posición</translation>
+    </message>
+    <message>
+        <source>crank limit position</source>
+        <translation>posición límite de la manivela</translation>
+    </message>
+    <message>
+        <source>Crank rotation from the inner to the outer dead centre</source>
+        <translation>Giro de la manivela del punto muerto interior al exterior</translation>
+    </message>
+    <message>
+        <source>Crank rotation from the outer to the inner dead centre</source>
+        <translation>Giro de la manivela del punto muerto exterior al interior</translation>
+    </message>
+    <message>
+        <source>Time of the slower stroke divided by the time of the faster one</source>
+        <translation>El tiempo de la carrera más lenta dividido por el de la más rápida</translation>
+    </message>
+    <message>
+        <source>slider velocity</source>
+        <translation>velocidad de la corredera</translation>
+    </message>
+    <message>
+        <source>coupler angular velocity</source>
+        <translation>velocidad angular de la biela</translation>
+    </message>
+    <message>
+        <source>coupler angular acceleration</source>
+        <translation>aceleración angular de la biela</translation>
+    </message>
+    <message>
+        <source>The crank makes full turns: b = %1 ≥ a + |c| = %2.</source>
+        <translation>La manivela da vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
+    </message>
+    <message>
+        <source>The crank oscillates within one of two arcs and cannot make a full turn: b = %1 &lt; a + |c| = %2, and also less than a − |c| = %3 mm. %4</source>
+        <translation>La manivela oscila dentro de uno de dos arcos y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2, y también menor que a − |c| = %3 mm. %4</translation>
+    </message>
+    <message>
+        <source>The crank oscillates and cannot make a full turn: b = %1 &lt; a + |c| = %2. %3</source>
+        <translation>La manivela oscila y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2. %3</translation>
+    </message>
+    <message>
+        <source>The crank is locked in a single position: b = |c| − a = %1. %2</source>
+        <translation>La manivela está bloqueada en una única posición: b = |c| − a = %1. %2</translation>
+    </message>
+    <message>
+        <source>Travel of the slider: its largest position minus its smallest</source>
+        <translation>Recorrido de la corredera: su posición máxima menos la mínima</translation>
+    </message>
+    <message>
+        <source>minimum transmission angle</source>
+        <translation>ángulo de transmisión mínimo</translation>
+    </message>
+    <message>
+        <source>Angle between the coupler and the normal to the slider&apos;s line, 90° − |θ³|, at its minimum. Mechanisms with less than about 40° tend to jam.</source>
+        <translation>Ángulo entre la biela y la normal a la línea de la corredera, 90° − |θ³|, en su mínimo. Los mecanismos con menos de unos 40° tienden a trabarse.</translation>
+    </message>
+    <message>
+        <source>velocities, accelerations</source>
+        <translation>velocidades, aceleraciones</translation>
+    </message>
+    <message>
+        <source>The velocities grow without bound as the crank approaches its limit position</source>
+        <translation>Las velocidades crecen sin cota cuando la manivela se acerca a su posición límite</translation>
+    </message>
+    <message>
+        <source>mean forward speed</source>
+        <translation>velocidad media de ida</translation>
+    </message>
+    <message>
+        <source>mean return speed</source>
+        <translation>velocidad media de vuelta</translation>
+    </message>
+    <message>
+        <source>The stroke divided by the time of the forward stroke</source>
+        <translation>La carrera dividida por el tiempo de la carrera de ida</translation>
+    </message>
+    <message>
+        <source>The stroke divided by the time of the return stroke</source>
+        <translation>La carrera dividida por el tiempo de la carrera de vuelta</translation>
+    </message>
+    <message>
+        <source>Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line</source>
+        <translation>Posición de la corredera Rₓ⁴ en la que se invierte su movimiento, con manivela y biela extendidas en línea</translation>
+    </message>
+    <message>
+        <source>Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line</source>
+        <translation>Posición de la corredera Rₓ⁴ en la que se invierte su movimiento, con manivela y biela superpuestas en línea</translation>
+    </message>
+    <message>
+        <source>The crank can go no further: the coupler is perpendicular to the slider&apos;s line. The value is the slider position Rₓ⁴.</source>
+        <translation>La manivela no puede ir más allá: la biela es perpendicular a la línea de la corredera. El valor es la posición Rₓ⁴ de la corredera.</translation>
+    </message>
+    <message>
+        <source>Largest value over one revolution of the crank, where its derivative is zero</source>
+        <translation>El mayor valor en una vuelta de la manivela, donde su derivada es cero</translation>
+    </message>
+    <message>
+        <source>The crank just makes full turns: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
+        <translation>La manivela da justo vueltas completas: b = a = %1, c = 0, un punto de cambio. En θ₂ = 90° y 270° la biela es perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
+    </message>
+    <message>
+        <source>The crank just makes full turns: b = a + |c| = %1. At θ₂ = %2° the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
+        <translation>La manivela da justo vueltas completas: b = a + |c| = %1. En θ₂ = %2° la biela es perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
+    </message>
+    <message>
+        <source>The coupler is perpendicular to the slider&apos;s line, and the velocities jump</source>
+        <translation>La biela es perpendicular a la línea de la corredera, y las velocidades saltan</translation>
+    </message>
+    <message>
+        <source>The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.</source>
+        <translation>La manivela está en reposo, ω₂ = 0; podría dar vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
     </message>
 </context>
 <context>
@@ -3768,16 +3263,8 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>Iteraciones</translation>
     </message>
     <message>
-        <source>⚠ %1</source>
-        <translation>⚠ %1</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Ajustes</translation>
-    </message>
-    <message>
-        <source>Equations, a row a constraint</source>
-        <translation>Ecuaciones, una fila por restricción</translation>
     </message>
     <message>
         <source>Equations</source>
@@ -3788,279 +3275,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>Jacobiano</translation>
     </message>
     <message>
-        <source>Coordinates, a row each</source>
-        <translation>Coordenadas, una por fila</translation>
-    </message>
-    <message>
         <source>Coordinates</source>
         <translation>Coordenadas</translation>
     </message>
     <message>
-        <source>Copy as CSV</source>
-        <translation>Copiar como CSV</translation>
-    </message>
-    <message>
-        <source>The table with every digit (Ctrl+C in the table)</source>
-        <translation>La tabla con todas las cifras (Ctrl+C en la tabla)</translation>
-    </message>
-    <message>
-        <source>Jacobian C_q, a row a constraint, a column a coordinate</source>
-        <translation>Jacobiano C_q, una fila por restricción, una columna por coordenada</translation>
-    </message>
-    <message>
-        <source>Iterations, a row each</source>
-        <translation>Iteraciones, una por fila</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>κ(C_q) = %1&lt;br&gt;det C_q = −b cos θ³&lt;br&gt;= %2&lt;br&gt;&lt;br&gt;&lt;span style=&apos;color:%3&apos;&gt;■&lt;/span&gt; positive&lt;br&gt;&lt;span style=&apos;color:%4&apos;&gt;■&lt;/span&gt; negative&lt;br&gt;in mm below θ</source>
-        <translation>κ(C_q) = %1&lt;br&gt;det C_q = −b cos θ³&lt;br&gt;= %2&lt;br&gt;&lt;br&gt;&lt;span style=&apos;color:%3&apos;&gt;■&lt;/span&gt; positivo&lt;br&gt;&lt;span style=&apos;color:%4&apos;&gt;■&lt;/span&gt; negativo&lt;br&gt;en mm bajo θ</translation>
-    </message>
-    <message>
-        <source>Not converged within %1 iterations: what is shown is the last one. Allow more iterations or a larger tolerance.</source>
-        <translation>No convergió en %1 iteraciones: se muestra la última. Permita más iteraciones o una tolerancia mayor.</translation>
-    </message>
-    <message>
-        <source>It cannot be assembled here: the coupler is too short.</source>
-        <translation>Aquí no se puede ensamblar: la biela es demasiado corta.</translation>
-    </message>
-    <message>
-        <source>κ: the largest singular value over the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
-        <translation>κ: el valor singular máximo dividido entre el mínimo, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela está perpendicular a la línea de la corredera.</translation>
-    </message>
-    <message>
-        <source>The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
-        <translation>La biela está perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
-    </message>
-    <message>
-        <source>The result is too large to be a number here.</source>
-        <translation>Aquí el resultado es demasiado grande para ser un número.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::NewtonTables</name>
-    <message>
-        <source>ground</source>
-        <translation>bancada</translation>
-    </message>
-    <message>
-        <source>crank</source>
-        <translation>manivela</translation>
-    </message>
-    <message>
-        <source>coupler</source>
-        <translation>biela</translation>
-    </message>
-    <message>
-        <source>slider</source>
-        <translation>corredera</translation>
-    </message>
-    <message>
-        <source>pivot O₂</source>
-        <translation>pivote O₂</translation>
-    </message>
-    <message>
-        <source>pin A</source>
-        <translation>pasador A</translation>
-    </message>
-    <message>
-        <source>pin B</source>
-        <translation>pasador B</translation>
-    </message>
-    <message>
-        <source>guide</source>
-        <translation>guía</translation>
-    </message>
-    <message>
-        <source>drive</source>
-        <translation>gobierno</translation>
-    </message>
-    <message>
-        <source>%1 does not exist here</source>
-        <translation>%1 no existe aquí</translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>%1 = %2 %3</source>
-        <translation>%1 = %2 %3</translation>
-    </message>
-    <message>
-        <source>%1, x</source>
-        <translation>%1, x</translation>
-    </message>
-    <message>
-        <source>%1, y</source>
-        <translation>%1, y</translation>
-    </message>
-    <message>
-        <source>%1, θ</source>
-        <translation>%1, θ</translation>
-    </message>
-    <message>
-        <source>joint</source>
-        <translation>junta</translation>
-    </message>
-    <message>
-        <source>equation</source>
-        <translation>ecuación</translation>
-    </message>
-    <message>
-        <source>C(q, t) = 0, the bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider</source>
-        <translation>C(q, t) = 0, los eslabones como superíndices: 1 bancada, 2 manivela, 3 biela, 4 corredera</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>What is left of the equation now, in mm or rad</source>
-        <translation>Lo que queda ahora de la ecuación, en mm o rad</translation>
-    </message>
-    <message>
-        <source>Cₜ, per s</source>
-        <translation>Cₜ, por s</translation>
-    </message>
-    <message>
-        <source>∂C/∂t, in mm/s or rad/s: velocities follow from C_q q̇ = −Cₜ</source>
-        <translation>∂C/∂t, en mm/s o rad/s: las velocidades salen de C_q q̇ = −Cₜ</translation>
-    </message>
-    <message>
-        <source>Q_d, per s²</source>
-        <translation>Q_d, por s²</translation>
-    </message>
-    <message>
-        <source>−(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in mm/s² or rad/s²: accelerations follow from C_q q̈ = Q_d</source>
-        <translation>−(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, en mm/s² o rad/s²: las aceleraciones salen de C_q q̈ = Q_d</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>unidad</translation>
-    </message>
-    <message>
-        <source>Of C; of Cₜ per s, of Q_d per s²</source>
-        <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
-    </message>
-    <message>
-        <source>Equation %1</source>
-        <translation>Ecuación %1</translation>
-    </message>
-    <message>
-        <source>C, row %1</source>
-        <translation>C, fila %1</translation>
-    </message>
-    <message>
-        <source>Cₜ, row %1</source>
-        <translation>Cₜ, fila %1</translation>
-    </message>
-    <message>
-        <source>Q_d, row %1</source>
-        <translation>Q_d, fila %1</translation>
-    </message>
-    <message>
-        <source>C_q</source>
-        <translation>C_q</translation>
-    </message>
-    <message>
-        <source>∂C/∂q: a row a constraint, a column a coordinate</source>
-        <translation>∂C/∂q: una fila por restricción, una columna por coordenada</translation>
-    </message>
-    <message>
-        <source>Angle of the %1</source>
-        <translation>Ángulo: %1</translation>
-    </message>
-    <message>
-        <source>Centre of mass of the %1</source>
-        <translation>Centro de masa: %1</translation>
-    </message>
-    <message>
-        <source>∂(%1)/∂%2</source>
-        <translation>∂(%1)/∂%2</translation>
-    </message>
-    <message>
-        <source>coordinate</source>
-        <translation>coordenada</translation>
-    </message>
-    <message>
-        <source>Centre of mass and angle of each body</source>
-        <translation>Centro de masa y ángulo de cada eslabón</translation>
-    </message>
-    <message>
-        <source>body</source>
-        <translation>eslabón</translation>
-    </message>
-    <message>
-        <source>position</source>
-        <translation>posición</translation>
-    </message>
-    <message>
-        <source>q, in mm or °</source>
-        <translation>q, en mm o °</translation>
-    </message>
-    <message>
-        <source>velocity, per s</source>
-        <translation>velocidad, por s</translation>
-    </message>
-    <message>
-        <source>dq/dt, in mm/s or °/s</source>
-        <translation>dq/dt, en mm/s o °/s</translation>
-    </message>
-    <message>
-        <source>acceleration, per s²</source>
-        <translation>aceleración, por s²</translation>
-    </message>
-    <message>
-        <source>d²q/dt², in mm/s² or °/s²</source>
-        <translation>d²q/dt², en mm/s² o °/s²</translation>
-    </message>
-    <message>
-        <source>Of the position; of the velocity per s, of the acceleration per s²</source>
-        <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>paso</translation>
-    </message>
-    <message>
-        <source>0: the start</source>
-        <translation>0: el comienzo</translation>
-    </message>
-    <message>
-        <source>● ‖C‖</source>
-        <translation>● ‖C‖</translation>
-    </message>
-    <message>
-        <source>● θ³ [°]</source>
-        <translation>● θ³ [°]</translation>
-    </message>
-    <message>
-        <source>□ ‖C‖</source>
-        <translation>□ ‖C‖</translation>
-    </message>
-    <message>
-        <source>From the position one step of the run before</source>
-        <translation>Desde la posición un paso del recorrido antes</translation>
-    </message>
-    <message>
-        <source>□ θ³ [°]</source>
-        <translation>□ θ³ [°]</translation>
-    </message>
-    <message>
-        <source>‖C‖</source>
-        <translation>‖C‖</translation>
-    </message>
-    <message>
-        <source>The joint that the equation is of</source>
-        <translation>La junta a la que pertenece la ecuación</translation>
-    </message>
-    <message>
-        <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
-        <translation>Desde un comienzo aproximado: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
+        <source>Newton-Raphson at the time on show</source>
+        <translation>Newton-Raphson en el instante mostrado</translation>
     </message>
 </context>
 <context>
@@ -4129,44 +3349,12 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>Excentricidad: altura de la línea de la corredera sobre O₂; puede ser negativa</translation>
     </message>
     <message>
-        <source>speed</source>
-        <translation>velocidad</translation>
-    </message>
-    <message>
-        <source>Speed of the crank, counter-clockwise positive</source>
-        <translation>Velocidad de la manivela, positiva en sentido antihorario</translation>
-    </message>
-    <message>
-        <source>start</source>
-        <translation>inicio</translation>
-    </message>
-    <message>
         <source>Angle of the crank at t = 0</source>
         <translation>Ángulo de la manivela en t = 0</translation>
     </message>
     <message>
         <source>Parameters of the mechanism</source>
         <translation>Parámetros del mecanismo</translation>
-    </message>
-    <message>
-        <source>assembly</source>
-        <translation>config.</translation>
-    </message>
-    <message>
-        <source>Assembly</source>
-        <translation>Configuración</translation>
-    </message>
-    <message>
-        <source>open: slider to the right of A</source>
-        <translation>abierta: B a la derecha de A</translation>
-    </message>
-    <message>
-        <source>crossed: slider to the left of A</source>
-        <translation>cruzada: B a la izquierda de A</translation>
-    </message>
-    <message>
-        <source>The two ways to put the same parts together</source>
-        <translation>Las dos maneras de ensamblar las mismas piezas</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -4179,10 +3367,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>%1, slider</source>
         <translation>%1, deslizador</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
     <message>
         <source>Unit of %1</source>
@@ -4201,30 +3385,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Shaded: above %1 the crank cannot turn round</source>
-        <translation>Sombreado: por encima de %1 la manivela no puede dar la vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: with this coupler and offset no crank can turn round</source>
-        <translation>Sombreado: con esta biela y esta excentricidad ninguna manivela puede dar la vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: below %1 the crank cannot turn round</source>
-        <translation>Sombreado: por debajo de %1 la manivela no puede dar la vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: beyond ±%1 the crank cannot turn round</source>
-        <translation>Sombreado: más allá de ±%1 la manivela no puede dar la vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: with a crank longer than the coupler no offset lets it turn round</source>
-        <translation>Sombreado: con una manivela más larga que la biela, ninguna excentricidad permite la vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: with the crank there the mechanism cannot be assembled</source>
-        <translation>Sombreado: con la manivela ahí el mecanismo no se puede ensamblar</translation>
-    </message>
-    <message>
         <source>Back to the initial value</source>
         <translation>Volver al valor inicial</translation>
     </message>
@@ -4235,6 +3395,50 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>crank speed</source>
+        <translation>velocidad de la manivela</translation>
+    </message>
+    <message>
+        <source>Angular velocity of the crank, counter-clockwise positive</source>
+        <translation>Velocidad angular de la manivela, positiva en sentido antihorario</translation>
+    </message>
+    <message>
+        <source>initial angle</source>
+        <translation>ángulo inicial</translation>
+    </message>
+    <message>
+        <source>Flips to the other way of assembling the same links</source>
+        <translation>Cambia al otro modo de ensamblar los mismos eslabones</translation>
+    </message>
+    <message>
+        <source>⇄ %1</source>
+        <translation>⇄ %1</translation>
+    </message>
+    <message>
+        <source>Shaded: above %1 the crank cannot make a full turn</source>
+        <translation>Sombreado: por encima de %1 la manivela no puede dar una vuelta completa</translation>
+    </message>
+    <message>
+        <source>Shaded: with this coupler and offset no crank can make a full turn</source>
+        <translation>Sombreado: con esta biela y este descentrado ninguna manivela puede dar una vuelta completa</translation>
+    </message>
+    <message>
+        <source>Shaded: below %1 the crank cannot make a full turn</source>
+        <translation>Sombreado: por debajo de %1 la manivela no puede dar una vuelta completa</translation>
+    </message>
+    <message>
+        <source>Shaded: beyond ±%1 the crank cannot make a full turn</source>
+        <translation>Sombreado: más allá de ±%1 la manivela no puede dar una vuelta completa</translation>
+    </message>
+    <message>
+        <source>Shaded: a crank longer than the coupler cannot make a full turn with any offset</source>
+        <translation>Sombreado: una manivela más larga que la biela no puede dar una vuelta completa con ningún descentrado</translation>
     </message>
 </context>
 <context>
@@ -4684,169 +3888,6 @@ Donde la referencia es cero es infinito, y se omite: %1×</translation>
     </message>
 </context>
 <context>
-    <name>slidercrank::ReferencePanel</name>
-    <message>
-        <source>Reference: what was read, and how</source>
-        <translation>Referencia: qué se leyó, y cómo</translation>
-    </message>
-    <message>
-        <source>Load a simulation&apos;s exported motion (CSV): here it says what was read from the file and how, which mechanism the motion belongs to, and by which other reading it would come nearer. A file can also be dropped anywhere in the window.</source>
-        <translation>Cargue el movimiento exportado de una simulación (CSV): aquí se dice qué se leyó del archivo y cómo, a qué mecanismo pertenece el movimiento, y con qué otra lectura se acercaría más. También se puede soltar un archivo en cualquier parte de la ventana.</translation>
-    </message>
-    <message>
-        <source>Choose columns…</source>
-        <translation>Elegir columnas…</translation>
-    </message>
-    <message>
-        <source>Say what the columns of the file are</source>
-        <translation>Indicar qué son las columnas del archivo</translation>
-    </message>
-    <message>
-        <source>heading</source>
-        <translation>encabezado</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>unidad</translation>
-    </message>
-    <message>
-        <source>read as</source>
-        <translation>se lee como</translation>
-    </message>
-    <message>
-        <source>rounded to</source>
-        <translation>redondeo</translation>
-    </message>
-    <message>
-        <source>values</source>
-        <translation>valores</translation>
-    </message>
-    <message>
-        <source>why</source>
-        <translation>motivo</translation>
-    </message>
-    <message>
-        <source>Columns of the file, a row a column</source>
-        <translation>Columnas del archivo, una por fila</translation>
-    </message>
-    <message>
-        <source>How the file rounded this column, inferred from all its values</source>
-        <translation>Cómo redondeó el archivo esta columna, deducido de todos sus valores</translation>
-    </message>
-    <message>
-        <source>line</source>
-        <translation>línea</translation>
-    </message>
-    <message>
-        <source>column</source>
-        <translation>columna</translation>
-    </message>
-    <message>
-        <source>text</source>
-        <translation>texto</translation>
-    </message>
-    <message>
-        <source>why it was left out</source>
-        <translation>por qué se omitió</translation>
-    </message>
-    <message>
-        <source>Rows of the file that were left out</source>
-        <translation>Filas del archivo que se omitieron</translation>
-    </message>
-    <message>
-        <source>Columns</source>
-        <translation>Columnas</translation>
-    </message>
-    <message>
-        <source>%1 rows read</source>
-        <translation>%1 filas leídas</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1. %2.</translation>
-    </message>
-    <message>
-        <source>, 1 gap</source>
-        <translation>, 1 hueco</translation>
-    </message>
-    <message>
-        <source>, %1 gaps</source>
-        <translation>, %1 huecos</translation>
-    </message>
-    <message>
-        <source>Rows left out (%1)</source>
-        <translation>Filas omitidas (%1)</translation>
-    </message>
-    <message>
-        <source>How else it may be read</source>
-        <translation>De qué otro modo puede leerse</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>Apply: %1</source>
-        <translation>Aplicar: %1</translation>
-    </message>
-    <message>
-        <source>What the first column is</source>
-        <translation>Qué es la primera columna</translation>
-    </message>
-    <message>
-        <source>First column: time</source>
-        <translation>Columna 1: tiempo</translation>
-    </message>
-    <message>
-        <source>First column: crank angle</source>
-        <translation>Columna 1: ángulo θ₂</translation>
-    </message>
-    <message>
-        <source>Which mechanism the file belongs to, and how else it may be read</source>
-        <translation>A qué mecanismo pertenece el archivo, y de qué otro modo puede leerse</translation>
-    </message>
-    <message>
-        <source>Its mechanism</source>
-        <translation>Su mecanismo</translation>
-    </message>
-    <message>
-        <source>Read differently from how it is written</source>
-        <translation>Leído de manera distinta a como está escrito</translation>
-    </message>
-    <message>
-        <source>Read as written again</source>
-        <translation>Volver a leer como está escrito</translation>
-    </message>
-    <message>
-        <source>Which mechanism it belongs to</source>
-        <translation>A qué mecanismo pertenece</translation>
-    </message>
-    <message>
-        <source>Searching…</source>
-        <translation>Buscando…</translation>
-    </message>
-    <message>
-        <source>Sets the sliders to this mechanism; can be undone</source>
-        <translation>Pone los deslizadores en este mecanismo; se puede deshacer</translation>
-    </message>
-    <message>
-        <source>Use the first</source>
-        <translation>Usar el primero</translation>
-    </message>
-    <message>
-        <source>Whether the rows are by time or by crank angle; from the angle, ω₂ and θ₂₀ give the time</source>
-        <translation>Si las filas van por el tiempo o por el ángulo de la manivela, del que ω₂ y θ₂₀ dan el tiempo</translation>
-    </message>
-    <message>
-        <source>Use this mechanism</source>
-        <translation>Usar este mecanismo</translation>
-    </message>
-    <message>
-        <source>1 row read</source>
-        <translation>1 fila leída</translation>
-    </message>
-</context>
-<context>
     <name>slidercrank::Report</name>
     <message>
         <source>crank</source>
@@ -5054,10 +4095,6 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::RunForm</name>
     <message>
-        <source>Run and speed</source>
-        <translation>Recorrido y velocidad</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Inicio</translation>
     </message>
@@ -5066,52 +4103,56 @@ SHA-256: %2</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>The first instant</source>
-        <translation>El primer instante</translation>
-    </message>
-    <message>
         <source>Duration</source>
         <translation>Duración</translation>
-    </message>
-    <message>
-        <source>From the first instant to the last</source>
-        <translation>Del primer instante al último</translation>
-    </message>
-    <message>
-        <source>One turn</source>
-        <translation>Una vuelta</translation>
-    </message>
-    <message>
-        <source>As long as the crank takes to turn round once</source>
-        <translation>Lo que la manivela tarda en dar una vuelta</translation>
     </message>
     <message>
         <source>Steps</source>
         <translation>Pasos</translation>
     </message>
     <message>
-        <source>Intervals; one instant more is computed</source>
-        <translation>Tramos; se calcula un instante más</translation>
-    </message>
-    <message>
-        <source>Playing speed</source>
-        <translation>Velocidad de reproducción</translation>
-    </message>
-    <message>
         <source>×</source>
         <translation>×</translation>
     </message>
     <message>
-        <source>Seconds of the motion in a second of the clock</source>
-        <translation>Segundos del movimiento en un segundo de reloj</translation>
+        <source>Time range and speed</source>
+        <translation>Intervalo de tiempo y velocidad</translation>
     </message>
     <message>
-        <source>A turn plays in</source>
-        <translation>Una vuelta dura</translation>
+        <source>The first time step</source>
+        <translation>El primer instante</translation>
     </message>
     <message>
-        <source>Seconds of the clock for one turn of the crank</source>
-        <translation>Segundos de reloj para una vuelta de la manivela</translation>
+        <source>From the first time step to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>One revolution</source>
+        <translation>Una vuelta</translation>
+    </message>
+    <message>
+        <source>Sets the duration to one revolution of the crank</source>
+        <translation>Fija la duración en una vuelta de la manivela</translation>
+    </message>
+    <message>
+        <source>Intervals; there is one time step more</source>
+        <translation>Intervalos; hay un instante más</translation>
+    </message>
+    <message>
+        <source>Playback speed</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>Seconds of the motion in a second of real time</source>
+        <translation>Segundos del movimiento en un segundo de tiempo real</translation>
+    </message>
+    <message>
+        <source>Playback time per revolution</source>
+        <translation>Tiempo de reproducción por vuelta</translation>
+    </message>
+    <message>
+        <source>Real time in which one revolution of the crank is played</source>
+        <translation>Tiempo real en que se reproduce una vuelta de la manivela</translation>
     </message>
 </context>
 <context>
@@ -5343,20 +4384,20 @@ SHA-256: %2</translation>
         <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
     </message>
     <message>
-        <source>This motion is kept already: change the mechanism to see what differs.</source>
-        <translation>Este movimiento ya está conservado: cambie el mecanismo para ver la diferencia.</translation>
-    </message>
-    <message>
-        <source>%1 motions are kept already: forget them before you keep another one.</source>
-        <translation>Ya hay %1 movimientos conservados: olvídelos antes de conservar otro.</translation>
-    </message>
-    <message>
         <source>use of the file&apos;s mechanism</source>
         <translation>uso del mecanismo del archivo</translation>
     </message>
     <message>
         <source>%1 must be at least %2 mm.</source>
         <translation>%1 debe ser al menos %2 mm.</translation>
+    </message>
+    <message>
+        <source>This motion is already pinned: change the mechanism to see the difference.</source>
+        <translation>Este movimiento ya está fijado: cambie el mecanismo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>%1 motions are already pinned: remove them before you pin another one.</source>
+        <translation>Ya hay %1 movimientos fijados: quítelos antes de fijar otro.</translation>
     </message>
 </context>
 <context>
@@ -5378,24 +4419,12 @@ SHA-256: %2</translation>
         <translation>Cómo se calculan las curvas</translation>
     </message>
     <message>
-        <source>Iterates until ‖C‖ is at most this; 0: until it no longer falls</source>
-        <translation>Itera hasta que ‖C‖ sea a lo sumo esto; 0: hasta que deje de disminuir</translation>
-    </message>
-    <message>
         <source>absolute</source>
         <translation>absoluta</translation>
     </message>
     <message>
         <source>relative</source>
         <translation>relativa</translation>
-    </message>
-    <message>
-        <source>Absolute: mm and rad mixed, as in the report. Relative: lengths divided by a + b + |c|, the same at every scale</source>
-        <translation>Absoluta: mm y rad mezclados, como en el informe. Relativa: longitudes divididas entre a + b + |c|, igual a cualquier escala</translation>
-    </message>
-    <message>
-        <source>At one instant</source>
-        <translation>En un instante</translation>
     </message>
     <message>
         <source>Method</source>
@@ -5406,80 +4435,68 @@ SHA-256: %2</translation>
         <translation>Tolerancia</translation>
     </message>
     <message>
-        <source>Kind of tolerance</source>
-        <translation>Tipo de tolerancia</translation>
+        <source>All %1 time steps are solved.</source>
+        <translation>Los %1 instantes están resueltos.</translation>
     </message>
     <message>
-        <source>Most iterations</source>
-        <translation>Máx. iteraciones</translation>
+        <source>%1 of %2 time steps are solved.</source>
+        <translation>%1 de %2 instantes están resueltos.</translation>
     </message>
     <message>
-        <source>Iterations</source>
-        <translation>Iteraciones</translation>
+        <source>The closed form needs no iterations.</source>
+        <translation>La forma cerrada no necesita iteraciones.</translation>
     </message>
     <message>
-        <source>Largest residual ‖C‖</source>
-        <translation>Residuo ‖C‖ máximo</translation>
+        <source>Iterations: %1.</source>
+        <translation>Iteraciones: %1.</translation>
     </message>
     <message>
-        <source>Instants</source>
-        <translation>Instantes</translation>
+        <source>Largest residual ‖C‖ of the time steps solved: %1.</source>
+        <translation>Mayor residuo ‖C‖ de los instantes resueltos: %1.</translation>
     </message>
     <message>
-        <source>none: the closed form needs none</source>
-        <translation>ninguna: la forma cerrada no las necesita</translation>
-    </message>
-    <message>
-        <source>all %1 solved</source>
-        <translation>los %1 resueltos</translation>
-    </message>
-    <message>
-        <source>%1 of %2 solved</source>
-        <translation>%1 de %2 resueltos</translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants did not converge within %3 iterations: allow more iterations or a larger tolerance.</source>
+        <source>%1 of %2 time steps did not converge within %3 iterations: allow more iterations or a larger tolerance.</source>
         <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones o una tolerancia mayor.</translation>
     </message>
     <message>
-        <source>%1 of %2 instants did not converge within %3 iterations: allow more iterations.</source>
+        <source>%1 of %2 time steps did not converge within %3 iterations: allow more iterations.</source>
         <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones.</translation>
     </message>
     <message>
-        <source>%1 of %2 instants cannot be assembled: the coupler is too short there.</source>
+        <source>%1 of %2 time steps cannot be assembled: the coupler is too short there.</source>
         <translation>%1 de %2 instantes no se pueden ensamblar: allí la biela es demasiado corta.</translation>
     </message>
     <message>
-        <source>⚠ %1</source>
-        <translation>⚠ %1</translation>
+        <source>At %1 of %2 time steps the coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not.</source>
+        <translation>En %1 de %2 instantes la biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no.</translation>
     </message>
     <message>
-        <source>Of the instants that were found, as the tolerance measures it. It bounds the residual, not the error.</source>
-        <translation>De los instantes hallados, como lo mide la tolerancia. Acota el residuo, no el error.</translation>
-    </message>
-    <message>
-        <source>At %1 of %2 instants the coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not.</source>
-        <translation>En %1 de %2 instantes la biela está perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no.</translation>
-    </message>
-    <message>
-        <source>At %1 of %2 instants the result is too large to be a number.</source>
+        <source>At %1 of %2 time steps the result is too large to be a number.</source>
         <translation>En %1 de %2 instantes el resultado es demasiado grande para ser un número.</translation>
+    </message>
+    <message>
+        <source>Iterates until ‖C‖ is at most this; 0: until it no longer decreases</source>
+        <translation>Itera hasta que ‖C‖ no pase de esto; 0: hasta que deje de disminuir</translation>
+    </message>
+    <message>
+        <source>Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by a + b + |c|, the same at every scale</source>
+        <translation>Absoluta: mm y rad mezclados, como en el informe de referencia. Relativa: longitudes divididas por a + b + |c|, igual a toda escala</translation>
+    </message>
+    <message>
+        <source>At one time step</source>
+        <translation>En un instante</translation>
+    </message>
+    <message>
+        <source>Tolerance type</source>
+        <translation>Tipo de tolerancia</translation>
+    </message>
+    <message>
+        <source>Maximum iterations</source>
+        <translation>Máximo de iteraciones</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::StatusBar</name>
-    <message>
-        <source>crank turns round</source>
-        <translation>la manivela da la vuelta completa</translation>
-    </message>
-    <message>
-        <source>crank rocks</source>
-        <translation>la manivela oscila</translation>
-    </message>
-    <message>
-        <source>locked in one pose</source>
-        <translation>bloqueado en una posición</translation>
-    </message>
     <message>
         <source>cannot be assembled</source>
         <translation>no se puede ensamblar</translation>
@@ -5529,155 +4546,24 @@ SHA-256: %2</translation>
         <translation>residuo %1</translation>
     </message>
     <message>
-        <source>crank stands still</source>
-        <translation>la manivela está quieta</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::StudyFigureText</name>
-    <message>
-        <source>time per state [ns]</source>
-        <translation>tiempo por estado [ns]</translation>
+        <source>crank makes full turns</source>
+        <translation>la manivela da vueltas completas</translation>
     </message>
     <message>
-        <source>Newton dense (report)</source>
-        <translation>Newton denso (informe)</translation>
+        <source>crank oscillates</source>
+        <translation>la manivela oscila</translation>
     </message>
     <message>
-        <source>Newton dense, Taylor</source>
-        <translation>Newton denso, Taylor</translation>
+        <source>locked in a single position</source>
+        <translation>bloqueado en una única posición</translation>
     </message>
     <message>
-        <source>Newton structured</source>
-        <translation>Newton estructurado</translation>
-    </message>
-    <message>
-        <source>Newton structured, Taylor</source>
-        <translation>Newton estruct., Taylor</translation>
-    </message>
-    <message>
-        <source>closed form</source>
-        <translation>forma cerrada</translation>
-    </message>
-    <message>
-        <source>closed form, batch</source>
-        <translation>forma cerrada, en lote</translation>
-    </message>
-    <message>
-        <source>differences</source>
-        <translation>diferencias</translation>
-    </message>
-    <message>
-        <source>%1 harmonics</source>
-        <translation>%1 armónicos</translation>
-    </message>
-    <message>
-        <source>, tolerance %1</source>
-        <translation>, tolerancia %1</translation>
-    </message>
-    <message>
-        <source>%1 ns per state (± %2), %3 channels</source>
-        <translation>%1 ns por estado (± %2), %3 canales</translation>
-    </message>
-    <message>
-        <source>%1 iterations per state</source>
-        <translation>%1 iteraciones por estado</translation>
-    </message>
-    <message>
-        <source>largest error %1 of the peak</source>
-        <translation>error máximo %1 del pico</translation>
-    </message>
-    <message>
-        <source>no instant solved</source>
-        <translation>ningún instante resuelto</translation>
-    </message>
-    <message>
-        <source>so many harmonics</source>
-        <translation>tantos armónicos</translation>
-    </message>
-    <message>
-        <source>fastest for its error</source>
-        <translation>los mejores</translation>
-    </message>
-    <message>
-        <source>cost of rounded input</source>
-        <translation>redondear los datos</translation>
-    </message>
-    <message>
-        <source>error / peak</source>
-        <translation>error / pico</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson as in the report: 12 equations solved together (dense LU), started from the instant before</source>
-        <translation>Newton-Raphson como en el informe: 12 ecuaciones resueltas juntas (LU densa), a partir del instante anterior</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson on the same 12 equations, solved joint by joint</source>
-        <translation>Newton-Raphson con las mismas 12 ecuaciones, resueltas junta a junta</translation>
-    </message>
-    <message>
-        <source>The same, started from the position, velocity and acceleration of the instant before (Taylor series)</source>
-        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
-    </message>
-    <message>
-        <source>The exact formulas, instant by instant</source>
-        <translation>Las fórmulas exactas, instante a instante</translation>
-    </message>
-    <message>
-        <source>The exact formulas for several instants at once (vector instructions)</source>
-        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
-    </message>
-    <message>
-        <source>Velocity and acceleration as central differences of exact positions</source>
-        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
-    </message>
-    <message>
-        <source>The motion as a Fourier series with so many harmonics</source>
-        <translation>El movimiento como serie de Fourier con tantos armónicos</translation>
-    </message>
-    <message>
-        <source>rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
-        <translation>solo redondear a, b, c, ω₂, θ₂₀ y t al formato double puede costar %1</translation>
+        <source>crank at rest</source>
+        <translation>la manivela está en reposo</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::StudyPanel</name>
-    <message>
-        <source>solved</source>
-        <translation>resueltos</translation>
-    </message>
-    <message>
-        <source>singular</source>
-        <translation>singulares</translation>
-    </message>
-    <message>
-        <source>not converged</source>
-        <translation>no convergen</translation>
-    </message>
-    <message>
-        <source>not assemblable</source>
-        <translation>no ensamblables</translation>
-    </message>
-    <message>
-        <source>not finite</source>
-        <translation>no finitos</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>, %1 silently wrong</source>
-        <translation>, %1 erróneos sin aviso</translation>
-    </message>
-    <message>
-        <source>a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6</source>
-        <translation>a = %1 mm, b = %2 mm, c = %3 mm, ω₂ = %4 rad/s, θ₂₀ = %5 rad, %6</translation>
-    </message>
     <message>
         <source>Speed and accuracy of the methods</source>
         <translation>Velocidad y exactitud de los métodos</translation>
@@ -5685,10 +4571,6 @@ SHA-256: %2</translation>
     <message>
         <source>Run (this mechanism)</source>
         <translation>Medir (este mecanismo)</translation>
-    </message>
-    <message>
-        <source>Times every method on one turn of this mechanism</source>
-        <translation>Cronometra cada método en una vuelta de este mecanismo</translation>
     </message>
     <message>
         <source>Run hard cases</source>
@@ -5707,96 +4589,12 @@ SHA-256: %2</translation>
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>The picture as PNG, SVG or PDF, the numbers as CSV or JSON</source>
-        <translation>La imagen como PNG, SVG o PDF, los números como CSV o JSON</translation>
-    </message>
-    <message>
-        <source>Picture…</source>
-        <translation>Imagen…</translation>
-    </message>
-    <message>
-        <source>Numbers…</source>
-        <translation>Números…</translation>
-    </message>
-    <message>
-        <source>Methods, a row a method and tolerance</source>
-        <translation>Métodos, una fila por método y tolerancia</translation>
-    </message>
-    <message>
-        <source>method</source>
-        <translation>método</translation>
-    </message>
-    <message>
-        <source>How the motion is computed</source>
-        <translation>Cómo se calcula el movimiento</translation>
-    </message>
-    <message>
-        <source>tolerance</source>
-        <translation>tolerancia</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>error</translation>
-    </message>
-    <message>
-        <source>The worst of the six plotted channels, relative to the channel&apos;s peak, over solved instants</source>
-        <translation>El peor de los seis canales representados, relativo al pico del canal, en los instantes resueltos</translation>
-    </message>
-    <message>
-        <source>iterations</source>
-        <translation>iteraciones</translation>
-    </message>
-    <message>
-        <source>Per state</source>
-        <translation>Por estado</translation>
-    </message>
-    <message>
-        <source>instants</source>
-        <translation>instantes</translation>
-    </message>
-    <message>
-        <source>What the method says of them</source>
-        <translation>Lo que el método dice de ellos</translation>
-    </message>
-    <message>
-        <source>1 case</source>
-        <translation>1 caso</translation>
-    </message>
-    <message>
-        <source>%1 cases</source>
-        <translation>%1 casos</translation>
-    </message>
-    <message>
-        <source>, nothing silently wrong</source>
-        <translation>, nada erróneo sin aviso</translation>
-    </message>
-    <message>
-        <source>, ⚠ %1 instants silently wrong</source>
-        <translation>, ⚠ %1 instantes erróneos sin aviso</translation>
-    </message>
-    <message>
-        <source>, done in %1 s</source>
-        <translation>, hecho en %1 s</translation>
-    </message>
-    <message>
-        <source> (cancelled)</source>
-        <translation> (cancelado)</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet: run the study first.</source>
         <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
     </message>
     <message>
-        <source>Speed and accuracy: %1</source>
-        <translation>Velocidad y exactitud: %1</translation>
-    </message>
-    <message>
         <source>%1 cannot be written: %2.</source>
         <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
-        <source>speed.png</source>
-        <translation>velocidad.png</translation>
     </message>
     <message>
         <source>speed.csv</source>
@@ -5807,51 +4605,54 @@ SHA-256: %2</translation>
         <translation>Tablas (*.csv)</translation>
     </message>
     <message>
-        <source>time [ns]</source>
-        <translation>tiempo [ns]</translation>
-    </message>
-    <message>
-        <source>Per state, that is position, velocity and acceleration at an instant: median over interleaved rounds</source>
-        <translation>Por estado, es decir, posición, velocidad y aceleración en un instante: mediana de varias rondas alternadas</translation>
-    </message>
-    <message>
-        <source>Times of %1</source>
-        <translation>Tiempos de %1</translation>
-    </message>
-    <message>
-        <source> The mechanism has changed since: run again.</source>
-        <translation> El mecanismo ha cambiado desde entonces: vuelva a medir.</translation>
-    </message>
-    <message>
-        <source>Cranks that only just turn or only rock, very long and very short links, very late instants: takes some ten seconds</source>
-        <translation>Manivelas que apenas dan la vuelta o solo oscilan, eslabones muy largos y muy cortos, instantes muy tardíos: tarda unos diez segundos</translation>
-    </message>
-    <message>
         <source>Case shown</source>
         <translation>Caso mostrado</translation>
     </message>
     <message>
-        <source>Of Newton-Raphson: absolute for the report&apos;s way, relative for the others</source>
-        <translation>De Newton-Raphson: absoluta para el método del informe, relativa para los demás</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::StudyPicture</name>
-    <message>
-        <source>Error against time per state</source>
-        <translation>Error frente a tiempo por estado</translation>
+        <source>Error and time of the methods</source>
+        <translation>Error y tiempo de los métodos</translation>
     </message>
     <message>
-        <source>Best in speed and error: %1</source>
-        <translation>Mejores en velocidad y error: %1</translation>
+        <source>Times every method on one revolution of this mechanism</source>
+        <translation>Cronometra cada método en una vuelta de este mecanismo</translation>
     </message>
     <message>
-        <source>, </source>
-        <translation>, </translation>
+        <source>Mechanisms that only just make full turns or only just oscillate, very long and very short links, very late times: takes some ten seconds</source>
+        <translation>Mecanismos que apenas dan vueltas completas o apenas oscilan, eslabones muy largos y muy cortos, instantes muy tardíos: tarda unos diez segundos</translation>
     </message>
     <message>
-        <source>How fast is each method, and how exact? Run the study: every method is timed on the same instants, and its error measured against a computation in 50 digits or more.</source>
-        <translation>¿Qué rapidez y qué exactitud tiene cada método? Haga la medición: todos se cronometran en los mismos instantes, y su error se mide frente a un cálculo de 50 cifras o más.</translation>
+        <source>Export all cases…</source>
+        <translation>Exportar todos los casos…</translation>
+    </message>
+    <message>
+        <source>The numbers of every case as CSV or JSON</source>
+        <translation>Los números de todos los casos, como CSV o JSON</translation>
+    </message>
+    <message>
+        <source>No undetected failures</source>
+        <translation>Sin fallos inadvertidos</translation>
+    </message>
+    <message>
+        <source>⚠ %1 undetected failures</source>
+        <translation>⚠ %1 fallos inadvertidos</translation>
+    </message>
+    <message>
+        <source>done in %1 s</source>
+        <translation>hecho en %1 s</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>cancelado</translation>
+    </message>
+    <message>
+        <source>the mechanism has changed since: run again</source>
+        <translation>el mecanismo ha cambiado desde entonces: repita el estudio</translation>
+    </message>
+    <message>
+        <source>%1
+Times measured on %2</source>
+        <translation>%1
+Tiempos medidos en %2</translation>
     </message>
 </context>
 <context>
@@ -6020,14 +4821,6 @@ SHA-256: %2</translation>
         <translation>Línea de tiempo</translation>
     </message>
     <message>
-        <source>Instant in seconds</source>
-        <translation>Instante en segundos</translation>
-    </message>
-    <message>
-        <source>Instant</source>
-        <translation>Instante</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -6036,16 +4829,8 @@ SHA-256: %2</translation>
         <translation>Ángulo de la manivela en grados</translation>
     </message>
     <message>
-        <source>Crank angle: type one to go where the crank first passes it</source>
-        <translation>Ángulo de la manivela: escriba uno para ir a donde la manivela pasa por él la primera vez</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>Instant, slider</source>
-        <translation>Instante, deslizador</translation>
     </message>
     <message>
         <source>t</source>
@@ -6056,48 +4841,8 @@ SHA-256: %2</translation>
         <translation>θ₂</translation>
     </message>
     <message>
-        <source>To the start</source>
-        <translation>Al inicio</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Inicio</translation>
-    </message>
-    <message>
-        <source>One step back</source>
-        <translation>Un paso atrás</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Izquierda</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Reproducir</translation>
-    </message>
-    <message>
-        <source>One step forward</source>
-        <translation>Un paso adelante</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Derecha</translation>
-    </message>
-    <message>
-        <source>To the end</source>
-        <translation>Al final</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Fin</translation>
-    </message>
-    <message>
-        <source>Loop</source>
-        <translation>Repetir</translation>
-    </message>
-    <message>
-        <source>Play or pause (Space)</source>
-        <translation>Reproducir o pausar (Espacio)</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -6108,16 +4853,72 @@ SHA-256: %2</translation>
         <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
     </message>
     <message>
-        <source>Run and speed</source>
-        <translation>Recorrido y velocidad</translation>
+        <source>&amp;Play or pause</source>
+        <translation>Re&amp;producir o pausar</translation>
     </message>
     <message>
-        <source>Start, duration, steps, one turn, and the speed of playing (Ctrl+R)</source>
-        <translation>Inicio, duración, pasos, una vuelta y velocidad de reproducción (Ctrl+R)</translation>
+        <source>Step &amp;forward</source>
+        <translation>Un paso &amp;adelante</translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation>Un paso a&amp;trás</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>Al &amp;inicio</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>Al &amp;final</translation>
+    </message>
+    <message>
+        <source>F&amp;aster</source>
+        <translation>Más rápi&amp;do</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>&amp;Time range and speed…</source>
+        <translation>&amp;Intervalo de tiempo y velocidad…</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Repetir</translation>
+    </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation>V&amp;elocidad</translation>
+    </message>
+    <message>
+        <source>Time in seconds</source>
+        <translation>Tiempo en segundos</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Crank angle: type one to go to the time when the crank first passes it</source>
+        <translation>Ángulo de la manivela: escriba uno para ir al instante en que la manivela pasa primero por él</translation>
+    </message>
+    <message>
+        <source>Time, slider</source>
+        <translation>Tiempo, control deslizante</translation>
+    </message>
+    <message>
+        <source>Time range and speed</source>
+        <translation>Intervalo de tiempo y velocidad</translation>
+    </message>
+    <message>
+        <source>Start, duration, steps, one revolution, and the playback speed (Ctrl+R)</source>
+        <translation>Inicio, duración, pasos, una vuelta y la velocidad de reproducción (Ctrl+R)</translation>
     </message>
     <message>
         <source>%1 s · %2 ▾</source>
-        <comment>duration of the run, speed of playing</comment>
+        <comment>duration, playback speed</comment>
         <translation>%1 s · %2 ▾</translation>
     </message>
 </context>
@@ -6137,6 +4938,937 @@ SHA-256: %2</translation>
     <message>
         <source>That failed: %1.</source>
         <translation>Eso ha fallado: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ErrorPage</name>
+    <message>
+        <source>agrees</source>
+        <translation>coincide</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>próximo</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>difiere</translation>
+    </message>
+    <message>
+        <source>%1 in the file, %2 time steps compared</source>
+        <translation>%1 en el archivo, %2 instantes comparados</translation>
+    </message>
+    <message>
+        <source>; at %1 more the model does not exist</source>
+        <translation>; en otros %1 el modelo no existe</translation>
+    </message>
+    <message>
+        <source>The file writes this channel in steps of at most %1.</source>
+        <translation>El archivo escribe este canal en pasos de a lo sumo %1.</translation>
+    </message>
+    <message>
+        <source>How the file was rounded is not known.</source>
+        <translation>No se sabe cómo se redondeó el archivo.</translation>
+    </message>
+    <message>
+        <source>Largest |model − reference|; root mean square %1.</source>
+        <translation>Máximo de |modelo − referencia|; valor eficaz %1.</translation>
+    </message>
+    <message>
+        <source>Point by point, |model − reference| / |reference|: at most %1 %, at t = %2 s.</source>
+        <translation>Punto por punto, |modelo − referencia| / |referencia|: a lo sumo %1 %, en t = %2 s.</translation>
+    </message>
+    <message>
+        <source>Point by point, relative to the reference: undefined.</source>
+        <translation>Punto por punto, relativo a la referencia: no definido.</translation>
+    </message>
+    <message>
+        <source>Undefined where the reference is zero: at %1 time steps.</source>
+        <translation>No definido donde la referencia es cero: en %1 instantes.</translation>
+    </message>
+    <message>
+        <source>max |model − reference| / max |reference| · 100</source>
+        <translation>máx. |modelo − referencia| / máx. |referencia| · 100</translation>
+    </message>
+    <message>
+        <source>Unbounded: one of the two reaches a limit position</source>
+        <translation>Sin cota: uno de los dos alcanza una posición límite</translation>
+    </message>
+    <message>
+        <source>Largest |this − pinned|; root mean square %1.</source>
+        <translation>Máximo de |este − fijado|; valor eficaz %1.</translation>
+    </message>
+    <message>
+        <source>max |this − pinned| / max |pinned| · 100</source>
+        <translation>máx. |este − fijado| / máx. |fijado| · 100</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>magnitud</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Lo que se compara</translation>
+    </message>
+    <message>
+        <source>t [s]</source>
+        <translation>t [s]</translation>
+    </message>
+    <message>
+        <source>Time of the largest error</source>
+        <translation>Instante del error máximo</translation>
+    </message>
+    <message>
+        <source>% of peak</source>
+        <translation>% del máximo</translation>
+    </message>
+    <message>
+        <source>Largest error relative to the largest value of the reference</source>
+        <translation>Error máximo relativo al mayor valor de la referencia</translation>
+    </message>
+    <message>
+        <source>1 row of the file was skipped (line %1)</source>
+        <translation>Se omitió 1 fila del archivo (línea %1)</translation>
+    </message>
+    <message>
+        <source>%1 rows of the file were skipped</source>
+        <translation>Se omitieron %1 filas del archivo</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: “%3” %4</source>
+        <translation>Línea %1, columna %2: «%3» %4</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… y %1 más</translation>
+    </message>
+    <message>
+        <source>1 column was ignored</source>
+        <translation>1 columna no se usó</translation>
+    </message>
+    <message>
+        <source>%1 columns were ignored</source>
+        <translation>%1 columnas no se usaron</translation>
+    </message>
+    <message>
+        <source>Ignored: %1</source>
+        <translation>Sin usar: %1</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <comment>name of a file</comment>
+        <translation>errores</translation>
+    </message>
+    <message>
+        <source>Errors, a row for each channel</source>
+        <translation>Errores, una fila por canal</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
+close: none beyond a hundred times
+differs: anything else, and errors beyond the rounding by 1 % of half the motion&apos;s range</source>
+        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
+próximo: ninguno más allá de cien veces
+difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad del recorrido</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>max |model − reference|</source>
+        <translation>máx. |modelo − referencia|</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <comment>name of a file</comment>
+        <translation>diferencias</translation>
+    </message>
+    <message>
+        <source>This mechanism is the pinned one: change it to see the difference.</source>
+        <translation>Este mecanismo es el fijado: cámbielo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>This mechanism − pinned (%1).</source>
+        <translation>Este mecanismo − fijado (%1).</translation>
+    </message>
+    <message>
+        <source>Where one of the two cannot be assembled there is nothing to compare.</source>
+        <translation>Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
+    </message>
+    <message>
+        <source>Differences from the pinned motion, a row for each channel</source>
+        <translation>Diferencias con el movimiento fijado, una fila por canal</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>max |this − pinned|</source>
+        <translation>máx. |este − fijado|</translation>
+    </message>
+    <message>
+        <source>Use this mechanism</source>
+        <translation>Usar este mecanismo</translation>
+    </message>
+    <message>
+        <source>Use the first of them</source>
+        <translation>Usar el primero de ellos</translation>
+    </message>
+    <message>
+        <source>The file fits %1</source>
+        <translation>El archivo corresponde a %1</translation>
+    </message>
+    <message>
+        <source>%1 Largest error: %2 → %3 % of peak.</source>
+        <translation>%1 Error máximo: %2 → %3 % del máximo.</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>sin cambio</translation>
+    </message>
+    <message>
+        <source>assembly</source>
+        <translation>configuración</translation>
+    </message>
+    <message>
+        <source>Now → then (measured ± standard error)</source>
+        <translation>Ahora → después (medido ± error estándar)</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>The file is read differently from how it is written: %1.</source>
+        <translation>El archivo se lee de otro modo que como está escrito: %1.</translation>
+    </message>
+    <message>
+        <source>Read as written</source>
+        <translation>Leer como está escrito</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with: no file is open and no motion is pinned.</source>
+        <translation>No hay nada con que comparar: no hay ningún archivo abierto ni movimiento fijado.</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Errores</translation>
+    </message>
+    <message>
+        <source>Click to go there</source>
+        <translation>Haga clic para ir allí</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::LimitsPage</name>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>θ₂ [°]</source>
+        <translation>θ₂ [°]</translation>
+    </message>
+    <message>
+        <source>Crank angle, 0 to 360°</source>
+        <translation>Ángulo de la manivela, de 0 a 360°</translation>
+    </message>
+    <message>
+        <source>t [s]</source>
+        <translation>t [s]</translation>
+    </message>
+    <message>
+        <source>First time at which the crank is there</source>
+        <translation>Primer instante en que la manivela está allí</translation>
+    </message>
+    <message>
+        <source>Click or press Enter to go there</source>
+        <translation>Haga clic o pulse Intro para ir allí</translation>
+    </message>
+    <message>
+        <source>Outside the simulated time range</source>
+        <translation>Fuera del intervalo de tiempo simulado</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <comment>name of a file</comment>
+        <translation>límites</translation>
+    </message>
+    <message>
+        <source>Limits of the motion</source>
+        <translation>Límites del movimiento</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>límite</translation>
+    </message>
+    <message>
+        <source>Where slider and crank reverse, and the stroke times</source>
+        <translation>Dónde se invierten la corredera y la manivela, y los tiempos de las carreras</translation>
+    </message>
+    <message>
+        <source>Positions are those of the slider, Rₓ⁴, measured from O₂</source>
+        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂</translation>
+    </message>
+    <message>
+        <source>Peak velocities and accelerations</source>
+        <translation>Velocidades y aceleraciones máximas</translation>
+    </message>
+    <message>
+        <source>peak value per revolution</source>
+        <translation>valor máximo por vuelta</translation>
+    </message>
+    <message>
+        <source>Largest velocities and accelerations over a whole revolution of the crank, whatever part of it is simulated</source>
+        <translation>Las mayores velocidades y aceleraciones en una vuelta completa de la manivela, sea cual sea la parte simulada</translation>
+    </message>
+    <message>
+        <source>With its sign: x to the right, angles counter-clockwise</source>
+        <translation>Con su signo: x hacia la derecha, ángulos en sentido antihorario</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::NewtonPages</name>
+    <message>
+        <source>ground</source>
+        <translation>bancada</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>pivot O₂</source>
+        <translation>pivote O₂</translation>
+    </message>
+    <message>
+        <source>pin A</source>
+        <translation>pasador A</translation>
+    </message>
+    <message>
+        <source>pin B</source>
+        <translation>pasador B</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>guía</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>restricción motriz</translation>
+    </message>
+    <message>
+        <source>%1, x</source>
+        <translation>%1, x</translation>
+    </message>
+    <message>
+        <source>%1, y</source>
+        <translation>%1, y</translation>
+    </message>
+    <message>
+        <source>%1, θ</source>
+        <translation>%1, θ</translation>
+    </message>
+    <message>
+        <source>%1 does not exist here</source>
+        <translation>%1 no existe aquí</translation>
+    </message>
+    <message>
+        <source>⚠ The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
+        <translation>⚠ La biela es perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
+    </message>
+    <message>
+        <source>⚠ Not converged within %1 iterations: the last one is shown. Allow more iterations or a larger tolerance.</source>
+        <translation>⚠ No converge en %1 iteraciones: se muestra la última. Permita más iteraciones o una tolerancia mayor.</translation>
+    </message>
+    <message>
+        <source>⚠ It cannot be assembled here: the coupler is too short.</source>
+        <translation>⚠ Aquí no se puede ensamblar: la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>⚠ The result is too large to be a number here.</source>
+        <translation>⚠ Aquí el resultado es demasiado grande para ser un número.</translation>
+    </message>
+    <message>
+        <source>tolerance %1</source>
+        <translation>tolerancia %1</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>iteración</translation>
+    </message>
+    <message>
+        <source>‖C‖, relative</source>
+        <translation>‖C‖, relativo</translation>
+    </message>
+    <message>
+        <source>‖C‖</source>
+        <translation>‖C‖</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <comment>name of a file</comment>
+        <translation>ecuaciones</translation>
+    </message>
+    <message>
+        <source>Equations, a row for each constraint</source>
+        <translation>Ecuaciones, una fila por restricción</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>Joint that the equation describes</source>
+        <translation>Par que describe la ecuación</translation>
+    </message>
+    <message>
+        <source>equation</source>
+        <translation>ecuación</translation>
+    </message>
+    <message>
+        <source>C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider</source>
+        <translation>C(q, t) = 0; los cuerpos como superíndices: 1 bancada, 2 manivela, 3 biela, 4 corredera</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Residual of the equation, in mm or rad</source>
+        <translation>Residuo de la ecuación, en mm o rad</translation>
+    </message>
+    <message>
+        <source>Cₜ, per s</source>
+        <translation>Cₜ, por s</translation>
+    </message>
+    <message>
+        <source>∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ</source>
+        <translation>∂C/∂t, en mm/s o rad/s: las velocidades se obtienen de C_q dq/dt = −Cₜ</translation>
+    </message>
+    <message>
+        <source>Q_d, per s²</source>
+        <translation>Q_d, por s²</translation>
+    </message>
+    <message>
+        <source>In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d</source>
+        <translation>En mm/s² o rad/s²: las aceleraciones se obtienen de C_q d²q/dt² = Q_d</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>Of C; of Cₜ per s, of Q_d per s²</source>
+        <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
+    </message>
+    <message>
+        <source>Equation %1</source>
+        <translation>Ecuación %1</translation>
+    </message>
+    <message>
+        <source>C, row %1</source>
+        <translation>C, fila %1</translation>
+    </message>
+    <message>
+        <source>Cₜ, row %1</source>
+        <translation>Cₜ, fila %1</translation>
+    </message>
+    <message>
+        <source>Q_d, row %1</source>
+        <translation>Q_d, fila %1</translation>
+    </message>
+    <message>
+        <source>jacobian</source>
+        <comment>name of a file</comment>
+        <translation>jacobiano</translation>
+    </message>
+    <message>
+        <source>Jacobian C_q, a row for each constraint, a column for each coordinate</source>
+        <translation>Jacobiano C_q, una fila por restricción y una columna por coordenada</translation>
+    </message>
+    <message>
+        <source>C_q</source>
+        <translation>C_q</translation>
+    </message>
+    <message>
+        <source>∂C/∂q: a row for each constraint, a column for each coordinate</source>
+        <translation>∂C/∂q: una fila por restricción, una columna por coordenada</translation>
+    </message>
+    <message>
+        <source>Angle of the %1; lengths in mm</source>
+        <translation>Ángulo: %1; longitudes en mm</translation>
+    </message>
+    <message>
+        <source>Centre of mass of the %1</source>
+        <translation>Centro de masa: %1</translation>
+    </message>
+    <message>
+        <source>∂(%1)/∂%2</source>
+        <translation>∂(%1)/∂%2</translation>
+    </message>
+    <message>
+        <source>Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</source>
+        <translation>Número de condición κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</translation>
+    </message>
+    <message>
+        <source>κ is the largest singular value divided by the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
+        <translation>κ es el mayor valor singular dividido por el menor, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
+    </message>
+    <message>
+        <source>from a rough start</source>
+        <translation>desde un comienzo aproximado</translation>
+    </message>
+    <message>
+        <source>from %1 s earlier</source>
+        <translation>desde %1 s antes</translation>
+    </message>
+    <message>
+        <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
+        <translation>Desde un comienzo aproximado: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
+    </message>
+    <message>
+        <source>From the position one time step before</source>
+        <translation>Desde la posición del instante anterior</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <comment>name of a file</comment>
+        <translation>iteraciones</translation>
+    </message>
+    <message>
+        <source>Residual ‖C‖ over the iterations</source>
+        <translation>Residuo ‖C‖ a lo largo de las iteraciones</translation>
+    </message>
+    <message>
+        <source>Iterations, a row for each</source>
+        <translation>Iteraciones, una fila por cada una</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>paso</translation>
+    </message>
+    <message>
+        <source>0: the start</source>
+        <translation>0: el comienzo</translation>
+    </message>
+    <message>
+        <source>● ‖C‖</source>
+        <translation>● ‖C‖</translation>
+    </message>
+    <message>
+        <source>● θ³ [°]</source>
+        <translation>● θ³ [°]</translation>
+    </message>
+    <message>
+        <source>□ ‖C‖</source>
+        <translation>□ ‖C‖</translation>
+    </message>
+    <message>
+        <source>□ θ³ [°]</source>
+        <translation>□ θ³ [°]</translation>
+    </message>
+    <message>
+        <source>Near the solution each iteration doubles the number of correct digits: the line bends down.</source>
+        <translation>Cerca de la solución cada iteración duplica las cifras correctas: la línea se curva hacia abajo.</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <comment>name of a file</comment>
+        <translation>coordenadas</translation>
+    </message>
+    <message>
+        <source>Coordinates, a row for each</source>
+        <translation>Coordenadas, una fila por cada una</translation>
+    </message>
+    <message>
+        <source>coordinate</source>
+        <translation>coordenada</translation>
+    </message>
+    <message>
+        <source>Centre of mass and angle of each body</source>
+        <translation>Centro de masa y ángulo de cada eslabón</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>eslabón</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>q, in mm or °</source>
+        <translation>q, en mm o °</translation>
+    </message>
+    <message>
+        <source>velocity, per s</source>
+        <translation>velocidad, por s</translation>
+    </message>
+    <message>
+        <source>dq/dt, in mm/s or °/s</source>
+        <translation>dq/dt, en mm/s o °/s</translation>
+    </message>
+    <message>
+        <source>acceleration, per s²</source>
+        <translation>aceleración, por s²</translation>
+    </message>
+    <message>
+        <source>d²q/dt², in mm/s² or °/s²</source>
+        <translation>d²q/dt², en mm/s² o °/s²</translation>
+    </message>
+    <message>
+        <source>Of the position; of the velocity per s, of the acceleration per s²</source>
+        <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ReferencePage</name>
+    <message>
+        <source>%1, 1 gap</source>
+        <translation>%1, 1 hueco</translation>
+    </message>
+    <message>
+        <source>%1, %2 gaps</source>
+        <translation>%1, %2 huecos</translation>
+    </message>
+    <message>
+        <source>Columns of the file, a row for each</source>
+        <translation>Columnas del archivo, una fila por cada una</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>encabezado</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>read as</source>
+        <translation>se lee como</translation>
+    </message>
+    <message>
+        <source>rounded to</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>Inferred from all values of the column</source>
+        <translation>Deducido de todos los valores de la columna</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>valores</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>motivo</translation>
+    </message>
+    <message>
+        <source>Rows of the file that were skipped</source>
+        <translation>Filas del archivo que se omitieron</translation>
+    </message>
+    <message>
+        <source>skipped line</source>
+        <translation>línea omitida</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>columna</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texto</translation>
+    </message>
+    <message>
+        <source>The rows are by crank angle; ω₂ and θ₂₀ give the time.</source>
+        <translation>Las filas van por ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
+    </message>
+    <message>
+        <source>First column is the time</source>
+        <translation>La primera columna es el tiempo</translation>
+    </message>
+    <message>
+        <source>The rows are by time.</source>
+        <translation>Las filas van por tiempo.</translation>
+    </message>
+    <message>
+        <source>First column is the crank angle</source>
+        <translation>La primera columna es el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>Searching for the mechanism of this file…</source>
+        <translation>Buscando el mecanismo de este archivo…</translation>
+    </message>
+    <message>
+        <source>Mechanism found in this file: %1</source>
+        <translation>Mecanismo hallado en este archivo: %1</translation>
+    </message>
+    <message>
+        <source>Use this mechanism</source>
+        <translation>Usar este mecanismo</translation>
+    </message>
+    <message>
+        <source>Use the first</source>
+        <translation>Usar el primero</translation>
+    </message>
+    <message>
+        <source>No file is open.</source>
+        <translation>No hay ningún archivo abierto.</translation>
+    </message>
+    <message>
+        <source>1 row</source>
+        <translation>1 fila</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 filas</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <comment>name of a file</comment>
+        <translation>referencia</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>Choose columns…</source>
+        <translation>Elegir columnas…</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::StudyPage</name>
+    <message>
+        <source>The same, started from position, velocity and acceleration of the time step before (Taylor series)</source>
+        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson, dense</source>
+        <translation>Newton-Raphson, denso</translation>
+    </message>
+    <message>
+        <source>As in the reference report: 12 equations solved together (dense LU), started from the time step before</source>
+        <translation>Como en el informe de referencia: 12 ecuaciones resueltas juntas (LU denso), a partir del instante anterior</translation>
+    </message>
+    <message>
+        <source>dense, Taylor start</source>
+        <translation>denso, inicio de Taylor</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson, structured</source>
+        <translation>Newton-Raphson, estructurado</translation>
+    </message>
+    <message>
+        <source>The same 12 equations, solved joint by joint</source>
+        <translation>Las mismas 12 ecuaciones, resueltas par por par</translation>
+    </message>
+    <message>
+        <source>structured, Taylor start</source>
+        <translation>estructurado, inicio de Taylor</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>forma cerrada</translation>
+    </message>
+    <message>
+        <source>The exact formulas, one time step after the other</source>
+        <translation>Las fórmulas exactas, un instante tras otro</translation>
+    </message>
+    <message>
+        <source>closed form, batch</source>
+        <translation>forma cerrada, en lote</translation>
+    </message>
+    <message>
+        <source>The exact formulas for several time steps at once (vector instructions)</source>
+        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
+    </message>
+    <message>
+        <source>finite differences</source>
+        <translation>diferencias finitas</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration as central differences of exact positions</source>
+        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
+    </message>
+    <message>
+        <source>Fourier series</source>
+        <translation>serie de Fourier</translation>
+    </message>
+    <message>
+        <source>The motion as a Fourier series</source>
+        <translation>El movimiento como serie de Fourier</translation>
+    </message>
+    <message>
+        <source>%1, %2 harmonics</source>
+        <translation>%1, %2 armónicos</translation>
+    </message>
+    <message>
+        <source>solved</source>
+        <translation>resueltos</translation>
+    </message>
+    <message>
+        <source>singular</source>
+        <translation>singulares</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>no convergen</translation>
+    </message>
+    <message>
+        <source>cannot be assembled</source>
+        <translation>no se puede ensamblar</translation>
+    </message>
+    <message>
+        <source>not finite</source>
+        <translation>no finitos</translation>
+    </message>
+    <message>
+        <source>, %1 wrong but called solved</source>
+        <translation>, %1 erróneos pero dados por resueltos</translation>
+    </message>
+    <message>
+        <source>%1 ns per time step (± %2), %3 channels</source>
+        <translation>%1 ns por instante (± %2), %3 canales</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 of the peak</source>
+        <translation>Error máximo: %1 del máximo</translation>
+    </message>
+    <message>
+        <source>No time step is solved</source>
+        <translation>No se resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source>Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
+        <translation>Solo redondear a, b, c, ω₂, θ₂₀ y t a double puede costar %1</translation>
+    </message>
+    <message>
+        <source>%1 channels</source>
+        <translation>%1 canales</translation>
+    </message>
+    <message>
+        <source>Methods that compute %1 channels, a row for each method and tolerance</source>
+        <translation>Métodos que calculan %1 canales, una fila por método y tolerancia</translation>
+    </message>
+    <message>
+        <source>How the motion is computed</source>
+        <translation>Cómo se calcula el movimiento</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>tolerancia</translation>
+    </message>
+    <message>
+        <source>Of Newton-Raphson: absolute for the reference report&apos;s way, relative for the others</source>
+        <translation>De Newton-Raphson: absoluta en el procedimiento del informe de referencia, relativa en los demás</translation>
+    </message>
+    <message>
+        <source>time [ns]</source>
+        <translation>tiempo [ns]</translation>
+    </message>
+    <message>
+        <source>Position, velocity and acceleration at one time step: median over interleaved rounds</source>
+        <translation>Posición, velocidad y aceleración en un instante: mediana de rondas intercaladas</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>error</translation>
+    </message>
+    <message>
+        <source>Largest error of the six plotted channels, relative to the peak of the channel, over the time steps solved</source>
+        <translation>Error máximo de los seis canales representados, relativo al máximo del canal, en los instantes resueltos</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <translation>iteraciones</translation>
+    </message>
+    <message>
+        <source>For each time step</source>
+        <translation>Por instante</translation>
+    </message>
+    <message>
+        <source>time steps</source>
+        <translation>instantes</translation>
+    </message>
+    <message>
+        <source>What the method reports</source>
+        <translation>Lo que informa el método</translation>
+    </message>
+    <message>
+        <source>time for one time step [ns]</source>
+        <translation>tiempo por instante [ns]</translation>
+    </message>
+    <message>
+        <source>error / peak</source>
+        <translation>error / máximo</translation>
+    </message>
+    <message>
+        <source>effect of rounded input</source>
+        <translation>efecto de los datos redondeados</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <comment>name of a file</comment>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>Error against time for each method</source>
+        <translation>Error frente a tiempo de cada método</translation>
+    </message>
+    <message>
+        <source>How fast is each method, and how accurate? Run the study: every method is timed on the same time steps, and its error is measured against a computation with 50 digits or more.</source>
+        <translation>¿Qué rápido es cada método, y qué exacto? Ejecute el estudio: cada método se cronometra en los mismos instantes, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::TablePanel</name>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the tables as CSV, with every digit</source>
+        <translation>Copia las tablas como CSV, con todas las cifras</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Writes the tables to a CSV file, with every digit</source>
+        <translation>Escribe las tablas en un archivo CSV, con todas las cifras</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
     </message>
 </context>
 </TS>

@@ -4,7 +4,8 @@
 // with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display; with SLIDERCRANK_BENCH_SIZE=1920x1080
 // and QT_SCALE_FACTOR=2 as on a large one.
 
-#include "ui/panels/limits_panel.h"
+#include "ui/panels/limits_page.h"
+#include "ui/panels/table_panel.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
@@ -260,12 +261,12 @@ void limitsToPainted(benchmark::State &state)
         parameters.b = 65.0 + 0.5 * i;
         results.push_back(compute({Mechanism(parameters), {}, {}, nullptr}, {}));
     }
-    LimitsPanel panel;
+    std::size_t moves = 0;
+    TablePanel panel({}, {}, [&] { return limitsPage(*results[++moves % results.size()]); });
     panel.resize(960, 200);
     panel.show();
-    std::size_t moves = 0;
     for (auto _ : state) {
-        panel.setResult(results[++moves % results.size()]);
+        panel.refreshNow();
         QCoreApplication::processEvents();
     }
 }

@@ -523,12 +523,12 @@ private slots:
     {
         MainWindow window;
         window.show();
-        window.findChild<FoldingTabs *>()->setCurrent(3);
+        window.findChild<FoldingTabs *>()->setCurrent(4);
         window.findChild<StudyPanel *>()->runThisMechanism();
         speak(Language::Spanish);
         QSignalSpy finished(window.findChild<StudyPanel *>(), &StudyPanel::finished);
         AWAIT_COMPARE(finished.count(), 1);
-        QVERIFY(window.findChild<QAbstractItemView *>(QStringLiteral("studyTable"))->model()->rowCount() > 5);
+        QVERIFY(window.findChild<QAbstractItemView *>(QStringLiteral("studyTable36"))->model()->rowCount() > 5);
     }
 
     void filesAndStreamsAreTheSameInBothLanguages_data()
@@ -616,7 +616,7 @@ private slots:
         MainWindow window;
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        window.findChild<FoldingTabs *>()->setCurrent(2);
+        window.findChild<FoldingTabs *>()->setCurrent(3);
         named<QAbstractButton>(window, "segment3")->click();
         named<QAbstractButton>(window, "loopButton")->click();
         window.findChild<Timeline *>()->setSpeed(5.0);
@@ -635,7 +635,7 @@ private slots:
         window.findChild<FoldingTabs *>()->setFolded(true);
         speak(Language::English);
         QVERIFY(window.findChild<FoldingTabs *>()->isFolded());
-        QCOMPARE(window.findChild<FoldingTabs *>()->current(), 2);
+        QCOMPARE(window.findChild<FoldingTabs *>()->current(), 3);
     }
 
     void theGreetingIsSaidInTheOtherLanguageToo()

@@ -47,13 +47,13 @@ QString changeName(const Choices &before, const Choices &after)
             .arg(after.reference->name);
     }
     if (before.kept != after.kept) {
-        return after.kept.empty() ? EditCommandText::tr("forgetting the kept motions")
-                                  : EditCommandText::tr("keeping the motion");
+        return after.kept.empty() ? EditCommandText::tr("removal of the pinned motions")
+                                  : EditCommandText::tr("pinning of the motion");
     }
     if (before.parameters != after.parameters) { // whatever follows from it
         return changeName(before.parameters, after.parameters);
     }
-    return before.sampling != after.sampling ? EditCommandText::tr("change of the run")
+    return before.sampling != after.sampling ? EditCommandText::tr("change of the time range")
                                              : EditCommandText::tr("change of the method");
 }
 

@@ -156,9 +156,9 @@ void Session::keep()
 {
     std::vector<Parameters> kept = m_choices.kept;
     if (std::ranges::count(kept, m_choices.parameters) > 0) {
-        emit problemFound(tr("This motion is kept already: change the mechanism to see what differs."));
+        emit problemFound(tr("This motion is already pinned: change the mechanism to see the difference."));
     } else if (kept.size() == kMostKept) {
-        emit problemFound(tr("%1 motions are kept already: forget them before you keep another one.").arg(kMostKept));
+        emit problemFound(tr("%1 motions are already pinned: remove them before you pin another one.").arg(kMostKept));
     } else {
         kept.push_back(m_choices.parameters);
         m_edits.beginStep();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A small dialog in which a person says what the columns of a file are, with the guess in place and a preview that is
-// read anew from the beginning of the file at every change. What is chosen is remembered for files with the same
-// headings.
+// A dialog in which a person says what the columns of a file are, with the reader's guess in place and a preview that
+// is read from the beginning of the file at every change. The choice is remembered for files with the same headings.
 
 #include "core/import/reference_data.h"
 
@@ -11,17 +10,19 @@
 #include <QDialog>
 #include <QStringList>
 
+#include <span>
 #include <variant>
 #include <vector>
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
 namespace slidercrank
 {
 
-class ColumnPreview;
+class Chart;
 
 class ColumnMapping : public QDialog
 {
@@ -45,17 +46,20 @@ private:
         QComboBox *meaning = nullptr;
         QComboBox *unit = nullptr;
         QLabel *why = nullptr;
-        bool chosen = false; ///< by the person; else it shows what the reader makes of the column
+        bool isChosen = false; ///< by the person; else it shows what the reader makes of the column
     };
 
     QWidget *createRows();
+    void addRow(QGridLayout *grid, int line, std::size_t column);
     std::variant<ReferenceData, ReadError> readWith(const std::vector<ColumnChoice> &choices) const;
     std::vector<ColumnChoice> choices() const; ///< of the rows that the person chose
+    void showRemembered();
     void choose(std::size_t row);
-    void guessAnew();
+    void detectAgain();
     void readAgain();
     void showRow(std::size_t row);
     void showPreview();
+    void preview(const QString &caption, std::span<const double> time = {}, std::span<const double> values = {});
     void previewIgnored();
 
     QStringList m_paths;
@@ -64,9 +68,9 @@ private:
     std::variant<ReferenceData, ReadError> m_outcome;
     std::vector<Row> m_rows;
     std::size_t m_current = 0; ///< the row in the preview
-    ColumnPreview *m_preview = nullptr;
-    QLabel *m_caption = nullptr;
-    QLabel *m_problem = nullptr;
+    Chart *m_preview;
+    QLabel *m_caption;
+    QLabel *m_problem;
     QPushButton *m_use = nullptr;
 };
 

@@ -1,30 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Newton-Raphson: the solver's settings at first, and behind them, for the instant on show, what it works with: the
-// equations, their Jacobian, the iterations and the coordinates that come of them. Only what is on show is computed.
+// Newton-Raphson: the solver's settings and what came of them, and behind them, for the time on show, the equations,
+// their Jacobian, the iterations and the coordinates.
 
-#include "core/mechanism/mechanism_part.h"
 #include "ui/document/result.h"
+#include "ui/panels/page.h"
 
-#include <QTimer>
 #include <QWidget>
 
 #include <memory>
-#include <vector>
 
-class QBoxLayout;
 class QButtonGroup;
-class QLabel;
 class QStackedWidget;
-class QToolButton;
 
 namespace slidercrank
 {
 
-class IterationPlot;
-class NumberTable;
 class SolverForm;
+class TablePanel;
 
 class NewtonPanel : public QWidget
 {
@@ -40,47 +34,21 @@ public slots:
     void setPose(const slidercrank::Pose &pose);
 
 signals:
-    void rowsCopied(int count);
     void edited(const slidercrank::SolverSettings &solver);
-
-    /// What the row under the mouse, or the current one, is about; None: nothing is pointed at.
+    void rowsCopied(int count);
     void partHovered(slidercrank::MechanismPart part);
-
-protected:
-    void showEvent(QShowEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
+    void problemFound(const QString &sentence);
 
 private:
-    enum Page { Settings, Equations, Jacobian, Iterations, Coordinates };
-
-    void addPage(Page page, const QString &title, QWidget *widget, NumberTable *table);
-    QWidget *createJacobianPage();
-    QWidget *createIterationPage();
-    void showPage(int page);
-    void showLater(); ///< the instant, in a moment where the last one has only just been shown
-    void fill();
-    void fillIterations();
-    void explain(Status status);
-    void arrange();
+    Page page() const;
+    void showPage(int index);
 
     std::shared_ptr<const Result> m_result;
     double m_time = 0.0;
-    bool m_stale = false; ///< what is on show is of another instant
-    QTimer m_pause{this}; ///< runs while the last instant has only just been shown
-
-    SolverForm *m_form = nullptr;
-    QBoxLayout *m_beside = nullptr;
-    QBoxLayout *m_segments = nullptr;
-    QButtonGroup *m_buttons = nullptr;
-    QToolButton *m_copy = nullptr;
-    QLabel *m_remark = nullptr;
-    QStackedWidget *m_pages = nullptr;
-    std::vector<NumberTable *> m_tables; ///< a page; null: none
-    NumberTable *m_jacobian = nullptr;
-    QLabel *m_jacobianNote = nullptr;
-    IterationPlot *m_plot = nullptr;
-    NumberTable *m_iterations = nullptr;
+    QButtonGroup *m_pages; ///< the first is the settings
+    QStackedWidget *m_stack;
+    SolverForm *m_form;
+    TablePanel *m_tables;
 };
 
 } // namespace slidercrank

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Sliders and boxes for a, b, c, ω₂, θ₂₀, and the choice of the assembly. Keeps every number exact: what is shown may
-// be shortened, what was given is what comes back.
+// A slider, a box and a reset button for each of a, b, c, ω₂, θ₂₀, and a button that flips the assembly. Keeps every
+// number exact: what is shown may be shortened, what was given is what comes back.
 
 #include "core/mechanism/mechanism.h"
 
 #include <QWidget>
 
 #include <array>
+#include <memory>
 
 class QComboBox;
 class QGridLayout;
 class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace slidercrank
@@ -20,6 +22,8 @@ namespace slidercrank
 
 class NumberBox;
 class ParameterSlider;
+struct ParameterText;
+struct ShownUnit;
 
 class ParameterPanel : public QWidget
 {
@@ -28,7 +32,7 @@ class ParameterPanel : public QWidget
 public:
     explicit ParameterPanel(QWidget *parent = nullptr);
 
-    /// One parameter at a time, the one that is chosen; else all of them.
+    /// Only the parameter that is chosen in a list, instead of all of them.
     void setBrief(bool brief);
 
 public slots:
@@ -36,43 +40,40 @@ public slots:
     void setParameters(const slidercrank::Parameters &parameters);
 
 signals:
-    /// Somebody moved, typed, reset or chose. Only what can be used is emitted.
+    /// Somebody moved, typed, reset or flipped. Only what can be used is emitted.
     void edited(const slidercrank::Parameters &parameters);
 
-    /// A slider is pressed, is let go: what is edited between belongs together.
+    /// A slider is pressed, is released: what is edited between belongs together.
     void dragBegan();
     void dragEnded();
 
 private:
     struct Row {
         Parameter parameter;
+        std::shared_ptr<const ParameterText> text{};
         QLabel *label = nullptr;
         ParameterSlider *slider = nullptr;
         NumberBox *box = nullptr;
-        QComboBox *unit = nullptr; ///< null: mm
+        QComboBox *unit = nullptr; ///< null: there is only one
         QToolButton *reset = nullptr;
+
+        const ShownUnit &shownUnit() const;
     };
 
     void addRow(Row &row);
-    void showBriefly();
     void showParameters();
     void showRow(const Row &row);
-    void shadeForbidden();
-    double sliderRangeFor(const Row &row, double value) const;
+    void showRows();
+    void shade();
 
     /// Takes the number (in the core's unit) over if a mechanism can be made with it; else shows the old one again.
     void edit(const Row &row, double value);
 
-    static double halfTurnOf(const Row &row); ///< π rad in the unit shown; 0: a length
-    static double toUnitOf(const Row &row, double value);
-    static double fromUnitOf(const Row &row, double value);
-
     Parameters m_parameters;
     std::array<Row, 5> m_rows;
-    QLabel *m_branchLabel = nullptr;
-    QComboBox *m_branch = nullptr;
-    QGridLayout *m_grid = nullptr;
-    QComboBox *m_chosen = nullptr; ///< while brief: the row on show
+    QPushButton *m_branch;
+    QGridLayout *m_grid;
+    QComboBox *m_chosen; ///< while brief: the row on show
     bool m_isBrief = false;
 };
 

@@ -4,10 +4,8 @@
 #include "core/mechanism/turn.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
-#include "ui/document/with.h"
 
-#include <QGridLayout>
-#include <QLabel>
+#include <QFormLayout>
 #include <QScreen>
 #include <QToolButton>
 
@@ -19,67 +17,58 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kMostSteps = 1e6; // of a warm start: with more, nobody gains
+constexpr double kMostSteps = 1e6;
 
 } // namespace
 
 RunForm::RunForm(QWidget *parent)
     : QFrame(parent, Qt::Popup)
 {
-    named("runForm", this, tr("Run and speed"));
+    named("runForm", this, tr("Time range and speed"));
     setFrameShape(QFrame::StyledPanel);
-    auto *grid = new QGridLayout(this);
-    grid->setVerticalSpacing(4);
-
-    m_start = addBox(grid, QStringLiteral("startBox"), tr("Start"), tr(" s"));
+    auto *form = new QFormLayout(this);
+    form->setVerticalSpacing(4);
+    m_start = addBox(form, "startBox", tr("Start"), tr(" s"), tr("The first time step"));
     m_start->setUnit(kSecond);
-    m_start->setToolTip(tr("The first instant"));
-    connect(m_start, &NumberBox::edited, this,
-            [this](double seconds) { edit(with(m_sampling, &Sampling::start, seconds)); });
-
-    m_duration = addBox(grid, QStringLiteral("durationBox"), tr("Duration"), tr(" s"));
+    m_duration = addBox(form, "durationBox", tr("Duration"), tr(" s"), tr("From the first time step to the last"));
     m_duration->setUnit(kSecond);
     m_duration->setRange({.smallest = 0.0, .isOpen = true});
-    m_duration->setToolTip(tr("From the first instant to the last"));
-    connect(m_duration, &NumberBox::edited, this,
-            [this](double seconds) { edit(with(m_sampling, &Sampling::duration, seconds)); });
     m_oneTurn = named("oneTurnButton", new QToolButton);
-    m_oneTurn->setText(tr("One turn"));
-    m_oneTurn->setToolTip(tr("As long as the crank takes to turn round once"));
-    grid->addWidget(m_oneTurn, 1, 2);
-    connect(m_oneTurn, &QToolButton::clicked, this, [this] { edit(with(m_sampling, &Sampling::duration, turn())); });
-
-    m_steps = addBox(grid, QStringLiteral("stepsBox"), tr("Steps"), QString());
+    m_oneTurn->setText(tr("One revolution"));
+    m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
+    form->addRow(QString(), m_oneTurn);
+    m_steps = addBox(form, "stepsBox", tr("Steps"), {}, tr("Intervals; there is one time step more"));
     m_steps->setRange({.smallest = 1.0, .largest = kMostSteps, .isWhole = true});
     m_steps->setFixedDecimals(0);
     m_steps->setStep(1.0);
-    m_steps->setToolTip(tr("Intervals; one instant more is computed"));
-    connect(m_steps, &NumberBox::edited, this,
-            [this](double steps) { edit(with(m_sampling, &Sampling::steps, static_cast<int>(steps))); });
+    m_speedBox =
+        addBox(form, "speedBox", tr("Playback speed"), tr("×"), tr("Seconds of the motion in a second of real time"));
+    m_speedBox->setRange({.smallest = kSlowestPlayback, .largest = kFastestPlayback});
+    m_revolution = addBox(form, "turnBox", tr("Playback time per revolution"), tr(" s"),
+                          tr("Real time in which one revolution of the crank is played"));
+    m_revolution->setUnit(kSecond);
 
-    m_speedBox = addBox(grid, QStringLiteral("speedBox"), tr("Playing speed"), tr("×"));
-    m_speedBox->setRange({.smallest = kSlowestPlaying, .largest = kFastestPlaying});
-    m_speedBox->setToolTip(tr("Seconds of the motion in a second of the clock"));
+    for (NumberBox *box : {m_start, m_duration, m_steps}) {
+        connect(box, &NumberBox::edited, this, &RunForm::edit);
+    }
+    connect(m_oneTurn, &QToolButton::clicked, this, [this] {
+        m_duration->setValue(revolution());
+        edit();
+    });
     connect(m_speedBox, &NumberBox::edited, this, &RunForm::speedEdited);
-
-    m_turnBox = addBox(grid, QStringLiteral("turnBox"), tr("A turn plays in"), tr(" s"));
-    m_turnBox->setUnit(kSecond);
-    m_turnBox->setToolTip(tr("Seconds of the clock for one turn of the crank"));
-    connect(m_turnBox, &NumberBox::edited, this, [this](double seconds) { emit speedEdited(turn() / seconds); });
-
+    connect(m_revolution, &NumberBox::edited, this,
+            [this](double seconds) { emit speedEdited(revolution() / seconds); });
     setSampling(m_sampling);
     setSpeed(m_speed);
 }
 
-NumberBox *RunForm::addBox(QGridLayout *grid, const QString &objectName, const QString &name, const QString &suffix)
+NumberBox *RunForm::addBox(QFormLayout *form, const QString &objectName, const QString &name, const QString &suffix,
+                           const QString &explanation)
 {
     auto *box = named(objectName, new NumberBox, name);
     box->setSuffix(suffix);
-    auto *label = new QLabel(name);
-    label->setBuddy(box);
-    const int row = grid->count() == 0 ? 0 : grid->rowCount();
-    grid->addWidget(label, row, 0);
-    grid->addWidget(box, row, 1);
+    box->setToolTip(explanation);
+    form->addRow(name, box);
     return box;
 }
 
@@ -94,53 +83,53 @@ void RunForm::setSampling(const Sampling &sampling)
 void RunForm::setParameters(const Parameters &parameters)
 {
     m_parameters = parameters;
-    showTurn();
+    showRevolution();
 }
 
 void RunForm::setSpeed(double speed)
 {
     m_speed = speed;
     m_speedBox->setValue(speed);
-    showTurn();
+    showRevolution();
 }
 
 void RunForm::openAt(const QWidget &widget)
 {
     adjustSize();
-    const QRect room = widget.screen()->availableGeometry();
+    const QRect available = widget.screen()->availableGeometry();
     QRect place(QPoint(), size());
     place.moveTopRight(widget.mapToGlobal(widget.rect().bottomRight()) + QPoint(0, 1));
-    if (place.bottom() > room.bottom()) {
+    if (place.bottom() > available.bottom()) {
         place.moveBottom(widget.mapToGlobal(QPoint()).y() - 1);
     }
-    place.moveLeft(std::max(place.left(), room.left()));
-    move(place.topLeft());
+    move(std::max(place.left(), available.left()), place.top());
     show();
     m_start->setFocus(Qt::PopupFocusReason);
-    m_start->selectAll(); // what is typed replaces what is there
+    m_start->selectAll();
 }
 
-double RunForm::turn() const
+double RunForm::revolution() const
 {
     return kTurn / std::abs(m_parameters.omega2);
 }
 
-void RunForm::showTurn()
+void RunForm::showRevolution()
 {
     const bool turns = m_parameters.omega2 != 0.0;
-    m_oneTurn->setEnabled(turns);
-    m_turnBox->setEnabled(turns);
+    m_oneTurn->setEnabled(revolution() <= kLargestParameter);
+    m_revolution->setEnabled(turns);
     if (turns) {
-        m_turnBox->setRange({.smallest = turn() / kFastestPlaying, .largest = turn() / kSlowestPlaying});
-        m_turnBox->setValue(QString::number(turn() / m_speed, 'g', 15).toDouble()); // 3500, not 3499.9999999999995
+        m_revolution->setRange(
+            {.smallest = revolution() / kFastestPlayback, .largest = revolution() / kSlowestPlayback});
+        m_revolution->setValue(
+            QString::number(revolution() / m_speed, 'g', 15).toDouble()); // 3500, not 3499.9999999999995
     }
 }
 
-/// What the session will make of a run without length, or farther away than any parameter, helps nobody.
-void RunForm::edit(const Sampling &sampling)
+void RunForm::edit()
 {
-    const bool isUsable = sampling.duration > 0.0 && sampling.duration <= kLargestParameter;
-    if (isUsable && sampling != m_sampling) {
+    const Sampling sampling{m_start->value(), m_duration->value(), static_cast<int>(m_steps->value())};
+    if (sampling.duration > 0.0 && sampling != m_sampling) {
         m_sampling = sampling;
         emit edited(sampling);
     }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which instants are computed and how fast they are played: what opens from the timeline's button.
+// The simulated time range, its steps, and how fast it is played: what opens from the timeline's button.
 
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
 
 #include <QFrame>
 
-class QGridLayout;
+class QFormLayout;
 class QToolButton;
 
 namespace slidercrank
@@ -16,9 +16,9 @@ namespace slidercrank
 
 class NumberBox;
 
-// Of playing: seconds of the motion in a second of the clock.
-inline constexpr double kSlowestPlaying = 1e-9;
-inline constexpr double kFastestPlaying = 1e9;
+// Playback speed: seconds of the motion in a second of real time.
+inline constexpr double kSlowestPlayback = 1e-9;
+inline constexpr double kFastestPlayback = 1e9;
 
 class RunForm : public QFrame
 {
@@ -32,28 +32,29 @@ public:
     void setParameters(const Parameters &parameters);
     void setSpeed(double speed);
 
-    /// Beside that widget, where the screen has room.
+    /// Opens below that widget, or above it at the lower edge of the screen.
     void openAt(const QWidget &widget);
 
 signals:
     void edited(const slidercrank::Sampling &sampling);
-    void speedEdited(double speed); ///< model seconds a second of the clock
+    void speedEdited(double speed);
 
 private:
-    NumberBox *addBox(QGridLayout *grid, const QString &objectName, const QString &name, const QString &suffix);
-    double turn() const; ///< s; infinite where the crank stands still
-    void showTurn();
-    void edit(const Sampling &sampling);
+    NumberBox *addBox(QFormLayout *form, const QString &objectName, const QString &name, const QString &suffix,
+                      const QString &explanation);
+    double revolution() const; ///< s; infinite where the crank is at rest
+    void showRevolution();
+    void edit();
 
     Sampling m_sampling;
     Parameters m_parameters;
     double m_speed = 1.0;
-    NumberBox *m_start = nullptr;
-    NumberBox *m_duration = nullptr;
-    NumberBox *m_steps = nullptr;
-    NumberBox *m_speedBox = nullptr;
-    NumberBox *m_turnBox = nullptr;
-    QToolButton *m_oneTurn = nullptr;
+    NumberBox *m_start;
+    NumberBox *m_duration;
+    QToolButton *m_oneTurn;
+    NumberBox *m_steps;
+    NumberBox *m_speedBox;
+    NumberBox *m_revolution;
 };
 
 } // namespace slidercrank

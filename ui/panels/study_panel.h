@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Speed and accuracy: runs the study beside the window, for this mechanism or the named hard cases, and shows a case of
-// it as a picture and as a table.
+// Speed and accuracy: runs the study in the background, for this mechanism or the named hard cases, and shows a case of
+// it.
 
 #include "core/study/study.h"
 #include "ui/document/work_aside.h"
 
-#include <QString>
 #include <QWidget>
 
 #include <memory>
@@ -17,14 +16,12 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QSplitter;
 class QToolButton;
 
 namespace slidercrank
 {
 
-class NumberTable;
-class StudyPicture;
+class TablePanel;
 
 class StudyPanel : public QWidget
 {
@@ -33,60 +30,46 @@ class StudyPanel : public QWidget
 public:
     explicit StudyPanel(QWidget *parent = nullptr);
 
-    /// Of the case on show, in light colours, by the file name's suffix; a sentence when it could not be written.
+    /// The chart of the case on show, by the file name's suffix; a sentence when it could not be written.
     std::optional<QString> exportPicture(const QString &path) const;
 
-    /// Goes on with what the other shows and runs, in its place.
-    void takeOver(StudyPanel &other);
-
-    /// Every case: JSON where the name ends in .json, else CSV.
+    /// Every case: JSON if the name ends in .json, else CSV.
     std::optional<QString> exportNumbers(const QString &path) const;
+
+    /// Continues with what the other panel shows and runs, in its place.
+    void takeOver(StudyPanel &other);
 
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
-    void setResult(const std::shared_ptr<const slidercrank::StudyResult> &result); ///< in place of the one on show
+    void setResult(const std::shared_ptr<const slidercrank::StudyResult> &result);
     void runThisMechanism();
     void runHardCases();
     void cancel();
 
 signals:
-    void finished();                            ///< or cancelled
-    void problemFound(const QString &sentence); ///< one sentence, for the message bar
-    void rowsCopied(int count);                 ///< of the table, to the clipboard
-
-protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    void finished(); ///< or cancelled
+    void problemFound(const QString &sentence);
+    void rowsCopied(int count);
 
 private:
-    void run(StudyRequest request);
+    void run(QPushButton *button, StudyRequest request);
     void listen();
     const CaseResult *shownCase() const;
-    void showCase();
-    void fillTable(const CaseResult &which);
-    void shareTheRoom();
     void showSummary();
     void updateButtons();
-    void choosePicture();
-    void chooseNumbers();
-    void tellProblem(const std::optional<QString> &sentence);
+    void chooseFile();
 
     Parameters m_parameters;
     std::shared_ptr<const StudyResult> m_result;
-    WorkAside *m_study; ///< a child of the panel that it tells
-
-    QPushButton *m_runThis = nullptr;
-    QPushButton *m_runHard = nullptr;
-    QPushButton *m_cancel = nullptr;
-    QProgressBar *m_progress = nullptr;
-    QComboBox *m_cases = nullptr;
-    QToolButton *m_export = nullptr;
-    QLabel *m_summary = nullptr;
-    QLabel *m_answer = nullptr;
-    StudyPicture *m_picture = nullptr;
-    NumberTable *m_table = nullptr;
-    QSplitter *m_beside = nullptr;
-    bool m_isSharedByHand = false;
+    WorkAside *m_study; ///< a child of the panel that it reports to
+    QPushButton *m_runThis;
+    QPushButton *m_runHard;
+    QPushButton *m_pressed = nullptr; ///< while the study runs: the button that cancels it
+    QProgressBar *m_progress;
+    QLabel *m_summary;
+    QComboBox *m_cases;
+    QToolButton *m_export;
+    TablePanel *m_page;
 };
 
 } // namespace slidercrank

@@ -3,16 +3,19 @@
 
 #include "core/mechanism/turn.h"
 #include "core/sampling/crank_instant.h"
+#include "ui/panels/run_form.h"
+#include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
-#include "ui/panels/run_form.h"
-#include "ui/text/written_number.h"
 
-#include <QFontInfo>
+#include <QAction>
+#include <QActionGroup>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -34,107 +37,23 @@ double steadySeconds()
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-} // namespace
-
 QString speedText(double speed)
 {
     return Timeline::tr("%1×").arg(numberText(speed, 3));
 }
 
-/// A flat button whose sign is drawn in the palette's colour, so that it can be read in every theme and at every scale.
-class PlaybackButton : public QToolButton
+/// The style's icon in the colour of the palette's text: its own is too dark on a dark background.
+QIcon colouredIcon(const QWidget &widget, QStyle::StandardPixmap symbol)
 {
-public:
-    enum class Sign { Start, Back, Play, Pause, Forward, End, Loop };
+    constexpr int kSize = 32; // px
+    QPixmap pixmap = widget.style()->standardIcon(symbol, nullptr, &widget).pixmap(kSize);
+    QPainter painter(&pixmap);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    painter.fillRect(pixmap.rect(), widget.palette().color(QPalette::ButtonText));
+    return QIcon(pixmap);
+}
 
-    PlaybackButton(Sign sign, const QString &name, const QString &shortcut)
-        : m_sign(sign)
-    {
-        setAutoRaise(true);
-        setAccessibleName(name);
-        setToolTip(shortcut.isEmpty() ? name : Timeline::tr("%1 (%2)").arg(name, shortcut));
-        setFocusPolicy(Qt::TabFocus);
-    }
-
-    void setSign(Sign sign, const QString &name)
-    {
-        m_sign = sign;
-        setAccessibleName(name);
-        update();
-    }
-
-    QSize sizeHint() const override { return (factor() * QSizeF(28.0, 26.0)).toSize(); }
-    QSize minimumSizeHint() const override { return sizeHint(); }
-
-protected:
-    void paintEvent(QPaintEvent *event) override
-    {
-        QToolButton::paintEvent(event);
-        const bool chosen = isCheckable() && isChecked();
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.translate(QRectF(rect()).center());
-        painter.scale(factor(), factor());
-        const QPalette::ColorGroup group = isEnabled() ? QPalette::Normal : QPalette::Disabled;
-        const QColor colour = palette().color(group, chosen ? QPalette::Link : QPalette::ButtonText);
-        painter.setBrush(colour);
-        painter.setPen(Qt::NoPen);
-        paintSign(painter, colour);
-    }
-
-private:
-    /// Larger beside large letters.
-    double factor() const
-    {
-        constexpr double kUsual = 15.0; // px, at most
-        return std::max(1.0, QFontInfo(font()).pixelSize() / kUsual);
-    }
-
-    static void paintTriangle(QPainter &painter, double left, double right)
-    {
-        painter.drawPolygon(QPolygonF{{left, -6.0}, {right, 0.0}, {left, 6.0}});
-    }
-
-    void paintSign(QPainter &painter, const QColor &colour) const
-    {
-        switch (m_sign) {
-        case Sign::Play: paintTriangle(painter, -4.0, 6.0); break;
-        case Sign::Pause:
-            painter.drawRect(QRectF(-5.0, -6.0, 3.5, 12.0));
-            painter.drawRect(QRectF(1.5, -6.0, 3.5, 12.0));
-            break;
-        case Sign::Forward:
-            painter.drawRect(QRectF(-5.0, -6.0, 2.0, 12.0));
-            paintTriangle(painter, -1.5, 6.0);
-            break;
-        case Sign::Back:
-            painter.drawRect(QRectF(3.0, -6.0, 2.0, 12.0));
-            paintTriangle(painter, 1.5, -6.0);
-            break;
-        case Sign::End:
-            paintTriangle(painter, -7.0, -0.5);
-            paintTriangle(painter, -1.0, 5.5);
-            painter.drawRect(QRectF(5.0, -6.0, 2.0, 12.0));
-            break;
-        case Sign::Start:
-            paintTriangle(painter, 7.0, 0.5);
-            paintTriangle(painter, 1.0, -5.5);
-            painter.drawRect(QRectF(-7.0, -6.0, 2.0, 12.0));
-            break;
-        case Sign::Loop: {
-            painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::FlatCap));
-            painter.setBrush(Qt::NoBrush);
-            painter.drawArc(QRectF(-6.0, -6.0, 12.0, 12.0), 70 * 16, 290 * 16);
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(colour);
-            painter.drawPolygon(QPolygonF{{1.5, -9.5}, {1.5, -1.5}, {6.5, -5.5}});
-            break;
-        }
-        }
-    }
-
-    Sign m_sign;
-};
+} // namespace
 
 Timeline::Timeline(QWidget *parent)
     : QWidget(parent)
@@ -144,89 +63,148 @@ Timeline::Timeline(QWidget *parent)
     m_frames.setInterval(16);
     m_frames.setTimerType(Qt::PreciseTimer);
     connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
+    createActions();
+    m_runForm = new RunForm(this);
+    connect(m_runForm, &RunForm::edited, this, &Timeline::samplingEdited);
+    connect(m_runForm, &RunForm::speedEdited, this, &Timeline::setSpeed);
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(6, 4, 6, 4);
+    rows->setSpacing(3);
+    rows->addLayout(createScrubbing());
+    rows->addLayout(createButtons());
+    colourIcons();
+    setSampling(m_sampling);
+    setSpeed(m_speed);
+}
 
-    m_timeBox = named("timeBox", new NumberBox, tr("Instant in seconds"));
-    m_timeBox->setToolTip(tr("Instant"));
+QAction *Timeline::addAction(const QString &text, const QKeySequence &shortcut, void (Timeline::*slot)())
+{
+    auto *action = new QAction(text, this);
+    action->setShortcut(shortcut);
+    const QString name = QString(text).remove(u'&').remove(u'…');
+    action->setToolTip(tr("%1 (%2)").arg(name, shortcut.toString(QKeySequence::NativeText)));
+    connect(action, &QAction::triggered, this, slot);
+    return action;
+}
+
+void Timeline::createActions()
+{
+    m_play = addAction(tr("&Play or pause"), Qt::Key_Space, &Timeline::togglePlaying);
+    m_forward = addAction(tr("Step &forward"), Qt::Key_Right, &Timeline::stepForward);
+    m_back = addAction(tr("Step &back"), Qt::Key_Left, &Timeline::stepBack);
+    m_start = addAction(tr("To the &start"), Qt::Key_Home, &Timeline::toStart);
+    m_end = addAction(tr("To the &end"), Qt::Key_End, &Timeline::toEnd);
+    m_faster = addAction(tr("F&aster"), Qt::SHIFT | Qt::Key_Right, &Timeline::faster);
+    m_slower = addAction(tr("Slo&wer"), Qt::SHIFT | Qt::Key_Left, &Timeline::slower);
+    m_openRun = addAction(tr("&Time range and speed…"), Qt::CTRL | Qt::Key_R, &Timeline::openRun);
+    m_loop = new QAction(tr("&Loop"), this);
+    m_loop->setShortcut(Qt::CTRL | Qt::Key_L);
+    m_loop->setToolTip(tr("Start again at the end (Ctrl+L)"));
+    m_loop->setCheckable(true);
+    m_loop->setChecked(true);
+    m_speeds = new QActionGroup(this);
+    m_speeds->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional); // a typed speed is none of them
+    for (const double speed : kSpeeds) {
+        QAction *action = m_speeds->addAction(speedText(speed));
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, speed] { setSpeed(speed); });
+    }
+}
+
+void Timeline::fillMenu(QMenu *menu)
+{
+    menu->addActions({m_play, m_forward, m_back, m_start, m_end, m_loop});
+    menu->addSeparator();
+    menu->addMenu(tr("Spee&d"))->addActions(m_speeds->actions());
+    menu->addActions({m_faster, m_slower, m_openRun});
+}
+
+QLayout *Timeline::createScrubbing()
+{
+    m_timeBox = named("timeBox", new NumberBox, tr("Time in seconds"));
+    m_timeBox->setToolTip(tr("Time"));
     m_timeBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_timeBox->setSuffix(tr(" s"));
     m_timeBox->setUnit(kSecond);
     connect(m_timeBox, &NumberBox::edited, this, &Timeline::timeRequested);
 
+    constexpr double kLargestAngle = 1e300; // degrees: every angle that a mechanism can reach
     m_angleBox = named("angleBox", new NumberBox, tr("Crank angle in degrees"));
-    m_angleBox->setToolTip(tr("Crank angle: type one to go where the crank first passes it"));
+    m_angleBox->setToolTip(tr("Crank angle: type one to go to the time when the crank first passes it"));
     m_angleBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_angleBox->setSuffix(tr("°"));
     m_angleBox->setUnit(kDegree);
+    m_angleBox->setRange({.smallest = -kLargestAngle, .largest = kLargestAngle});
     m_angleBox->setFixedDecimals(2);
     m_angleBox->setStep(1.0);
     connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
 
-    m_slider = named("timeSlider", new NumberSlider, tr("Instant, slider"));
+    m_slider = named("timeSlider", new NumberSlider, tr("Time, slider"));
     m_slider->setSuffix(tr(" s"));
     m_slider->setMinimumWidth(60);
     connect(m_slider, &NumberSlider::valueChanged, this,
             [this](int step) { emit timeRequested(m_sampling.instant(step)); });
 
-    auto *timeLabel = new QLabel(tr("t"));
-    timeLabel->setBuddy(m_timeBox);
-    auto *angleLabel = new QLabel(tr("θ₂"));
-    angleLabel->setBuddy(m_angleBox);
-
-    auto *scrubbing = new QHBoxLayout;
-    scrubbing->setSpacing(5);
-    scrubbing->addWidget(timeLabel);
-    scrubbing->addWidget(m_timeBox);
-    scrubbing->addWidget(m_slider, 1);
-    scrubbing->addWidget(angleLabel);
-    scrubbing->addWidget(m_angleBox);
-
-    using Sign = PlaybackButton::Sign;
-    auto *start = named("startButton", new PlaybackButton(Sign::Start, tr("To the start"), tr("Home")));
-    auto *back = named("backButton", new PlaybackButton(Sign::Back, tr("One step back"), tr("Left")));
-    m_play = named("playButton", new PlaybackButton(Sign::Play, tr("Play"), QString()));
-    auto *forward = named("forwardButton", new PlaybackButton(Sign::Forward, tr("One step forward"), tr("Right")));
-    auto *end = named("endButton", new PlaybackButton(Sign::End, tr("To the end"), tr("End")));
-    m_loop = named("loopButton", new PlaybackButton(Sign::Loop, tr("Loop"), QString()));
-    m_play->setToolTip(tr("Play or pause (Space)"));
-    m_loop->setToolTip(tr("Start again at the end (Ctrl+L)"));
-    m_loop->setCheckable(true);
-    m_loop->setChecked(true);
-    connect(m_loop, &QToolButton::toggled, this, &Timeline::loopingChanged);
-    for (PlaybackButton *button : {back, forward}) {
-        button->setAutoRepeat(true);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(5);
+    for (const auto &[text, box] : {std::pair{tr("t"), m_timeBox}, std::pair{tr("θ₂"), m_angleBox}}) {
+        auto *label = new QLabel(text);
+        label->setBuddy(box);
+        row->addWidget(label);
+        row->addWidget(box);
     }
-    connect(start, &QToolButton::clicked, this, &Timeline::toStart);
-    connect(back, &QToolButton::clicked, this, &Timeline::stepBack);
-    connect(m_play, &QToolButton::clicked, this, &Timeline::togglePlaying);
-    connect(forward, &QToolButton::clicked, this, &Timeline::stepForward);
-    connect(end, &QToolButton::clicked, this, &Timeline::toEnd);
+    row->insertWidget(2, m_slider, 1);
+    return row;
+}
 
-    m_run = named("runButton", new QToolButton, tr("Run and speed"));
+QToolButton *Timeline::addButton(QLayout *row, const QString &objectName, QAction *action)
+{
+    auto *button = named(objectName, new QToolButton);
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(button);
+    return button;
+}
+
+QLayout *Timeline::createButtons()
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(2);
+    addButton(row, "startButton", m_start);
+    addButton(row, "backButton", m_back)->setAutoRepeat(true);
+    m_playButton = addButton(row, "playButton", m_play);
+    addButton(row, "forwardButton", m_forward)->setAutoRepeat(true);
+    addButton(row, "endButton", m_end);
+    row->addSpacing(8);
+    addButton(row, "loopButton", m_loop);
+    row->addStretch(1);
+    m_run = named("runButton", new QToolButton, tr("Time range and speed"));
     m_run->setAutoRaise(true);
     m_run->setFocusPolicy(Qt::TabFocus);
-    m_run->setToolTip(tr("Start, duration, steps, one turn, and the speed of playing (Ctrl+R)"));
+    m_run->setToolTip(tr("Start, duration, steps, one revolution, and the playback speed (Ctrl+R)"));
     connect(m_run, &QToolButton::clicked, this, &Timeline::openRun);
-    m_runForm = new RunForm(this);
-    connect(m_runForm, &RunForm::edited, this, &Timeline::samplingEdited);
-    connect(m_runForm, &RunForm::speedEdited, this, &Timeline::setSpeed);
+    row->addWidget(m_run);
+    return row;
+}
 
-    auto *playing = new QHBoxLayout;
-    playing->setSpacing(2);
-    for (PlaybackButton *button : {start, back, m_play, forward, end}) {
-        playing->addWidget(button);
+void Timeline::colourIcons()
+{
+    m_start->setIcon(colouredIcon(*this, QStyle::SP_MediaSkipBackward));
+    m_back->setIcon(colouredIcon(*this, QStyle::SP_MediaSeekBackward));
+    m_play->setIcon(colouredIcon(*this, isPlaying() ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+    m_forward->setIcon(colouredIcon(*this, QStyle::SP_MediaSeekForward));
+    m_end->setIcon(colouredIcon(*this, QStyle::SP_MediaSkipForward));
+    m_loop->setIcon(colouredIcon(*this, QStyle::SP_BrowserReload));
+    m_playButton->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
+}
+
+void Timeline::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_playButton) {
+        colourIcons();
     }
-    playing->addSpacing(8);
-    playing->addWidget(m_loop);
-    playing->addStretch(1);
-    playing->addWidget(m_run);
-
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(6, 4, 6, 4);
-    rows->setSpacing(3);
-    rows->addLayout(scrubbing);
-    rows->addLayout(playing);
-
-    setSampling(m_sampling);
 }
 
 double Timeline::first() const
@@ -267,7 +245,7 @@ void Timeline::setPose(const Pose &pose)
 {
     m_pose = pose;
     if (isPlaying() && pose.time != m_requested) {
-        restartClock(pose.time); // somebody scrubs while it plays
+        restartClock(pose.time); // the time was moved while it plays
     }
     showTime();
 }
@@ -295,7 +273,7 @@ void Timeline::play()
     }
     restartClock(m_pose.time < last() ? m_pose.time : first());
     m_frames.start();
-    m_play->setSign(PlaybackButton::Sign::Pause, tr("Pause"));
+    colourIcons();
     emit playingChanged(true);
 }
 
@@ -305,7 +283,7 @@ void Timeline::pause()
         return;
     }
     m_frames.stop();
-    m_play->setSign(PlaybackButton::Sign::Play, tr("Play"));
+    colourIcons();
     emit playingChanged(false);
 }
 
@@ -331,8 +309,11 @@ void Timeline::toEnd()
 
 void Timeline::setSpeed(double speed)
 {
-    m_speed = speed > 0.0 ? std::clamp(speed, kSlowestPlaying, kFastestPlaying) : kSlowestPlaying; // not a number, too
+    m_speed = speed > 0.0 ? std::clamp(speed, kSlowestPlayback, kFastestPlayback) : kSlowestPlayback; // also for NaN
     m_runForm->setSpeed(m_speed);
+    for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
+        m_speeds->actions()[static_cast<int>(i)]->setChecked(kSpeeds[i] == m_speed);
+    }
     showRun();
     if (isPlaying()) {
         restartClock(m_requested);
@@ -400,7 +381,7 @@ double Timeline::stepsAt(double time) const
         return 0.0;
     }
     const double steps = (time - m_sampling.start) / m_sampling.duration * m_sampling.steps;
-    // An instant that is a sample up to rounding is that sample.
+    // A time that is a time step up to rounding is that time step.
     constexpr double kSame = 1e-6; // of a step
     const double nearest = std::round(steps);
     return std::abs(steps - nearest) < kSame ? nearest : steps;
@@ -431,11 +412,11 @@ void Timeline::goToAngle(double degrees)
     showTime();
 }
 
-/// What opens it says what is chosen.
+/// The button shows what is chosen.
 void Timeline::showRun()
 {
     constexpr int kDigits = 3;
-    m_run->setText(tr("%1 s · %2 ▾", "duration of the run, speed of playing")
+    m_run->setText(tr("%1 s · %2 ▾", "duration, playback speed")
                        .arg(numberText(m_sampling.duration, kDigits), speedText(m_speed)));
 }
 

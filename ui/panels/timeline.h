@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Playing, stepping and scrubbing through the sampled time. It asks for instants (timeRequested) and shows the one that
-// comes back (setPose). Playing follows the clock: a slow machine drops frames, not time. What the run is and how fast
-// it plays opens from a button.
+// Playing, stepping and scrubbing through the simulated time. It asks for times (timeRequested) and shows the one that
+// comes back (setPose). Playing follows the clock: a slow machine drops frames, not time. The time range and the
+// playback speed open from a button.
 
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
 #include "ui/document/result.h"
 
+#include <QStyle>
 #include <QTimer>
 #include <QWidget>
 
 #include <array>
 #include <functional>
+#include <map>
 
+class QAction;
+class QActionGroup;
+class QMenu;
 class QToolButton;
 
 namespace slidercrank
@@ -22,12 +27,10 @@ namespace slidercrank
 
 class NumberBox;
 class NumberSlider;
-class PlaybackButton;
 class RunForm;
 
-/// Model seconds a second of the clock, to choose from.
+/// Seconds of the motion in a second of real time, to choose from.
 inline constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
-QString speedText(double speed); ///< "0.1×"
 
 class Timeline : public QWidget
 {
@@ -38,16 +41,19 @@ public:
 
     bool isPlaying() const { return m_frames.isActive(); }
     bool isLooping() const;
-    double speed() const { return m_speed; } ///< model seconds a second of the clock
+    double speed() const { return m_speed; } ///< seconds of the motion in a second of real time
 
-    /// It tells seconds since whenever.
+    /// A function that returns seconds since an arbitrary moment.
     void setClock(const std::function<double()> &clock) { m_clock = clock; }
+
+    /// Adds the playback actions; the buttons show the same ones.
+    void fillMenu(QMenu *menu);
 
 public slots:
     void setSampling(const slidercrank::Sampling &sampling);
     void setPose(const slidercrank::Pose &pose);
 
-    /// The drive, ω₂ and θ₂₀: which instant a typed crank angle means.
+    /// The drive, ω₂ and θ₂₀: which time a typed crank angle means.
     void setParameters(const slidercrank::Parameters &parameters);
 
     void togglePlaying();
@@ -58,10 +64,10 @@ public slots:
     void toStart();
     void toEnd();
     void setLooping(bool looping);
-    void setSpeed(double speed); ///< model seconds a second of the clock
-    void faster();               ///< the next of kSpeeds
+    void setSpeed(double speed);
+    void faster(); ///< the next of kSpeeds
     void slower();
-    void openRun(); ///< start, duration, steps and speed
+    void openRun(); ///< time range and speed
 
 signals:
     void timeRequested(double seconds);
@@ -70,12 +76,21 @@ signals:
     void speedChanged(double speed);
     void samplingEdited(const slidercrank::Sampling &sampling);
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
-    double first() const; ///< of the sampled range, s
+    QAction *addAction(const QString &text, const QKeySequence &shortcut, void (Timeline::*slot)());
+    QToolButton *addButton(QLayout *row, const QString &objectName, QAction *action);
+    QLayout *createScrubbing();
+    QLayout *createButtons();
+    void createActions();
+    void colourIcons();
+    double first() const; ///< of the time range, s
     double last() const;
     void nextFrame();
     void restartClock(double from);
-    double stepsAt(double time) const; ///< since the start of the run
+    double stepsAt(double time) const; ///< since the start
     void stepTo(double step);
     void goToAngle(double degrees);
     void showTime();
@@ -85,7 +100,7 @@ private:
     Parameters m_parameters;
     Pose m_pose;
 
-    // While playing: the instant is m_playedFrom + m_speed · (m_clock() - m_playedSince).
+    // While playing, the time is m_playedFrom + m_speed · (m_clock() - m_playedSince).
     QTimer m_frames{this};
     std::function<double()> m_clock;
     double m_playedFrom = 0.0;
@@ -93,8 +108,17 @@ private:
     double m_requested = 0.0;
     double m_speed = 1.0;
 
-    PlaybackButton *m_play = nullptr;
-    PlaybackButton *m_loop = nullptr;
+    QAction *m_play;
+    QAction *m_forward;
+    QAction *m_back;
+    QAction *m_start;
+    QAction *m_end;
+    QAction *m_loop;
+    QAction *m_faster;
+    QAction *m_slower;
+    QAction *m_openRun;
+    QActionGroup *m_speeds; ///< one action for each of kSpeeds
+    QToolButton *m_playButton = nullptr;
     QToolButton *m_run = nullptr;
     RunForm *m_runForm = nullptr;
     NumberSlider *m_slider = nullptr;

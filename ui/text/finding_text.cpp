@@ -175,7 +175,7 @@ QString keptText(const Parameters &kept, const Parameters &present)
     if (kept.branch != present.branch) {
         parts << withNoun(kept.branch);
     }
-    return parts.isEmpty() ? FindingText::tr("kept") : parts.join(FindingText::tr(", "));
+    return parts.isEmpty() ? FindingText::tr("pinned") : parts.join(FindingText::tr(", "));
 }
 
 QString measuredText(double value, double standardError, double scale)

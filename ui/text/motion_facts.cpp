@@ -109,12 +109,12 @@ QString helpForFullTurn(const Mechanism &mechanism)
     } else if (largestOffsetForFullTurn(mechanism) > 0.0) {
         bounds << boundText(kOffset, Bound::AtMost, largestOffsetForFullTurn(mechanism));
     }
-    return MotionFacts::tr("It would turn round with %1.").arg(anyOf(bounds));
+    return MotionFacts::tr("It would make full turns if %1.").arg(anyOf(bounds));
 }
 
 QString helpForAnyPose(const Mechanism &mechanism)
 {
-    return MotionFacts::tr("There is a pose with %1.")
+    return MotionFacts::tr("It can be assembled if %1.")
         .arg(anyOf({boundText(kB, Bound::AtLeast, shortestCouplerForAnyPose(mechanism)),
                     boundText(kA, Bound::AtLeast, std::abs(mechanism.c()) - mechanism.b()),
                     boundText(kOffset, Bound::AtMost, mechanism.a() + mechanism.b())}));
@@ -205,14 +205,14 @@ private:
 void addDeadCentres(FactList &list, const MotionLimits &limits, double reach)
 {
     if (limits.outer) {
-        list.addAt(
-            limits.outer->theta2, MotionFacts::tr("outer dead centre"), lengthOf(limits.outer->R4x, reach),
-            MotionFacts::tr("The slider position Rₓ⁴ where it turns back, crank and coupler stretched in one line"));
+        list.addAt(limits.outer->theta2, MotionFacts::tr("outer dead centre"), lengthOf(limits.outer->R4x, reach),
+                   MotionFacts::tr(
+                       "Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line"));
     }
     if (limits.inner) {
-        list.addAt(
-            limits.inner->theta2, MotionFacts::tr("inner dead centre"), lengthOf(limits.inner->R4x, reach),
-            MotionFacts::tr("The slider position Rₓ⁴ where it turns back, crank and coupler folded in one line"));
+        list.addAt(limits.inner->theta2, MotionFacts::tr("inner dead centre"), lengthOf(limits.inner->R4x, reach),
+                   MotionFacts::tr(
+                       "Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line"));
     }
 }
 
@@ -222,14 +222,14 @@ void addEnds(FactList &list, const Mechanism &mechanism, const MotionLimits &lim
     const auto add = [&](const QString &name, double theta2) {
         list.addAt(theta2, name, lengthOf(mechanism.a() * std::cos(theta2), reach),
                    MotionFacts::tr("The crank can go no further: the coupler is perpendicular to the slider's line. "
-                                   "The value is the slider's position Rₓ⁴."));
+                                   "The value is the slider position Rₓ⁴."));
     };
     for (const CrankRange &range : limits.ranges) {
         if (limits.mobility == Mobility::Locked) {
-            add(MotionFacts::tr("only pose"), range.from);
+            add(MotionFacts::tr("only position"), range.from);
         } else {
-            add(MotionFacts::tr("crank from"), range.from);
-            add(MotionFacts::tr("crank to"), range.to);
+            add(MotionFacts::tr("crank limit position"), range.from);
+            add(MotionFacts::tr("crank limit position"), range.to);
         }
     }
 }
@@ -243,30 +243,29 @@ void addStrokeTimes(FactList &list, const Mechanism &mechanism, const MotionLimi
                    : MotionFacts::tr("in %1 s").arg(secondsText(angle / speed, 2.0 * std::numbers::pi / speed));
     };
     list.add(MotionFacts::tr("forward stroke"), turnOf(*limits.angleOutwards),
-             MotionFacts::tr("The crank's turn from the inner to the outer dead centre"),
-             timeOf(*limits.angleOutwards));
+             MotionFacts::tr("Crank rotation from the inner to the outer dead centre"), timeOf(*limits.angleOutwards));
     list.add(MotionFacts::tr("return stroke"), turnOf(*limits.angleInwards),
-             MotionFacts::tr("The crank's turn from the outer to the inner dead centre"), timeOf(*limits.angleInwards));
+             MotionFacts::tr("Crank rotation from the outer to the inner dead centre"), timeOf(*limits.angleInwards));
     if (const double speed = std::abs(mechanism.omega2()); speed > 0.0) {
         const auto meanSpeed = [&](double angle) {
             return amount(*limits.stroke * speed / angle, QString::fromUtf8(fileUnit({R4x, Order::Velocity})));
         };
-        list.add(MotionFacts::tr("mean speed forward"), meanSpeed(*limits.angleOutwards),
-                 MotionFacts::tr("The stroke over the forward stroke's time"));
-        list.add(MotionFacts::tr("mean speed back"), meanSpeed(*limits.angleInwards),
-                 MotionFacts::tr("The stroke over the return stroke's time"));
+        list.add(MotionFacts::tr("mean forward speed"), meanSpeed(*limits.angleOutwards),
+                 MotionFacts::tr("The stroke divided by the time of the forward stroke"));
+        list.add(MotionFacts::tr("mean return speed"), meanSpeed(*limits.angleInwards),
+                 MotionFacts::tr("The stroke divided by the time of the return stroke"));
     }
     list.add(MotionFacts::tr("time ratio"), {numberText(*limits.timeRatio), *limits.timeRatio, {}},
-             MotionFacts::tr("The slower stroke's time over the faster one's"));
+             MotionFacts::tr("Time of the slower stroke divided by the time of the faster one"));
 }
 
 QString peakName(Channel channel)
 {
     const bool speed = channel.order == Order::Velocity;
     if (channel.coordinate == R4x) {
-        return speed ? MotionFacts::tr("slider speed") : MotionFacts::tr("slider acceleration");
+        return speed ? MotionFacts::tr("slider velocity") : MotionFacts::tr("slider acceleration");
     }
-    return speed ? MotionFacts::tr("coupler speed") : MotionFacts::tr("coupler acceleration");
+    return speed ? MotionFacts::tr("coupler angular velocity") : MotionFacts::tr("coupler angular acceleration");
 }
 
 Amount peakOf(Channel channel, double value)
@@ -277,7 +276,7 @@ Amount peakOf(Channel channel, double value)
 void addPeak(FactList &list, const Peak &peak)
 {
     const QString explanation =
-        MotionFacts::tr("The largest over a whole turn of the crank: there its own derivative is zero");
+        MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero");
     for (const PeakPlace &place : inOrder(peak.places)) {
         list.addAt(place.theta2, peakName(peak.channel), peakOf(peak.channel, place.value), explanation);
     }
@@ -300,31 +299,34 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
     switch (limits.mobility) {
     case Mobility::FullTurn:
         if (limits.largestPressureAngle < 0.5 * std::numbers::pi && mechanism.omega2() == 0.0) {
-            return MotionFacts::tr("The crank stands still, ω₂ = 0; it could turn round: b = %1 ≥ a + |c| = %2.")
+            return MotionFacts::tr("The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.")
                 .arg(turning.one, turning.other);
         }
         if (limits.largestPressureAngle < 0.5 * std::numbers::pi) {
-            return MotionFacts::tr("The crank turns round: b = %1 ≥ a + |c| = %2.").arg(turning.one, turning.other);
+            return MotionFacts::tr("The crank makes full turns: b = %1 ≥ a + |c| = %2.")
+                .arg(turning.one, turning.other);
         }
         if (mechanism.c() == 0.0) {
-            return MotionFacts::tr("The crank just turns round: b = a = %1, c = 0, a change point. At θ₂ = 90° and "
-                                   "270° the coupler is perpendicular to the slider's line, and the speeds jump.")
+            return MotionFacts::tr(
+                       "The crank just makes full turns: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° the "
+                       "coupler is perpendicular to the slider's line, and the velocities jump.")
                 .arg(turning.one);
         }
-        return MotionFacts::tr("The crank just turns round: b = a + |c| = %1. At θ₂ = %2° the coupler is perpendicular "
-                               "to the slider's line, and the speeds jump.")
+        return MotionFacts::tr("The crank just makes full turns: b = a + |c| = %1. At θ₂ = %2° the coupler is "
+                               "perpendicular to the slider's line, and the velocities jump.")
             .arg(turning.one, numberText(mechanism.c() > 0.0 ? 270.0 : 90.0));
     case Mobility::Rocker: {
         const QString help = helpForFullTurn(mechanism);
         if (limits.ranges.size() > 1) {
-            return MotionFacts::tr("The crank rocks within one of two arcs: b = %1 < a + |c| = %2, and less than "
-                                   "a − |c| = %3 mm too. %4")
+            return MotionFacts::tr("The crank oscillates within one of two arcs and cannot make a full turn: b = %1 < "
+                                   "a + |c| = %2, and also less than a − |c| = %3 mm. %4")
                 .arg(turning.one, turning.other, numberText(mechanism.a() - std::abs(mechanism.c())), help);
         }
-        return MotionFacts::tr("The crank rocks: b = %1 < a + |c| = %2. %3").arg(turning.one, turning.other, help);
+        return MotionFacts::tr("The crank oscillates and cannot make a full turn: b = %1 < a + |c| = %2. %3")
+            .arg(turning.one, turning.other, help);
     }
     case Mobility::Locked:
-        return MotionFacts::tr("The crank is locked in one pose: b = |c| − a = %1. %2")
+        return MotionFacts::tr("The crank is locked in a single position: b = |c| − a = %1. %2")
             .arg(turning.one, helpForFullTurn(mechanism));
     case Mobility::Impossible: {
         const LengthPair reaching = toldApart(mechanism.b(), shortestCouplerForAnyPose(mechanism));
@@ -349,16 +351,16 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
     case Mobility::FullTurn: addDeadCentres(list, limits, reach); break;
     }
     list.add(MotionFacts::tr("stroke"), lengthOf(*limits.stroke, reach),
-             MotionFacts::tr("How far the slider goes: its largest position less its smallest"));
+             MotionFacts::tr("Travel of the slider: its largest position minus its smallest"));
     if (limits.mobility == Mobility::Rocker) {
         return list.facts();
     }
     addStrokeTimes(list, mechanism, limits);
     const auto addTransmission = [&](double theta2) {
-        list.addAt(theta2, MotionFacts::tr("least transmission angle"),
+        list.addAt(theta2, MotionFacts::tr("minimum transmission angle"),
                    turnOf(0.5 * std::numbers::pi - limits.largestPressureAngle),
-                   MotionFacts::tr("Between the coupler and the normal to the slider's line: 90° − |θ³| at its least. "
-                                   "Mechanisms with less than 40° or so tend to jam."));
+                   MotionFacts::tr("Angle between the coupler and the normal to the slider's line, 90° − |θ³|, at its "
+                                   "minimum. Mechanisms with less than about 40° tend to jam."));
     };
     if (mechanism.c() == 0.0) {
         addTransmission(0.5 * std::numbers::pi); // the same on both sides
@@ -385,11 +387,12 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
         // All that grow without bound do so at the same places.
         const bool turns = limits.mobility == Mobility::FullTurn;
         for (const PeakPlace &place : inOrder(unbounded->places)) {
-            list.addAt(place.theta2,
-                       turns ? MotionFacts::tr("accelerations") : MotionFacts::tr("speeds, accelerations"),
-                       {MotionFacts::tr("unbounded"), unbounded->magnitude, {}}, // of several units
-                       turns ? MotionFacts::tr("The coupler is perpendicular to the slider's line and the speeds jump")
-                             : MotionFacts::tr("Towards the crank's limit slider and coupler get ever faster"));
+            list.addAt(
+                place.theta2, turns ? MotionFacts::tr("accelerations") : MotionFacts::tr("velocities, accelerations"),
+                {MotionFacts::tr("unbounded"), unbounded->magnitude, {}}, // of several units
+                turns
+                    ? MotionFacts::tr("The coupler is perpendicular to the slider's line, and the velocities jump")
+                    : MotionFacts::tr("The velocities grow without bound as the crank approaches its limit position"));
         }
     }
     return list.facts();

@@ -1,103 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/folding_tabs.h"
 
-#include <QStackedWidget>
+#include <QSignalBlocker>
 #include <QTabBar>
-#include <QVBoxLayout>
 
 namespace slidercrank
 {
 
 FoldingTabs::FoldingTabs(QWidget *parent)
-    : QWidget(parent)
-    , m_bar(new QTabBar(this))
-    , m_pages(new QStackedWidget(this))
+    : QTabWidget(parent)
 {
-    m_bar->setObjectName(QStringLiteral("tabBar"));
-    m_bar->setDrawBase(false);
-    m_bar->setExpanding(false);
-    m_bar->setAccessibleName(tr("Panels"));
-    m_bar->setToolTip(tr("F9 hides and shows the panels"));
-
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_bar);
-    column->addWidget(m_pages, 1);
-
-    connect(m_bar, &QTabBar::tabBarClicked, this, [this](int index) {
+    setDocumentMode(true);
+    tabBar()->setObjectName(QStringLiteral("tabBar"));
+    tabBar()->setDrawBase(false);
+    tabBar()->setAccessibleName(tr("Panels"));
+    tabBar()->setToolTip(tr("F9 hides and shows the panels"));
+    connect(this, &QTabWidget::tabBarClicked, this, [this](int index) {
         if (index >= 0) {
             setFolded(false);
         }
     });
-    connect(m_bar, &QTabBar::currentChanged, this, &FoldingTabs::showCurrent);
-}
-
-void FoldingTabs::addPage(QWidget *page, const QString &title)
-{
-    m_pages->addWidget(page);
-    m_bar->addTab(title);
+    connect(this, &QTabWidget::currentChanged, this, &FoldingTabs::makePage);
 }
 
 void FoldingTabs::addPage(const std::function<QWidget *()> &make, const QString &title)
 {
-    m_unmade[m_pages->count()] = make;
+    m_unmade[count()] = make;
     addPage(new QWidget(this), title);
 }
 
-void FoldingTabs::showCurrent()
+void FoldingTabs::makePage(int index)
 {
-    const int index = m_bar->currentIndex();
-    if (const auto unmade = m_unmade.find(index); unmade != m_unmade.end()) {
-        QWidget *placeholder = m_pages->widget(index);
-        m_pages->insertWidget(index, unmade->second());
-        delete placeholder;
-        m_unmade.erase(unmade);
+    const auto unmade = m_unmade.find(index);
+    if (unmade == m_unmade.end()) {
+        return;
     }
-    m_pages->setCurrentIndex(index);
+    const std::function<QWidget *()> make = unmade->second;
+    m_unmade.erase(unmade);
+    const QSignalBlocker quiet(this);
+    const QString title = tabText(index);
+    QWidget *placeholder = widget(index);
+    insertTab(index, make(), title);
+    setCurrentIndex(index);
+    delete placeholder;
 }
 
 void FoldingTabs::setTitle(QWidget *page, const QString &title)
 {
-    const int index = m_pages->indexOf(page);
-    if (m_bar->tabText(index) != title) { // the bar would lay the whole window out anew
-        m_bar->setTabText(index, title);
+    const int index = indexOf(page);
+    if (tabText(index) != title) { // the bar would lay out the whole window again
+        setTabText(index, title);
     }
 }
 
 void FoldingTabs::showPage(QWidget *page)
 {
-    m_bar->setCurrentIndex(m_pages->indexOf(page));
+    setCurrentWidget(page);
     setFolded(false);
-}
-
-int FoldingTabs::indexOf(QWidget *page) const
-{
-    return m_pages->indexOf(page);
-}
-
-int FoldingTabs::current() const
-{
-    return m_bar->currentIndex();
-}
-
-void FoldingTabs::setCurrent(int index)
-{
-    m_bar->setCurrentIndex(index);
-}
-
-bool FoldingTabs::isFolded() const
-{
-    return m_pages->isHidden();
 }
 
 void FoldingTabs::setFolded(bool folded)
 {
-    if (folded == isFolded()) {
+    if (folded == m_isFolded) {
         return;
     }
-    m_pages->setHidden(folded);
-    setMaximumHeight(folded ? m_bar->sizeHint().height() : QWIDGETSIZE_MAX); // the rest goes to the neighbour
+    m_isFolded = folded;
+    const int bar = tabBar()->sizeHint().height();
+    setMinimumHeight(folded ? bar : 0);
+    setMaximumHeight(folded ? bar : QWIDGETSIZE_MAX);
     emit foldedChanged(folded);
 }
 

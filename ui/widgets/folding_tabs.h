@@ -1,51 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tabs whose pages fold away under their bar, so that a small window keeps its room for the plots.
+// Tabs that can be folded up to their bar, so that the plots of a small window get the space.
 
-#include <QWidget>
+#include <QTabWidget>
 
 #include <functional>
 #include <map>
 
-class QStackedWidget;
-class QTabBar;
-
 namespace slidercrank
 {
 
-class FoldingTabs : public QWidget
+class FoldingTabs : public QTabWidget
 {
     Q_OBJECT
 
 public:
     explicit FoldingTabs(QWidget *parent = nullptr);
 
-    void addPage(QWidget *page, const QString &title);
+    void addPage(QWidget *page, const QString &title) { addTab(page, title); }
 
-    /// A page that is made when it is shown for the first time: nobody waits at the start for what they may never open.
+    /// A page that is made when it is shown for the first time: the program starts faster.
     void addPage(const std::function<QWidget *()> &make, const QString &title);
     void setTitle(QWidget *page, const QString &title);
 
     /// Unfolds and shows it.
     void showPage(QWidget *page);
 
-    int indexOf(QWidget *page) const;
-    int current() const;
-    void setCurrent(int index); ///< folded away or not
+    int current() const { return currentIndex(); }
+    void setCurrent(int index) { setCurrentIndex(index); } ///< folded or not
 
-    bool isFolded() const;
+    bool isFolded() const { return m_isFolded; }
     void setFolded(bool folded);
 
 signals:
     void foldedChanged(bool folded);
 
 private:
-    void showCurrent();
+    void makePage(int index);
 
-    QTabBar *m_bar;
-    QStackedWidget *m_pages;
     std::map<int, std::function<QWidget *()>> m_unmade; ///< by index
+    bool m_isFolded = false;
 };
 
 } // namespace slidercrank

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/message_bar.h"
 
+#include "ui/text/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
-#include "ui/text/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/number_box.h"
 
-#include "ui/widgets/named.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/named.h"
 
-#include <QAccessible>
-#include <QApplication>
-#include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
+#include <QScreen>
+#include <QSignalBlocker>
 #include <QStyleOptionSpinBox>
-#include <QWheelEvent>
+#include <QTimer>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace slidercrank
@@ -24,80 +23,71 @@ namespace slidercrank
 namespace
 {
 
+constexpr int kDecimals = 60; // of QDoubleSpinBox: so many that it rounds no number
+constexpr std::chrono::seconds kNoteStays{10};
+
 bool isUndo(const QKeyEvent &key)
 {
     return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
 }
 
+/// A tenth of the power of ten of a number, seen from the side to which it moves: from 100 up by 10, down by 1.
+double adaptiveStep(double value, int direction)
+{
+    constexpr double kRounding = 1e-9;
+    if (value == 0.0) {
+        return 1.0;
+    }
+    const bool grows = (value > 0.0) == (direction > 0);
+    return std::pow(10.0, std::floor(std::log10(std::abs(value) * (grows ? 1.0 + kRounding : 1.0 - kRounding))) - 1.0);
+}
+
 } // namespace
 
 NumberBox::NumberBox(QWidget *parent)
-    : QAbstractSpinBox(parent)
-    , m_widestText(QStringLiteral("-000.000"))
+    : QDoubleSpinBox(parent)
 {
     setFocusPolicy(Qt::StrongFocus); // not by the wheel: scrolling past must change nothing
     setAlignment(Qt::AlignRight);
-    connect(this, &QAbstractSpinBox::editingFinished, this, &NumberBox::commit);
+    setKeyboardTracking(false);
+    setDecimals(kDecimals);
+    setRange(NumberRange());
     lineEdit()->installEventFilter(this);
-    // Not QLineEdit::isModified(): the spin box clears that before it says that Enter was pressed.
-    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
-        m_typed = true;
-        takeBackRefusal();
+    connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::edited);
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        if (!m_refusal.isEmpty()) {
+            refuse(std::exchange(m_refusal, {}));
+        }
     });
-    showValue();
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        if (m_note) {
+            m_note->hide();
+            setAccessibleDescription({});
+        }
+    });
 }
 
 void NumberBox::setValue(double value)
 {
-    if (value == m_value) {
-        if (!m_editing && !m_typed) {
-            showValue();
-        }
-        return;
-    }
-    m_value = value;
-    if (!(m_editing && m_typed)) {
-        showValue();
-    }
-    tellValue();
-}
-
-void NumberBox::edit(double value)
-{
-    if (m_range.takesNearest) {
-        value = std::clamp(value, m_range.smallest, m_range.largest);
-    }
-    if (const QString refusal = refusalOf(value); !refusal.isEmpty()) {
-        refuse(refusal);
-    } else {
-        take(value);
+    const QSignalBlocker quiet(this);
+    const bool typing = isTyping();
+    const QString typed = lineEdit()->text();
+    const int cursor = lineEdit()->cursorPosition();
+    const bool isSelected = lineEdit()->hasSelectedText();
+    QDoubleSpinBox::setValue(value);
+    if (typing) {
+        lineEdit()->setText(typed);
+        lineEdit()->setCursorPosition(cursor);
+    } else if (isSelected) {
+        selectNumber(); // what is typed next still replaces all of it
     }
 }
 
-void NumberBox::take(double value)
+void NumberBox::setRange(const NumberRange &range)
 {
-    const bool isDifferent = value != m_value;
-    m_value = value;
-    showValue();
-    if (isDifferent) {
-        tellValue();
-        emit edited(m_value);
-    }
-}
-
-void NumberBox::tellValue()
-{
-    if (QAccessible::isActive()) {
-        QAccessibleValueChangeEvent event(this, m_value);
-        QAccessible::updateAccessibility(&event);
-    }
-}
-
-void NumberBox::setSuffix(const QString &suffix)
-{
-    m_suffix = suffix;
-    showValue();
-    updateGeometry();
+    const QSignalBlocker quiet(this);
+    m_range = range;
+    QDoubleSpinBox::setRange(range.smallest, range.largest);
 }
 
 void NumberBox::setFixedDecimals(int decimals)
@@ -112,93 +102,151 @@ void NumberBox::setWidestText(const QString &text)
     updateGeometry();
 }
 
+bool NumberBox::isTyping() const
+{
+    return m_isEditing && lineEdit()->text() != shownText();
+}
+
 QSize NumberBox::sizeHint() const
 {
     ensurePolished();
     QStyleOptionSpinBox option;
     initStyleOption(&option);
-    const int cursor = 4; // px; what QAbstractSpinBox leaves for the blinking cursor, and a little air
-    const QSize content(fontMetrics().horizontalAdvance(m_widestText + m_suffix) + cursor,
+    constexpr int kCursor = 4; // px
+    const QSize content(fontMetrics().horizontalAdvance(m_widestText + suffix()) + kCursor,
                         lineEdit()->sizeHint().height());
     return style()->sizeFromContents(QStyle::CT_SpinBox, &option, content, this);
 }
 
-QSize NumberBox::minimumSizeHint() const
-{
-    return sizeHint();
-}
-
-double NumberBox::step() const
-{
-    if (m_step != 0.0) {
-        return m_step;
-    }
-    return m_value == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(std::abs(m_value) * (1.0 + 1e-9))) - 1.0);
-}
-
 void NumberBox::stepBy(int steps)
 {
-    commit();
-    double step = this->step();
-    // Towards zero from a power of ten, the next lower decade rules: 100 → 99, not 90.
-    if (m_step == 0.0 && m_value != 0.0 && (m_value > 0.0) == (steps < 0)) {
-        step = std::pow(10.0, std::floor(std::log10(std::abs(m_value) * (1.0 - 1e-9))) - 1.0);
-    }
-    // Steps of a tenth would leave a tail of binary rounding.
-    const double target = m_value + steps * step;
-    const double grain = step * 1e-6;
-    double value = std::abs(target / grain) < 1e15 ? std::round(target / grain) * grain : target;
-    value = std::clamp(QString::number(value, 'g', 14).toDouble(), m_range.smallest, m_range.largest);
-    if (refusalOf(value).isEmpty()) {
-        take(value);
-        selectFromItsEnd();
+    interpretText();
+    const double step = m_step != 0.0 ? m_step : adaptiveStep(value(), steps);
+    const double target = value() + steps * step;
+    const double grain = step * 1e-6; // 0.1 + 0.2 is 0.3
+    const double rounded = std::abs(target / grain) < 1e15 ? std::round(target / grain) * grain : target;
+    const double next = std::clamp(QString::number(rounded, 'g', 14).toDouble(), minimum(), maximum());
+    if (refusalOf(next).isEmpty()) {
+        QDoubleSpinBox::setValue(next);
+        selectNumber();
     }
 }
 
-QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const
+/// While edited with every digit, otherwise with as many as there is space for: -2.17724e-5 must not read as -2.1772.
+QString NumberBox::textFromValue(double value) const
 {
-    StepEnabled enabled = StepNone;
-    enabled.setFlag(StepUpEnabled, !isReadOnly() && m_value < m_range.largest);
-    enabled.setFlag(StepDownEnabled, !isReadOnly() && m_value > m_range.smallest);
-    return enabled;
+    constexpr int kMargins = 4; // px: what QLineEdit keeps free beside its text
+    constexpr int kMostDigits = 6;
+    constexpr int kFewestDigits = 2;
+    const auto fits = [this](const QString &text) {
+        return fontMetrics().horizontalAdvance(text + suffix()) <= lineEdit()->width() - kMargins;
+    };
+    if (m_fixedDecimals >= 0) {
+        const bool isNothing = std::abs(value) < 0.5 * std::pow(10.0, -m_fixedDecimals); // not "-0.00"
+        const QString text = localeWithoutGroups().toString(isNothing ? 0.0 : value, 'f', m_fixedDecimals);
+        if (m_isEditing || fits(text)) {
+            return text;
+        }
+    } else if (m_isEditing) {
+        return typedNumberText(value);
+    }
+    int digits = kMostDigits;
+    while (digits > kFewestDigits && !fits(numberText(value, digits))) {
+        --digits;
+    }
+    return numberText(value, digits);
 }
 
-void NumberBox::focusInEvent(QFocusEvent *event)
+NumberBox::TypedNumber NumberBox::read(const QString &text) const
 {
-    m_editing = true;
-    if (!m_typed) {
-        showValue();
+    QString number = text;
+    while (!suffix().isEmpty() && number.endsWith(suffix())) { // the displayed unit stays while the number is typed
+        number.chop(suffix().size());
     }
-    QAbstractSpinBox::focusInEvent(event);
-    if (lineEdit()->selectedText() == lineEdit()->text()) {
-        selectFromItsEnd();
+    number = number.trimmed();
+    if (number.isEmpty() || number == textFromValue(value())) {
+        return {value(), {}}; // the exact number, not what is shown of it
     }
+    const Quantity typed = m_range.isWhole ? readCount(number) : readQuantity(number, m_unit);
+    if (typed.fault) {
+        return {value(), quantityFaultText(number, *typed.fault, m_unit)};
+    }
+    return {typed.value, m_range.takesNearest ? QString() : refusalOf(typed.value)};
 }
 
-void NumberBox::focusOutEvent(QFocusEvent *event)
+QString NumberBox::refusalOf(double value) const
 {
-    QAbstractSpinBox::focusOutEvent(event); // commits
-    m_editing = false;
-    if (!m_typed) {
-        showValue();
+    const auto withUnit = [this](double limit) {
+        return (m_range.isWhole ? countText(static_cast<std::size_t>(limit)) : numberText(limit)) + suffix();
+    };
+    const bool isOutside = value < m_range.smallest || value > m_range.largest;
+    if (m_range.isWhole && (value != std::round(value) || isOutside)) {
+        return tr("This must be a whole number from %1 to %2.")
+            .arg(withUnit(m_range.smallest), withUnit(m_range.largest));
     }
-    lineEdit()->setCursorPosition(0);
+    if (m_range.isOpen && value <= m_range.smallest) {
+        return tr("This must be greater than %1.").arg(withUnit(m_range.smallest));
+    }
+    if (value < m_range.smallest) {
+        return tr("This must be at least %1.").arg(withUnit(m_range.smallest));
+    }
+    return value > m_range.largest ? tr("This must be at most %1.").arg(withUnit(m_range.largest)) : QString();
 }
 
-/// All of it, with the cursor before it: a long number shows its first digits.
-void NumberBox::selectFromItsEnd()
+QValidator::State NumberBox::validate(QString &text, int &) const
+{
+    if (!suffix().isEmpty() && text.endsWith(suffix() + suffix())) { // the typed unit takes the place of the displayed one
+        text.chop(suffix().size());
+    }
+    return read(text).refusal.isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void NumberBox::fixup(QString &text) const
+{
+    m_refusal = read(text).refusal;
+}
+
+void NumberBox::showValue()
+{
+    const QSignalBlocker quiet(this);
+    QDoubleSpinBox::setValue(value());
+}
+
+/// With the cursor in front, so that a long number shows its first digits.
+void NumberBox::selectNumber()
 {
     const int length = static_cast<int>(lineEdit()->text().size());
     lineEdit()->setSelection(length, -length);
 }
 
-bool NumberBox::isTyping() const
+/// Shows the note below the box, or above it at the lower edge of the screen.
+void NumberBox::refuse(const QString &sentence)
 {
-    return m_typed && lineEdit()->text().trimmed() != textFor(m_value) + m_suffix;
+    if (!m_note) {
+        m_note = named("refusalLabel", new QLabel(this, Qt::ToolTip));
+        m_note->setTextFormat(Qt::PlainText);
+        m_note->setFrameShape(QFrame::Box);
+        m_note->setMargin(3);
+        m_note->setBackgroundRole(QPalette::ToolTipBase);
+        m_note->setForegroundRole(QPalette::ToolTipText);
+    }
+    m_note->setText(sentence);
+    m_note->adjustSize();
+    const QRect available = screen()->availableGeometry();
+    QRect place({}, m_note->size());
+    place.moveTopRight(mapToGlobal(rect().bottomRight()) + QPoint(0, 1));
+    if (place.bottom() > available.bottom()) {
+        place.moveBottom(mapToGlobal(QPoint()).y() - 1);
+    }
+    place.moveLeft(std::max(place.left(), available.left()));
+    m_note->move(place.topLeft());
+    m_note->show();
+    setAccessibleDescription(sentence);
+    QTimer::singleShot(kNoteStays, m_note, &QWidget::hide);
 }
 
-/// What was typed and not taken over yet is undone in the box; anything else is the window's to undo. So are all keys
-/// with Control that have another meaning than the clipboard: on some systems they move in a line of text.
+/// Undo and redo mean the window unless something has been typed. So do all keys with Control but those of the
+/// clipboard.
 bool NumberBox::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
@@ -212,191 +260,55 @@ bool NumberBox::event(QEvent *event)
             return false;
         }
     }
-    return QAbstractSpinBox::event(event);
+    return QDoubleSpinBox::event(event);
 }
 
-/// The line of text itself would take a word, which ends at the number's point; afterwards, so that it counts clicks
-/// on.
+/// A double click selects the whole number; QLineEdit would stop at its decimal point.
 bool NumberBox::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::MouseButtonDblClick) {
-        QMetaObject::invokeMethod(this, &NumberBox::selectFromItsEnd, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &NumberBox::selectNumber, Qt::QueuedConnection);
     }
-    return QAbstractSpinBox::eventFilter(watched, event);
+    return QDoubleSpinBox::eventFilter(watched, event);
+}
+
+void NumberBox::focusInEvent(QFocusEvent *event)
+{
+    m_isEditing = true;
+    showValue(); // every digit
+    QDoubleSpinBox::focusInEvent(event);
+    if (lineEdit()->hasSelectedText()) {
+        selectNumber();
+    }
+}
+
+void NumberBox::focusOutEvent(QFocusEvent *event)
+{
+    QDoubleSpinBox::focusOutEvent(event); // takes over what was typed
+    m_isEditing = false;
+    showValue();
+    lineEdit()->setCursorPosition(0);
 }
 
 void NumberBox::keyPressEvent(QKeyEvent *event)
 {
     if (isUndo(*event) && !isTyping()) {
-        event->ignore(); // also where the window has nothing more to undo
-        return;
-    }
-    if (event->key() == Qt::Key_Escape && m_typed) {
-        showValue();
-        selectFromItsEnd();
-        return;
-    }
-    QAbstractSpinBox::keyPressEvent(event);
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-        selectFromItsEnd();
-    }
-}
-
-void NumberBox::wheelEvent(QWheelEvent *event)
-{
-    if (hasFocus()) {
-        QAbstractSpinBox::wheelEvent(event);
-    } else {
         event->ignore();
+        return;
     }
-}
-
-void NumberBox::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::LocaleChange) {
-        showValue();
+    if (isTyping() && (event->key() == Qt::Key_Escape || event->matches(QKeySequence::Undo))) {
+        lineEdit()->setText(shownText());
+        selectNumber();
+        return;
     }
-    QAbstractSpinBox::changeEvent(event);
-}
-
-QString NumberBox::textFor(double value) const
-{
-    if (!std::isfinite(value)) {
-        return QStringLiteral("–");
-    }
-    constexpr int kMargins = 4; // px: what QLineEdit keeps free beside its text
-    const auto fits = [this](const QString &text) {
-        return fontMetrics().horizontalAdvance(text + m_suffix) <= lineEdit()->width() - kMargins;
-    };
-    if (m_fixedDecimals >= 0) {
-        const bool nothing = std::abs(value) < 0.5 * std::pow(10.0, -m_fixedDecimals); // not "-0.00"
-        const QString text = localeWithoutGroups().toString(nothing ? 0.0 : value, 'f', m_fixedDecimals);
-        if (m_editing || fits(text)) {
-            return text;
-        }
-    } else if (m_editing) {
-        return typedNumberText(value);
-    }
-    // As many digits as there is room for: with its end cut off -2.17724e-5 would read as -2.1772.
-    constexpr int kMostDigits = 6;
-    constexpr int kFewestDigits = 2;
-    for (int digits = kMostDigits; digits > kFewestDigits; --digits) {
-        if (const QString text = numberText(value, digits); fits(text)) {
-            return text;
-        }
-    }
-    return numberText(value, kFewestDigits);
+    QDoubleSpinBox::keyPressEvent(event);
 }
 
 void NumberBox::resizeEvent(QResizeEvent *event)
 {
-    QAbstractSpinBox::resizeEvent(event);
-    if (!m_typed) {
+    QDoubleSpinBox::resizeEvent(event);
+    if (!m_isEditing) {
         showValue();
-    }
-}
-
-void NumberBox::showValue()
-{
-    const QString text = textFor(m_value) + m_suffix;
-    if (text != lineEdit()->text()) {
-        const bool isChosen = lineEdit()->hasSelectedText() && lineEdit()->selectedText() == lineEdit()->text();
-        lineEdit()->setText(text);
-        lineEdit()->setCursorPosition(0); // what does not fit is cut at its end
-        if (isChosen) {
-            selectFromItsEnd(); // it runs: what is typed still takes its place
-        }
-    }
-    m_typed = false;
-    takeBackRefusal();
-}
-
-void NumberBox::commit()
-{
-    if (!m_typed) {
-        return;
-    }
-    const QString text = lineEdit()->text().trimmed();
-    const QString shown = textFor(m_value);
-    if (text.isEmpty() || text == shown || text == shown + m_suffix) {
-        showValue();
-        return;
-    }
-    QString number = text;
-    if (const QString suffix = m_suffix.trimmed(); !m_unit && text.endsWith(suffix)) {
-        number.chop(suffix.size()); // "2×", as displayed
-    }
-    const Quantity typed = m_range.isWhole ? readCount(number) : readQuantity(number, m_unit);
-    if (typed.fault) {
-        refuse(quantityFaultText(text, *typed.fault, m_unit));
-    } else {
-        edit(typed.value);
-    }
-}
-
-QString NumberBox::refusalOf(double value) const
-{
-    const auto withUnit = [this](double limit) {
-        return (m_range.isWhole ? countText(static_cast<std::size_t>(limit)) : numberText(limit)) + m_suffix;
-    };
-    if (m_range.isWhole && (value != std::round(value) || value < m_range.smallest || value > m_range.largest)) {
-        return tr("This must be a whole number from %1 to %2.")
-            .arg(withUnit(m_range.smallest), withUnit(m_range.largest));
-    }
-    if (m_range.isOpen && value <= m_range.smallest) {
-        return tr("This must be greater than %1.").arg(withUnit(m_range.smallest));
-    }
-    if (value < m_range.smallest) {
-        return tr("This must be at least %1.").arg(withUnit(m_range.smallest));
-    }
-    return value > m_range.largest ? tr("This must be at most %1.").arg(withUnit(m_range.largest)) : QString();
-}
-
-/// Under the box, or above it where there is no room, over its neighbours, but a box that has the focus: nothing moves.
-void NumberBox::refuse(const QString &sentence)
-{
-    QWidget *around = parentWidget() ? parentWidget() : this;
-    if (!m_refusal) {
-        m_refusal = named("refusalLabel", new QLabel(around));
-        m_refusal->setAttribute(Qt::WA_TransparentForMouseEvents);
-        m_refusal->setTextFormat(Qt::PlainText);
-        m_refusal->setWordWrap(true);
-        m_refusal->setFrameShape(QFrame::Box);
-        m_refusal->setMargin(3);
-        m_refusal->setAutoFillBackground(true);
-        m_refusal->setBackgroundRole(QPalette::ToolTipBase);
-        m_refusal->setForegroundRole(QPalette::ToolTipText);
-        connect(qApp, &QApplication::focusChanged, m_refusal, [label = m_refusal.data()](QWidget *, QWidget *now) {
-            const bool covers = qobject_cast<NumberBox *>(now) && now->parentWidget() == label->parentWidget() &&
-                                now->geometry().intersects(label->geometry());
-            label->setVisible(!label->text().isEmpty() && !covers); // one sees what one types
-        });
-    }
-    m_refusal->setText(sentence);
-    constexpr int kAir = 12; // px: margin, frame, and what rounding takes
-    const int width = std::min(around->width(), m_refusal->fontMetrics().horizontalAdvance(sentence) + kAir);
-    QRect place(0, 0, width, m_refusal->heightForWidth(width));
-    place.moveTopRight(geometry().bottomRight() + QPoint(0, 1));
-    if (place.bottom() > around->height() && geometry().top() >= place.height()) {
-        place.moveBottom(geometry().top() - 1);
-    }
-    place.moveLeft(std::max(0, place.left()));
-    m_refusal->setGeometry(place);
-    m_refusal->raise();
-    m_refusal->show();
-    setAccessibleDescription(sentence);
-    if (QAccessible::isActive()) {
-        QAccessibleEvent alert(m_refusal, QAccessible::Alert);
-        QAccessible::updateAccessibility(&alert);
-    }
-}
-
-void NumberBox::takeBackRefusal()
-{
-    if (m_refusal && !m_refusal->text().isEmpty()) {
-        m_refusal->clear();
-        m_refusal->hide();
-        setAccessibleDescription({});
     }
 }
 

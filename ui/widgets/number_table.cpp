@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/number_table.h"
 
-#include "ui/widgets/named.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/named.h"
 
 #include <QAbstractTableModel>
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLocale>
-#include <QPainter>
-#include <QStyledItemDelegate>
+#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace slidercrank
 {
@@ -24,92 +21,110 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMargin = 3; // px, beside a text in its cell, as the style has it
-constexpr int kMarkSize = 13;
-constexpr int kAir = 12; // px, about the longest text of a column
-constexpr int kInstantRole = Qt::UserRole;
-constexpr int kShortTextRole = Qt::UserRole + 1;
-
-QColor mixed(const QColor &one, const QColor &other, double part)
-{
-    const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
-    return {mix(one.red(), other.red()), mix(one.green(), other.green()), mix(one.blue(), other.blue())};
-}
-
-/// Black or white, whichever stands out.
-QColor inkOn(const QColor &background)
-{
-    return qGray(background.rgb()) < 140 ? QColor(Qt::white) : QColor(Qt::black);
-}
+constexpr int kCellMargin = 14; // px, on both sides of a text together
+constexpr int kMostAir = 28;    // px, added to a column where there is space
 
 QString csvField(const QString &text)
 {
     if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n')) {
         return text;
     }
-    return u'"' + QString(text).replace(QStringLiteral("\""), QStringLiteral("\"\"")) + u'"';
+    return u'"' + QString(text).replace("\"", "\"\"") + u'"';
+}
+
+QString csvText(const TableCell &cell)
+{
+    if (cell.number) {
+        return QLocale::c().toString(*cell.number, 'g', QLocale::FloatingPointShortest);
+    }
+    const QString &text = cell.csv.isEmpty() ? cell.text : cell.csv;
+    return text == dash() ? QString() : text;
+}
+
+bool looksTheSame(const TableCell &a, const TableCell &b)
+{
+    return a.text == b.text && a.tone == b.tone && a.tint == b.tint;
 }
 
 } // namespace
 
-QColor tintColour(double tint, const QPalette &palette)
+QString csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows)
+{
+    QStringList fields;
+    for (const TableColumn &column : columns) {
+        fields << csvField(column.csvName);
+    }
+    QString text = fields.join(u',') + u'\n';
+    for (const TableRow &row : rows) {
+        fields.clear();
+        for (const TableCell &cell : row.cells) {
+            fields << csvField(csvText(cell));
+        }
+        text += fields.join(u',') + u'\n';
+    }
+    return text;
+}
+
+QColor toneColour(Tone tone, const QPalette &palette)
 {
     const SeriesColours colours = seriesColours(palette);
+    switch (tone) {
+    case Tone::Normal: return palette.color(QPalette::Text);
+    case Tone::Muted: return palette.color(QPalette::PlaceholderText);
+    case Tone::Link: return palette.color(QPalette::Link);
+    case Tone::Model: return colours.model;
+    case Tone::Good: return colours.errorOther;
+    case Tone::Fair: return colours.reference;
+    case Tone::Bad: return colours.warning;
+    }
+    return {};
+}
+
+QColor tintColour(double tint, const QPalette &palette)
+{
     constexpr double kStrongest = 0.85;
-    return mixed(colours.background, tint > 0.0 ? colours.model : colours.reference,
-                 kStrongest * std::min(1.0, std::abs(tint)));
+    const SeriesColours colours = seriesColours(palette);
+    const QColor to = tint > 0.0 ? colours.model : colours.reference;
+    const double part = kStrongest * std::min(1.0, std::abs(tint));
+    const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
+    const QColor &from = colours.background;
+    return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())};
 }
 
 class NumberTableModel : public QAbstractTableModel
 {
 public:
-    NumberTableModel(std::vector<TableColumn> columns, QObject *parent)
-        : QAbstractTableModel(parent)
+    NumberTableModel(std::vector<TableColumn> columns, QTableView *view)
+        : QAbstractTableModel(view)
+        , m_view(view)
         , m_columns(std::move(columns))
     {
     }
 
-    void setRows(std::vector<TableRow> rows)
+    /// Whether the table has the same rows as before, apart from their numbers.
+    bool setRows(std::vector<TableRow> rows)
     {
-        const auto sameName = [](const TableRow &one, const TableRow &other) {
-            return one.cells[0].text == other.cells[0].text;
-        };
-        if (!std::ranges::equal(rows, m_rows, sameName)) {
+        const auto name = [](const TableRow &row) -> const QString & { return row.cells[0].text; };
+        if (!std::ranges::equal(rows, m_rows, {}, name, name)) {
             beginResetModel();
             m_rows = std::move(rows);
             endResetModel();
-            return;
+            return false;
         }
         std::swap(m_rows, rows);
-        for (int row = 0; row < rowCount(); ++row) {
-            const std::vector<TableCell> &before = rows[static_cast<std::size_t>(row)].cells;
-            for (int column = 0; column < columnCount(); ++column) {
-                const TableCell &was = before[static_cast<std::size_t>(column)];
-                const TableCell &is = cell(row, column);
-                if (was.text != is.text || was.tint != is.tint || was.ink != is.ink ||
-                    was.mark.cacheKey() != is.mark.cacheKey()) {
-                    emit dataChanged(index(row, column), index(row, column));
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            for (std::size_t column = 0; column < m_columns.size(); ++column) {
+                if (!looksTheSame(rows[row].cells[column], m_rows[row].cells[column])) {
+                    const QModelIndex cell = index(static_cast<int>(row), static_cast<int>(column));
+                    emit dataChanged(cell, cell);
                 }
             }
         }
+        return true;
     }
 
     const std::vector<TableColumn> &columns() const { return m_columns; }
     const std::vector<TableRow> &rows() const { return m_rows; }
-    const TableRow &row(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
-    const TableCell &cell(int row, int column) const { return this->row(row).cells[static_cast<std::size_t>(column)]; }
-
-    std::optional<double> instantOf(const QModelIndex &index) const
-    {
-        const std::optional<double> &own = cell(index.row(), index.column()).instant;
-        return own ? own : row(index.row()).instant;
-    }
-
-    Qt::Alignment alignmentOf(int column) const
-    {
-        const bool number = m_columns[static_cast<std::size_t>(column)].isNumber;
-        return (number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter;
-    }
 
     int rowCount(const QModelIndex &parent = {}) const override
     {
@@ -123,14 +138,20 @@ public:
 
     QVariant data(const QModelIndex &index, int role) const override
     {
-        const TableCell &shown = cell(index.row(), index.column());
+        const TableCell &cell =
+            m_rows[static_cast<std::size_t>(index.row())].cells[static_cast<std::size_t>(index.column())];
         switch (role) {
-        case Qt::DisplayRole: return shown.text;
-        case Qt::ToolTipRole: return shown.explanation;
-        case Qt::AccessibleTextRole: return shown.spoken.isEmpty() ? QVariant() : shown.spoken;
-        case Qt::DecorationRole: return shown.mark.isNull() ? QVariant() : shown.mark;
-        case kInstantRole: return instantOf(index) ? QVariant(*instantOf(index)) : QVariant();
-        case kShortTextRole: return shown.shortText;
+        case Qt::DisplayRole: return cell.text;
+        case Qt::ToolTipRole: return cell.explanation;
+        case Qt::TextAlignmentRole: return headerData(index.column(), Qt::Horizontal, role);
+        case Qt::BackgroundRole: return cell.tint == 0.0 ? QVariant() : tintColour(cell.tint, m_view->palette());
+        case Qt::ForegroundRole: {
+            if (cell.tint != 0.0) {
+                const QColor background = tintColour(cell.tint, m_view->palette());
+                return qGray(background.rgb()) < 140 ? QColor(Qt::white) : QColor(Qt::black);
+            }
+            return cell.tone == Tone::Normal ? QVariant() : toneColour(cell.tone, m_view->palette());
+        }
         default: return {};
         }
     }
@@ -144,263 +165,94 @@ public:
         switch (role) {
         case Qt::DisplayRole: return column.title;
         case Qt::ToolTipRole: return column.explanation;
-        case Qt::TextAlignmentRole: return static_cast<int>(alignmentOf(section));
+        case Qt::TextAlignmentRole:
+            return static_cast<int>((column.isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         default: return {};
         }
     }
 
 private:
+    QTableView *m_view;
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows;
 };
 
-/// A text on its tint, and no more: the cells are painted while the mechanism plays, and the general delegate takes ten
-/// times as long.
-class CellDelegate : public QStyledItemDelegate
-{
-public:
-    CellDelegate(const NumberTableModel &model, QObject *parent)
-        : QStyledItemDelegate(parent)
-        , m_model(model)
-    {
-    }
-
-    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
-    {
-        const TableCell &cell = m_model.cell(index.row(), index.column());
-        if (m_ruled) {
-            painter->setPen(seriesColours(option.palette).grid);
-            painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
-        }
-        QColor ink = cell.ink.isValid() ? cell.ink : option.palette.color(QPalette::Text);
-        if (cell.tint != 0.0) {
-            const QColor background = tintColour(cell.tint, option.palette);
-            painter->fillRect(option.rect.adjusted(0, 0, -1, -1), background);
-            ink = inkOn(background);
-        } else if (option.state.testFlag(QStyle::State_Selected)) {
-            painter->fillRect(option.rect, option.palette.brush(QPalette::Highlight));
-            ink = option.palette.color(QPalette::HighlightedText);
-        } else if (index.row() == m_pointed) {
-            QColor light = option.palette.color(QPalette::Highlight);
-            light.setAlpha(40);
-            painter->fillRect(option.rect, light);
-        }
-        painter->setPen(ink);
-        if (option.state.testFlag(QStyle::State_HasFocus)) {
-            painter->drawRect(option.rect.adjusted(0, 0, -1, -1));
-        }
-        if (cell.text.isEmpty()) {
-            return;
-        }
-        QRect place = option.rect.adjusted(kMargin, 0, -kMargin, 0);
-        if (!cell.mark.isNull()) {
-            cell.mark.paint(painter, QRect(place.topLeft(), QSize(kMarkSize, place.height())));
-            place.setLeft(place.left() + kMarkSize + kMargin);
-        }
-        const bool wraps = option.features.testFlag(QStyleOptionViewItem::WrapText);
-        painter->drawText(place,
-                          static_cast<int>(m_model.alignmentOf(index.column())) |
-                              static_cast<int>(wraps ? Qt::TextWordWrap : Qt::TextSingleLine),
-                          wraps ? cell.text : shownText(cell, option.rect, option.fontMetrics));
-    }
-
-    static QString shownText(const TableCell &cell, const QRect &place, const QFontMetrics &metrics)
-    {
-        const int room = place.width() - 2 * kMargin - (cell.mark.isNull() ? 0 : kMarkSize + kMargin);
-        const bool fits = cell.shortText.isEmpty() || metrics.horizontalAdvance(cell.text) <= room;
-        return metrics.elidedText(fits ? cell.text : cell.shortText, Qt::ElideRight, room);
-    }
-
-    void setPointed(int row) { m_pointed = row; }
-    void setRuled(bool ruled) { m_ruled = ruled; }
-    void setShort(bool isShort) { m_short = isShort; }
-
-protected:
-    /// For the size that a cell asks for.
-    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
-    {
-        QStyledItemDelegate::initStyleOption(option, index);
-        if (const QString &text = m_model.cell(index.row(), index.column()).shortText; m_short && !text.isEmpty()) {
-            option->text = text;
-        }
-    }
-
-private:
-    const NumberTableModel &m_model;
-    int m_pointed = -1;
-    bool m_ruled = false;
-    bool m_short = false;
-};
-
-NumberTable::NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns, TableLook look)
+NumberTable::NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns)
     : m_model(new NumberTableModel(std::move(columns), this))
-    , m_delegate(new CellDelegate(*m_model, this))
-    , m_look(look)
-    , m_rowAir(look == TableLook::Dense ? 0 : 4)
 {
     named(name, this, title);
     setModel(m_model);
-    setItemDelegate(m_delegate);
     setSelectionBehavior(QAbstractItemView::SelectRows);
-    setSelectionMode(look == TableLook::Dense ? QAbstractItemView::SingleSelection
-                                              : QAbstractItemView::ExtendedSelection);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setTabKeyNavigation(false);
+    setMouseTracking(true);
+    setAlternatingRowColors(true);
     setShowGrid(false);
-    setFrameShape(QFrame::NoFrame);
     setWordWrap(false);
-    setIconSize({kMarkSize, kMarkSize});
+    setFrameShape(QFrame::NoFrame);
+    setMinimumSize(1, 1);
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setHighlightSections(false);
-    if (look == TableLook::Dense) {
-        setMouseTracking(true);
-        setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-        setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-        setMinimumSize(1, 1);
-    } else {
-        setAlternatingRowColors(true);
-    }
-    connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) { goTo(m_model->instantOf(index)); });
-    setHeights();
+    horizontalHeader()->setMinimumSectionSize(1);
+    connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) { goToRow(index.row()); });
+    fitColumns();
 }
 
 void NumberTable::setRows(std::vector<TableRow> rows)
 {
-    m_model->setRows(std::move(rows));
-    if (m_pointed >= m_model->rowCount()) {
-        point(-1);
+    if (!m_model->setRows(std::move(rows))) {
+        m_widths.clear();
+        m_pointedRow = -1;
     }
-    tell();
-}
-
-QString NumberTable::csv() const
-{
-    std::vector<int> all(m_model->rows().size());
-    std::iota(all.begin(), all.end(), 0);
-    return csv(all);
-}
-
-QString NumberTable::csv(const std::vector<int> &rows) const
-{
-    QStringList lines;
-    QStringList fields;
-    for (const TableColumn &column : m_model->columns()) {
-        fields << csvField(column.csvName);
-    }
-    lines << fields.join(u',');
-    const QLocale plain = QLocale::c();
-    for (const int row : rows) {
-        fields.clear();
-        for (const TableCell &cell : m_model->row(row).cells) {
-            const QString &text = cell.csv.isEmpty() ? cell.text : cell.csv;
-            fields << csvField(cell.number      ? plain.toString(*cell.number, 'g', QLocale::FloatingPointShortest)
-                               : text == dash() ? QString()
-                                                : text);
-        }
-        lines << fields.join(u',');
-    }
-    return lines.join(u'\n') + u'\n';
+    fitColumns();
+    reportPart();
 }
 
 void NumberTable::copy()
 {
-    std::vector<int> rows;
-    if (selectionMode() == ExtendedSelection) {
-        for (const QModelIndex &index : selectionModel()->selectedRows()) {
-            rows.push_back(index.row());
+    std::vector<TableRow> rows = m_model->rows();
+    QModelIndexList selected = selectionModel()->selectedRows();
+    if (!selected.isEmpty()) {
+        std::sort(selected.begin(), selected.end());
+        rows.clear();
+        for (const QModelIndex &index : selected) {
+            rows.push_back(m_model->rows()[static_cast<std::size_t>(index.row())]);
         }
-        std::sort(rows.begin(), rows.end());
     }
-    QApplication::clipboard()->setText(rows.empty() ? csv() : csv(rows));
-    emit copied(rows.empty() ? m_model->rowCount() : static_cast<int>(rows.size()));
+    QApplication::clipboard()->setText(csvText(m_model->columns(), rows));
+    emit copied(static_cast<int>(rows.size()));
 }
 
-void NumberTable::setColumnText(int column, const QString &longest)
+QSize NumberTable::contentSize() const
 {
-    m_longest.resize(m_model->columns().size());
-    QString &kept = m_longest[static_cast<std::size_t>(column)];
-    if (kept != longest) {
-        kept = longest;
-        horizontalHeader()->setMinimumSectionSize(1);
-        horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-        fitColumns();
+    int width = 0;
+    for (const int column : m_widths) {
+        width += column;
     }
+    return {width,
+            horizontalHeader()->sizeHint().height() + m_model->rowCount() * verticalHeader()->defaultSectionSize()};
 }
 
-int NumberTable::widthFor(const QString &text) const
-{
-    return fontMetrics().horizontalAdvance(text) + kAir;
-}
-
-void NumberTable::fitToContents(int leastAir, int mostAir)
-{
-    m_leastAir = leastAir;
-    m_mostAir = mostAir;
-    const int columns = m_model->columnCount() - (horizontalHeader()->stretchLastSection() ? 1 : 0);
-    const auto neededWidth = [this, columns](bool ofShortTexts) {
-        m_delegate->setShort(ofShortTexts);
-        int width = 0;
-        for (int column = 0; column < columns; ++column) {
-            resizeColumnToContents(column);
-            width += columnWidth(column);
-        }
-        return width;
-    };
-    const int room = viewport()->width();
-    int needed = neededWidth(false);
-    if (needed > room) {
-        needed = neededWidth(true);
-    }
-    const int air = std::clamp((room - needed) / columns, leastAir, mostAir);
-    for (int column = 0; column < columns; ++column) {
-        setColumnWidth(column, columnWidth(column) + air);
-    }
-}
-
-QString NumberTable::shownText(const QModelIndex &index) const
-{
-    return CellDelegate::shownText(m_model->cell(index.row(), index.column()), visualRect(index), fontMetrics());
-}
-
-void NumberTable::setRuled(bool ruled)
-{
-    m_delegate->setRuled(ruled);
-}
-
-void NumberTable::setRowAir(int pixels)
-{
-    m_rowAir = pixels;
-    setHeights();
-}
-
-void NumberTable::setHeights()
-{
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + m_rowAir);
-    if (m_look == TableLook::Dense) {
-        horizontalHeader()->setFixedHeight(fontMetrics().height() + 4);
-    }
-}
-
+/// Every column as wide as it has ever needed, and a share of the space that is left.
 void NumberTable::fitColumns()
 {
-    if (m_longest.empty() && m_leastAir < m_mostAir) {
-        fitToContents(m_leastAir, m_mostAir);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
+    const std::vector<TableColumn> &columns = m_model->columns();
+    m_widths.resize(columns.size());
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+        int &width = m_widths[column];
+        width = std::max(width, fontMetrics().horizontalAdvance(columns[column].title) + kCellMargin);
+        for (const TableRow &row : m_model->rows()) {
+            width = std::max(width, fontMetrics().horizontalAdvance(row.cells[column].text) + kCellMargin);
+        }
     }
-    std::vector<int> widths;
-    int needed = 0;
-    int stretching = 0;
-    for (std::size_t column = 0; column < m_longest.size(); ++column) {
-        const QString &text = m_longest[column];
-        const int title = widthFor(m_model->columns()[column].title);
-        widths.push_back(text.isNull() ? title : std::max(title, widthFor(text)));
-        needed += text.isNull() ? 0 : widths.back();
-        stretching += text.isNull() ? 1 : 0;
-    }
-    const int room = viewport()->width();
-    for (std::size_t column = 0; column < widths.size(); ++column) {
-        const bool stretches = m_longest[column].isNull(); // no further than its title: else it is scrolled
-        const int width = stretches ? std::max(widths[column], (room - needed) / stretching) : widths[column];
-        setColumnWidth(static_cast<int>(column), width);
+    const int spare = viewport()->width() - contentSize().width();
+    const int air = std::clamp(spare / static_cast<int>(columns.size()), 0, kMostAir);
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+        setColumnWidth(static_cast<int>(column), m_widths[column] + air);
     }
 }
 
@@ -410,105 +262,85 @@ void NumberTable::resizeEvent(QResizeEvent *event)
     fitColumns();
 }
 
+/// A header that is hidden when its table gets another font keeps the old one: it is told here.
 void NumberTable::changeEvent(QEvent *event)
 {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::FontChange) {
-        setHeights();
+        horizontalHeader()->setFont(font());
+        m_widths.clear();
         fitColumns();
     }
 }
 
-void NumberTable::hideEvent(QHideEvent *event)
-{
-    QTableView::hideEvent(event);
-    point(-1);
-}
-
-/// The window copies its figure by the same key; with the focus here it is the table that is meant.
+/// The window has a shortcut for the copy key; with the focus here the table is meant.
 bool NumberTable::event(QEvent *event)
 {
-    if (event->type() == QEvent::ShortcutOverride && copies(static_cast<QKeyEvent *>(event))) {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
         event->accept();
         return true;
     }
     return QTableView::event(event);
 }
 
-void NumberTable::goTo(std::optional<double> instant)
-{
-    if (instant) {
-        emit instantRequested(*instant);
-    }
-}
-
-bool NumberTable::copies(QKeyEvent *event) const
-{
-    return event->matches(QKeySequence::Copy) && !m_model->columns().front().csvName.isEmpty();
-}
-
 void NumberTable::keyPressEvent(QKeyEvent *event)
 {
-    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (copies(event)) {
+    if (event->matches(QKeySequence::Copy)) {
         copy();
-    } else if (enters && currentIndex().isValid()) {
-        goTo(m_model->row(currentIndex().row()).instant);
+    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        goToRow(currentIndex().row());
     } else {
         QTableView::keyPressEvent(event);
     }
 }
 
+void NumberTable::goToRow(int row)
+{
+    if (row >= 0 && m_model->rows()[static_cast<std::size_t>(row)].time) {
+        emit timeRequested(*m_model->rows()[static_cast<std::size_t>(row)].time);
+    }
+}
+
 bool NumberTable::viewportEvent(QEvent *event)
 {
-    switch (event->type()) {
-    case QEvent::MouseMove:
-        if (m_look == TableLook::Dense) {
-            point(indexAt(static_cast<QMouseEvent *>(event)->pos()).row());
-        }
-        break;
-    case QEvent::Leave: point(-1); break;
-    default: break;
+    if (event->type() == QEvent::MouseMove) {
+        setPointedRow(indexAt(static_cast<QMouseEvent *>(event)->pos()).row());
+    } else if (event->type() == QEvent::Leave || event->type() == QEvent::Hide) {
+        setPointedRow(-1);
     }
     return QTableView::viewportEvent(event);
 }
 
-void NumberTable::point(int row)
+void NumberTable::setPointedRow(int row)
 {
-    if (row == m_pointed) {
-        return;
-    }
-    m_pointed = row;
-    m_delegate->setPointed(row);
-    viewport()->update();
-    tell();
+    m_pointedRow = row;
+    reportPart();
 }
 
 void NumberTable::focusInEvent(QFocusEvent *event)
 {
     QTableView::focusInEvent(event);
-    tell();
+    reportPart();
 }
 
 void NumberTable::focusOutEvent(QFocusEvent *event)
 {
     QTableView::focusOutEvent(event);
-    tell();
+    reportPart();
 }
 
 void NumberTable::currentChanged(const QModelIndex &current, const QModelIndex &previous)
 {
     QTableView::currentChanged(current, previous);
-    tell();
+    reportPart();
 }
 
-void NumberTable::tell()
+void NumberTable::reportPart()
 {
-    const int row = m_pointed >= 0 ? m_pointed : hasFocus() ? currentIndex().row() : -1;
+    const int row = m_pointedRow >= 0 ? m_pointedRow : hasFocus() ? currentIndex().row() : -1;
     const bool exists = row >= 0 && row < m_model->rowCount();
-    const MechanismPart part = exists ? m_model->row(row).part : MechanismPart::None;
-    if (part != m_told) {
-        m_told = part;
+    const MechanismPart part = exists ? m_model->rows()[static_cast<std::size_t>(row)].part : MechanismPart::None;
+    if (std::exchange(m_reported, part) != part) {
         emit partHovered(part);
     }
 }

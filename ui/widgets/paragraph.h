@@ -9,8 +9,8 @@ namespace slidercrank
 {
 
 /// A label that breaks its text into lines. Layouts ask such a label for its height dozens of times, and QLabel sets
-/// the whole text anew each time; this one remembers. A word longer than its lines, as a file's name may be, is cut off:
-/// the window does not grow for it.
+/// the whole text anew each time; this one remembers. A word longer than its lines, as a file's name may be, is cut
+/// off: the window does not grow for it.
 class Paragraph : public QLabel
 {
     Q_OBJECT

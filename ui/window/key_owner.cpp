@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/key_owner.h"
 
-#include "ui/widgets/number_box.h"
 #include "ui/panels/run_form.h"
+#include "ui/widgets/number_box.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -29,15 +29,12 @@ bool needsSpace(const QWidget &widget)
     return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QCheckBox *>(&widget);
 }
 
-/// Of the arrows to the side, Home and End.
+/// Of the arrows to the side. Home and End belong to the playback, unless a text is edited.
 bool moves(const QWidget &widget, int key)
 {
-    const bool isArrow = key == Qt::Key_Left || key == Qt::Key_Right;
-    if (!isArrow && key != Qt::Key_Home && key != Qt::Key_End) {
-        return false;
-    }
-    return qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget) ||
-           (isArrow ? widget.inherits("QTabBar") || widget.inherits("QMenuBar") : widget.inherits("QComboBox"));
+    return (key == Qt::Key_Left || key == Qt::Key_Right) &&
+           (qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget) ||
+            widget.inherits("QTabBar") || widget.inherits("QMenuBar"));
 }
 
 /// What is marked in a sentence.

@@ -2,19 +2,20 @@
 #include "ui/window/main_window.h"
 
 #include "ui/document/with.h"
-#include "ui/widgets/folding_tabs.h"
-#include "ui/widgets/message_bar.h"
-#include "ui/panels/limits_panel.h"
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/panels/column_mapping.h"
+#include "ui/panels/error_page.h"
+#include "ui/panels/limits_page.h"
 #include "ui/panels/newton_panel.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/reference_page.h"
 #include "ui/panels/run_form.h"
+#include "ui/panels/study_panel.h"
+#include "ui/panels/table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/panels/column_mapping.h"
-#include "ui/panels/error_panel.h"
-#include "ui/panels/reference_panel.h"
-#include "ui/panels/study_panel.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/window/application.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
@@ -145,6 +146,9 @@ void MainWindow::connectDocument()
             rememberReference(sourceOf(*reference).paths);
         }
         if (reference) {
+            if (reference->paths == m_asked) {
+                m_rooms.tabs->setCurrentWidget(m_rooms.errors);
+            }
             askWhereNothingTells(reference->paths, reference->data.layout);
         }
     });
@@ -176,7 +180,6 @@ void MainWindow::connectDocument()
     connect(m_messages, &Messages::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_messages, &Messages::openSampleRequested, this, &MainWindow::openSample);
     connect(m_messages, &Messages::columnsRequested, this, &MainWindow::chooseColumns);
-    connect(m_messages, &Messages::errorsRequested, this, [this] { m_rooms.tabs->showPage(m_rooms.errors); });
 }
 
 /// All that speaks, but for what says it anew by itself.
@@ -187,12 +190,18 @@ void MainWindow::makeRooms(bool withGhost)
     m_rooms.parameters = new ParameterPanel(this);
     m_rooms.plots = new PlotGrid(this);
     m_rooms.tabs = new FoldingTabs(this);
-    m_rooms.errors = new ErrorPanel(this);
-    m_rooms.tabs->addPage(m_rooms.errors, tr("Errors"));
-    m_rooms.tabs->addPage([this] { return makeReferencePanel(); }, tr("Reference"));
+    m_rooms.tabs->addPage(makePanel(QStringLiteral("limitsPanel"), tr("Motion limits"),
+                                    [this] { return limitsPage(*m_session->result()); }),
+                          tr("Motion limits"));
+    m_rooms.errors = makePanel(QStringLiteral("errorPanel"), tr("Errors against the reference"),
+                               [this] { return errorPage(*m_session->result(), m_session->diagnosis().get()); });
+    m_rooms.tabs->addPage(m_rooms.errors, errorTitle(*m_session->result()));
+    m_rooms.tabs->addPage(
+        makePanel(QStringLiteral("referencePanel"), tr("Reference: what was read, and how"),
+                  [this] { return referencePage(*m_session->result(), m_session->diagnosis().get()); }),
+        tr("Reference"));
     m_rooms.tabs->addPage([this] { return makeNewtonPanel(); }, tr("Newton-Raphson"));
     m_rooms.tabs->addPage([this] { return makeStudyPanel(); }, tr("Speed and accuracy"));
-    m_rooms.tabs->addPage([this] { return makeLimitsPanel(); }, tr("Motion limits"));
     m_rooms.columns = columnsOf(m_rooms);
     static_cast<QVBoxLayout *>(centralWidget()->layout())->addWidget(m_rooms.columns, 1);
     connectRooms();
@@ -298,31 +307,20 @@ void MainWindow::connectRooms()
     connect(m_rooms.plots, &PlotGrid::copyPlotRequested, m_exports,
             [this](const QString &name) { m_exports->copy(m_exports->plot(name)); });
 
-    follow(&Session::resultChanged, m_rooms.errors, &ErrorPanel::setResult, m_session->result());
-    follow(&Session::diagnosisChanged, m_rooms.errors, &ErrorPanel::setDiagnosis, m_session->diagnosis());
-    connect(m_rooms.errors, &ErrorPanel::timeRequested, m_session, &Session::setTime);
-    connect(m_rooms.errors, &ErrorPanel::timeRequested, m_rooms.plots, &PlotGrid::showTime);
-    connect(m_rooms.errors, &ErrorPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
-    connect(m_rooms.errors, &ErrorPanel::remedyRequested, m_messages, &Messages::remedy);
-    connect(m_rooms.errors, &ErrorPanel::openReferenceRequested, this, &MainWindow::chooseReference);
-    connect(m_rooms.errors, &ErrorPanel::openSampleRequested, this, &MainWindow::openSample);
-
     connect(m_rooms.tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
 }
 
-QWidget *MainWindow::makeReferencePanel()
+/// A panel whose page follows the session.
+TablePanel *MainWindow::makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage)
 {
-    auto *panel = new ReferencePanel(this);
-    follow(&Session::referenceLoaded, panel, &ReferencePanel::setReference, m_session->reference());
-    follow(&Session::diagnosisChanged, panel, &ReferencePanel::setDiagnosis, m_session->diagnosis());
-    connect(panel, &ReferencePanel::openReferenceRequested, this, &MainWindow::chooseReference);
-    connect(panel, &ReferencePanel::openSampleRequested, this, &MainWindow::openSample);
-    connect(panel, &ReferencePanel::columnsRequested, this, [this] { chooseColumns(m_session->reference()->paths); });
-    connect(panel, &ReferencePanel::abscissaRequested, m_session, &Session::readAbscissaAs);
-    connect(panel, &ReferencePanel::applyRequested, m_session, &Session::apply);
-    connect(panel, &ReferencePanel::readAsPrintedRequested, m_session, &Session::readAsPrinted);
-    connect(panel, &ReferencePanel::takeOverRequested, m_session, &Session::takeOver);
-    connect(panel, &ReferencePanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    auto *panel = new TablePanel(name, title, makePage, this);
+    connect(m_session, &Session::resultChanged, panel, &TablePanel::refresh);
+    connect(m_session, &Session::diagnosisChanged, panel, &TablePanel::refresh);
+    connect(panel, &TablePanel::timeRequested, m_session, &Session::setTime);
+    connect(panel, &TablePanel::timeRequested, m_rooms.plots, &PlotGrid::showTime);
+    connect(panel, &TablePanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    connect(panel, &TablePanel::remedyRequested, m_messages, &Messages::remedy);
+    connect(panel, &TablePanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
 
@@ -337,6 +335,7 @@ QWidget *MainWindow::makeNewtonPanel()
     follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
 
     connect(panel, &NewtonPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    connect(panel, &NewtonPanel::problemFound, m_messages, &Messages::tellProblem);
     connect(panel, &NewtonPanel::partHovered, m_rooms.mechanism, &MechanismView::highlight);
     return panel;
 }
@@ -347,16 +346,6 @@ QWidget *MainWindow::makeStudyPanel()
     follow(&Session::parametersChanged, panel, &StudyPanel::setParameters, m_session->parameters());
     connect(panel, &StudyPanel::problemFound, m_messages, &Messages::tellProblem);
     connect(panel, &StudyPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
-    return panel;
-}
-
-QWidget *MainWindow::makeLimitsPanel()
-{
-    auto *panel = new LimitsPanel(this);
-    follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
-    connect(panel, &LimitsPanel::timeRequested, m_session, &Session::setTime);
-    connect(panel, &LimitsPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
-    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::tellProblem);
     return panel;
 }
 
@@ -447,8 +436,7 @@ void MainWindow::showTitle()
 
 void MainWindow::showResult(const std::shared_ptr<const Result> &result)
 {
-    const bool differs = std::ranges::count(result->comparison, Verdict::Differs, &ChannelComparison::verdict) > 0;
-    m_rooms.tabs->setTitle(m_rooms.errors, differs ? tr("Errors ⚠") : tr("Errors"));
+    m_rooms.tabs->setTitle(m_rooms.errors, errorTitle(*result));
     m_status->showRun(*result);
 }
 

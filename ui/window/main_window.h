@@ -4,10 +4,13 @@
 // Constructs the rooms of the window, lays them out and connects them; no arithmetic.
 
 #include "ui/document/session.h"
+#include "ui/panels/page.h"
 #include "ui/window/rooms.h"
 #include "ui/text/theme.h"
 
 #include <QMainWindow>
+
+#include <functional>
 
 namespace slidercrank
 {
@@ -65,10 +68,9 @@ private:
     template <typename Changed, typename Room, typename Slot, typename... Now>
     void follow(Changed changed, Room *room, Slot slot, const Now &...now);
 
-    QWidget *makeReferencePanel();
+    TablePanel *makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage);
     QWidget *makeNewtonPanel();
     QWidget *makeStudyPanel();
-    QWidget *makeLimitsPanel();
 
     void chooseColumns(const QStringList &paths); ///< of those files
     void askWhereNothingTells(const QStringList &paths, const FileLayout &layout);

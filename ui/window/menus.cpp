@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/menus.h"
 
-#include "ui/widgets/folding_tabs.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/text/language.h"
+#include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
 #include "ui/window/help_page.h"
@@ -12,7 +13,6 @@
 #include "ui/window/presentation.h"
 #include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
-#include "ui/text/language.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
@@ -161,8 +161,8 @@ void Menus::addEdit()
              [exports](const QString &name) { exports->copy(exports->plot(name)); });
     edit->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     edit->addSeparator();
-    edit->addAction(tr("&Keep this motion"), QKeySequence(Qt::CTRL | Qt::Key_K), &session, &Session::keep);
-    QAction *forget = edit->addAction(tr("For&get kept motions"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+    edit->addAction(tr("&Pin this motion"), QKeySequence(Qt::CTRL | Qt::Key_K), &session, &Session::keep);
+    QAction *forget = edit->addAction(tr("Re&move pinned motions"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                                       &session, &Session::forgetKept);
     enableWhile(forget, session, [](const Result &result) { return !result.kept.empty(); });
     edit->addAction(tr("Rese&t all parameters"), &session, [&session] { session.setParameters(Parameters()); });
@@ -172,12 +172,11 @@ void Menus::addView()
 {
     FoldingTabs *tabs = m_rooms.tabs;
     QMenu *view = addMenu(tr("&View"));
-    view->addAction(tr("Show &all of the plots"), QKeySequence(Qt::CTRL | Qt::Key_0), m_rooms.plots,
-                    &PlotGrid::showAll);
+    view->addAction(tr("&Reset plot zoom"), QKeySequence(Qt::CTRL | Qt::Key_0), m_rooms.plots, &PlotGrid::showAll);
     view->addMenu(tr("M&echanism"))->addActions(m_rooms.mechanism->choices());
     view->addMenu(tr("Pl&ots"))->addActions(m_rooms.plots->choices());
     Presentation *presentation = &m_window.presentation();
-    QAction *present = addSwitch(view, tr("In &front of a class"), presentation->isOn());
+    QAction *present = addSwitch(view, tr("Presentation &mode"), presentation->isOn());
     present->setShortcut(QKeySequence(Qt::Key_F11));
     connect(present, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, present, &QAction::setChecked);
@@ -185,7 +184,7 @@ void Menus::addView()
     fold->setShortcut(QKeySequence(Qt::Key_F9));
     connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    QAction *ghost = addSwitch(view, tr("Show the file's or the kept &motion"), m_rooms.ghost->isWanted());
+    QAction *ghost = addSwitch(view, tr("Show the &motion of the file or pinned"), m_rooms.ghost->isWanted());
     connect(ghost, &QAction::triggered, m_rooms.ghost, &Ghost::setWanted);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
     view->addSeparator();
@@ -206,34 +205,14 @@ void Menus::addView()
 void Menus::addPlayback()
 {
     QMenu *playback = addMenu(tr("&Playback"));
-    Timeline *timeline = m_rooms.timeline;
-    playback->addAction(tr("&Play or pause"), QKeySequence(Qt::Key_Space), timeline, &Timeline::togglePlaying);
-    playback->addAction(tr("Step &forward"), QKeySequence(Qt::Key_Right), timeline, &Timeline::stepForward);
-    playback->addAction(tr("Step &back"), QKeySequence(Qt::Key_Left), timeline, &Timeline::stepBack);
-    playback->addAction(tr("To the &start"), QKeySequence(Qt::Key_Home), timeline, &Timeline::toStart);
-    playback->addAction(tr("To the &end"), QKeySequence(Qt::Key_End), timeline, &Timeline::toEnd);
-    QAction *loop = addSwitch(playback, tr("&Loop"), timeline->isLooping());
-    loop->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
-    connect(loop, &QAction::triggered, timeline, &Timeline::setLooping);
-    connect(timeline, &Timeline::loopingChanged, loop, &QAction::setChecked);
-    playback->addSeparator();
-    QMenu *speeds = playback->addMenu(tr("Spee&d"));
-    for (const double speed : kSpeeds) {
-        QAction *action = addSwitch(speeds, speedText(speed), speed == timeline->speed());
-        connect(action, &QAction::triggered, timeline, [timeline, speed] { timeline->setSpeed(speed); });
-        connect(timeline, &Timeline::speedChanged, action,
-                [action, speed](double now) { action->setChecked(now == speed); });
-    }
-    playback->addAction(tr("F&aster"), QKeySequence(Qt::SHIFT | Qt::Key_Right), timeline, &Timeline::faster);
-    playback->addAction(tr("Slo&wer"), QKeySequence(Qt::SHIFT | Qt::Key_Left), timeline, &Timeline::slower);
-    playback->addAction(tr("&Run and speed…"), QKeySequence(Qt::CTRL | Qt::Key_R), timeline, &Timeline::openRun);
+    m_rooms.timeline->fillMenu(playback);
 }
 
 void Menus::addHelp()
 {
     QMenu *help = addMenu(tr("&Help"));
-    help->addAction(tr("&What is this program"), QKeySequence::HelpContents, this,
-                    [this] { (new HelpPage(tr("What is this program"), formulasText(), &m_window))->show(); });
+    help->addAction(tr("&Theory and help"), QKeySequence::HelpContents, this,
+                    [this] { (new HelpPage(tr("Theory and help"), formulasText(), &m_window))->show(); });
     help->addAction(tr("&Keyboard and mouse"), QKeySequence(Qt::CTRL | Qt::Key_F1), this,
                     [this] { (new HelpPage(tr("Keyboard and mouse"), shortcutsText(*this), &m_window))->show(); });
     help->addSeparator();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/messages.h"
 
-#include "ui/widgets/message_bar.h"
 #include "ui/document/session.h"
-#include "ui/window/scene_file.h"
 #include "ui/text/remember.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/window/scene_file.h"
 
 #include <QDir>
 #include <QSettings>
@@ -36,7 +36,6 @@ Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
     });
     connect(session, &Session::referenceRefused, this, &Messages::tellRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::announceReading);
-    connect(session, &Session::diagnosisChanged, this, &Messages::announceDiagnosis);
     connect(session, &Session::resultChanged, this, &Messages::followResult);
     connect(scene, &SceneFile::problemFound, this, &Messages::tellProblem);
     connect(scene, &SceneFile::saved, this,
@@ -58,8 +57,7 @@ void Messages::greetOnce()
 
 void Messages::greet()
 {
-    m_greeting = tr("Move a slider and everything follows; Space plays. Drop a simulation's CSV here to see "
-                    "how far it is from this mechanism, or try it with the sample.");
+    m_greeting = tr("Drag a slider or a link. Press Space to play.");
     m_bar->showMessage(MessageBar::Kind::Hint, m_greeting, tr("Open the sample"),
                        [this] { emit openSampleRequested(); });
 }
@@ -71,7 +69,6 @@ void Messages::sayAgain()
     }
     const bool greets = m_bar->text() == m_greeting;
     announceReading();
-    announceDiagnosis();
     if (greets) {
         greet();
     }
@@ -129,7 +126,6 @@ void Messages::announceReading()
 {
     const std::shared_ptr<const Reference> &reference = m_session->reference();
     const bool guessed = reference && !reference->asPrinted && reference->data.layout.isGuessed();
-    m_announcesDiagnosis = reference && !guessed; // with wrong columns it would be another mechanism's
     m_bar->hide();
     if (m_runOf != reference) {
         m_runOf = nullptr;
@@ -150,76 +146,10 @@ void Messages::announceReading()
     }
 }
 
-/// Said when a file is opened or read otherwise.
-void Messages::announceDiagnosis()
-{
-    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
-    if (!m_announcesDiagnosis || !diagnosis || diagnosis->reference != m_session->result()->chosenReference()) {
-        tellDifferenceAnew();
-        return;
-    }
-    m_announcesDiagnosis = false;
-    if (m_bar->isHidden() || m_bar->text() == runSentence()) { // else what it says is newer than the file
-        tellDifference();
-    }
-}
-
 void Messages::followResult()
 {
     if (m_bar->text() == m_forNow) {
         m_bar->hide();
-    }
-    tellDifferenceAnew();
-}
-
-/// What was said of a file is said of the mechanism now on show, until somebody puts it away.
-void Messages::tellDifferenceAnew()
-{
-    if (!m_bar->isHidden() && !m_difference.isEmpty() && m_bar->text() == m_difference) {
-        tellDifference();
-    }
-}
-
-/// How the file on show is from the mechanism on show, and why as soon as that is known; nothing where it agrees.
-void Messages::tellDifference()
-{
-    const Result &result = *m_session->result();
-    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
-    const bool isKnown = diagnosis && diagnosis->reference == result.chosenReference() &&
-                         diagnosis->parameters == result.mechanism.parameters();
-    const auto is = [&](Verdict verdict) {
-        return std::ranges::count(result.comparison, verdict, &ChannelComparison::verdict) > 0;
-    };
-    std::vector<Finding> findings;
-    if (result.reference && isKnown) {
-        findings = findingsOf(result, diagnosis.get());
-        std::erase_if(findings,
-                      [](const Finding &finding) { return finding.remedy == Finding::Remedy::ReadAsPrinted; });
-    }
-    m_difference.clear();
-    if (!is(Verdict::Differs) && findings.empty()) {
-        if (m_bar->text() != runSentence()) {
-            m_bar->hide();
-        }
-        return;
-    }
-    const QString difference =
-        (is(Verdict::Differs) ? tr("%1 differs from this mechanism.") : tr("%1 comes close to this mechanism."))
-            .arg(result.reference->name);
-    m_difference = (runSentence() + u' ' + difference).trimmed();
-    if (findings.empty()) {
-        if (m_bar->isHidden() || m_bar->text() != m_difference) { // else it is said while a slider is dragged
-            m_bar->showMessage(MessageBar::Kind::Problem, m_difference);
-        }
-        return;
-    }
-    const Finding &first = findings.front();
-    m_difference += u' ' + first.sentence;
-    if (findings.size() == 1 && first.remedy != Finding::Remedy::None) {
-        m_bar->showMessage(MessageBar::Kind::Problem, m_difference, first.remedyText, [this, first] { remedy(first); });
-    } else {
-        m_bar->showMessage(MessageBar::Kind::Problem, m_difference, tr("Show the errors"),
-                           [this] { emit errorsRequested(); });
     }
 }
 
@@ -231,6 +161,9 @@ void Messages::remedy(const Finding &finding)
     case Finding::Remedy::TakeOver: m_session->takeOver(); break;
     case Finding::Remedy::Apply: m_session->apply(finding.convention); break;
     case Finding::Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
+    case Finding::Remedy::ReadByAngle: m_session->readAbscissaAs(ColumnRole::CrankAngle); break;
+    case Finding::Remedy::ReadByTime: m_session->readAbscissaAs(ColumnRole::Time); break;
+    case Finding::Remedy::ChooseColumns: emit columnsRequested(m_session->reference()->paths); break;
     }
 }
 

@@ -5,7 +5,7 @@
 // the first time ever what there is to do.
 
 #include "ui/document/result.h"
-#include "ui/panels/findings.h"
+#include "ui/panels/page.h"
 
 #include <QObject>
 #include <QString>
@@ -42,14 +42,10 @@ signals:
     void openReferenceRequested();
     void openSampleRequested();
     void columnsRequested(const QStringList &paths); ///< of that file
-    void errorsRequested();
 
 private:
     void greet();
     void announceReading();
-    void announceDiagnosis();
-    void tellDifference();
-    void tellDifferenceAnew();
     void followResult();
     void tellRefusal(const QString &sentence);
     void tellRefused(const QStringList &paths, const QString &sentence);
@@ -58,11 +54,9 @@ private:
     Session *m_session;
     MessageBar *m_bar;
     QString m_greeting;                       ///< as it was said; empty: it was not
-    QString m_difference;                     ///< likewise, of the file
     QString m_forNow;                         ///< likewise, of what is on show
     std::shared_ptr<const Reference> m_runOf; ///< the file whose run the session's became; null: it is another
     Sampling m_run;                           ///< that
-    bool m_announcesDiagnosis = false;        ///< the next one is the first of a newly loaded file
 };
 
 } // namespace slidercrank

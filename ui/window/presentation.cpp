@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/presentation.h"
 
-#include "ui/widgets/folding_tabs.h"
 #include "ui/document/with.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/widgets/folding_tabs.h"
 #include "ui/window/rooms.h"
 
 #include <QFontInfo>

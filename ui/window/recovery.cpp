@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/recovery.h"
 
-#include "ui/widgets/message_bar.h"
 #include "ui/document/session.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/window/scene_file.h"
 
 #include <QDateTime>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/remembered.h"
 
-#include "ui/widgets/folding_tabs.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/timeline.h"
 #include "ui/text/remember.h"
+#include "ui/widgets/folding_tabs.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

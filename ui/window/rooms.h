@@ -9,13 +9,13 @@ class QSplitter;
 namespace slidercrank
 {
 
-class ErrorPanel;
 class FoldingTabs;
 class Ghost;
 class MechanismView;
 class MessageBar;
 class ParameterPanel;
 class PlotGrid;
+class TablePanel;
 class Timeline;
 
 struct Rooms {
@@ -27,7 +27,7 @@ struct Rooms {
     ParameterPanel *parameters = nullptr;
     PlotGrid *plots = nullptr;
     FoldingTabs *tabs = nullptr;
-    ErrorPanel *errors = nullptr;
+    TablePanel *errors = nullptr;
 };
 
 } // namespace slidercrank

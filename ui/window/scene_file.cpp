@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/scene_file.h"
 
-#include "ui/widgets/number_box.h"
-#include "ui/widgets/save_dialog.h"
 #include "ui/document/byte_stream.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/widgets/number_box.h"
+#include "ui/widgets/save_dialog.h"
 #include "ui/window/remembered.h"
 #include "ui/window/rooms.h"
 
@@ -61,7 +61,7 @@ bool SceneFile::isModified() const
 void SceneFile::takeWhatIsTyped()
 {
     if (auto *box = qobject_cast<NumberBox *>(m_window->focusWidget())) {
-        box->commit();
+        box->interpretText();
     }
 }
 

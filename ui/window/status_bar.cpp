@@ -21,12 +21,12 @@ constexpr int kMoment = 250; // ms: what is done sooner is not worth a flicker
 QString mobilityText(Mobility mobility, double omega2)
 {
     if (omega2 == 0.0 && (mobility == Mobility::FullTurn || mobility == Mobility::Rocker)) {
-        return StatusBar::tr("crank stands still");
+        return StatusBar::tr("crank at rest");
     }
     switch (mobility) {
-    case Mobility::FullTurn: return StatusBar::tr("crank turns round");
-    case Mobility::Rocker: return StatusBar::tr("crank rocks");
-    case Mobility::Locked: return StatusBar::tr("locked in one pose");
+    case Mobility::FullTurn: return StatusBar::tr("crank makes full turns");
+    case Mobility::Rocker: return StatusBar::tr("crank oscillates");
+    case Mobility::Locked: return StatusBar::tr("locked in a single position");
     case Mobility::Impossible: return StatusBar::tr("cannot be assembled");
     }
     return {};

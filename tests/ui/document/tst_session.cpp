@@ -485,7 +485,7 @@ private slots:
         session.cancel();
         QCOMPARE(session.result(), before);
         QCOMPARE(session.sampling(), Sampling());
-        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the run"));
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the time range"));
 
         session.undoStack().undo(); // the same over two steps, then forward again
         session.cancel();
@@ -801,7 +801,7 @@ private slots:
         QVERIFY(problems.last().first().toString().contains(QStringLiteral("forget")));
         session.forgetKept();
         QVERIFY(session.kept().empty() && !session.result()->isCompared());
-        QCOMPARE(session.undoStack().undoText(), QStringLiteral("forgetting the kept motions"));
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("removal of the pinned motions"));
         session.undoStack().undo();
         QCOMPARE(session.kept().size(), std::size_t(4));
     }

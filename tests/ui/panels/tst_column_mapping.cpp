@@ -222,7 +222,7 @@ private slots:
         QVERIFY(remembered(inventorFile()).empty());
     }
 
-    void guessingAnewForgets()
+    void detectingAgainForgets()
     {
         {
             Dialog dialog(inventorFile());

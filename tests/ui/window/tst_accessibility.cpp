@@ -195,7 +195,7 @@ private:
             QCoreApplication::processEvents();
             look();
         }
-        bar->setCurrentIndex(2);
+        bar->setCurrentIndex(3);
         for (int page = 1; page < 5; ++page) {
             m_window->findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(page))->click();
             settle(*m_window); // the panel lets numbers rest for a moment before the next are shown
@@ -259,14 +259,15 @@ private slots:
     {
         m_window->openReference(kSample);
         AWAIT(m_window->session().diagnosis());
-        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(1);
+        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(2);
         Parameters parameters;
         parameters.b = 70.0;
         m_window->session().setParameters(parameters);
-        m_window->findChild<QAbstractButton *>(QStringLiteral("columnsButton"))->click();
+        const auto *reference = m_window->findChild<QWidget *>(QStringLiteral("referencePanel"));
+        reference->findChild<QAbstractButton *>(QStringLiteral("remedyButton"))->click(); // chooses columns
         for (QAction *action : m_window->findChildren<QAction *>()) {
             const QString name = action->text().remove(u'&');
-            if (name == QLatin1String("What is this program") || name == QLatin1String("Keyboard and mouse") ||
+            if (name == QLatin1String("Theory and help") || name == QLatin1String("Keyboard and mouse") ||
                 name == QLatin1String("About") || name == QStringLiteral("Animation…")) {
                 action->trigger();
             }

@@ -164,7 +164,7 @@ private slots:
             bar->setCurrentIndex(tab);
             look();
         }
-        bar->setCurrentIndex(2);
+        bar->setCurrentIndex(3);
         for (int page = 1; page < 5; ++page) {
             m_window->findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(page))->click();
             look();
@@ -192,10 +192,10 @@ private slots:
         QCOMPARE(lines[2].count(','), lines[0].count(',')); // between the columns only
         QVERIFY(lines[2].contains("0.005"));
 
-        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(2);
+        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(3);
         m_window->findChild<QAbstractButton *>(QStringLiteral("segment4"))->click();
         settle(*m_window);
-        m_window->findChild<QAbstractButton *>(QStringLiteral("copyTableButton"))->click();
+        m_window->findChild<QAbstractButton *>(QStringLiteral("newtonTablesCopy"))->click();
         const QString copied = QApplication::clipboard()->text();
         QVERIFY2(copied.contains(QRegularExpression(QStringLiteral(",\\d+\\.\\d+,"))), qPrintable(copied));
         QVERIFY(!copied.contains(QRegularExpression(QStringLiteral("\"-?\\d+,"))));

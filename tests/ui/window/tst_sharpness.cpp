@@ -104,7 +104,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->openReference(kSample);
         AWAIT(m_window->session().diagnosis());
-        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(2);
+        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(3);
         m_window->findChild<QAbstractButton *>(QStringLiteral("segment3"))->click();
         settle(*m_window);
     }

@@ -98,7 +98,7 @@ private slots:
             bar->setCurrentIndex(tab);
             fits(bar->tabText(tab));
         }
-        bar->setCurrentIndex(2);
+        bar->setCurrentIndex(3);
         for (int segment = 0; segment < 5; ++segment) {
             window.findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(segment))->click();
             fits(QStringLiteral("segment%1").arg(segment));

@@ -179,7 +179,7 @@ private slots:
             bar->setCurrentIndex(tab);
             look(bar->tabText(tab));
         }
-        bar->setCurrentIndex(2);
+        bar->setCurrentIndex(3);
         for (int page = 1; page < 5; ++page) {
             auto *button = window.findChild<QAbstractButton *>(QStringLiteral("segment%1").arg(page));
             button->click();

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/table_panel.h"
+#include "ui/plots/chart.h"
+#include "ui/text/theme.h"
+
+#include "tests/support/waiting.h"
+#include "tests/support/widget_parts.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QHeaderView>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+using namespace slidercrank;
+
+Q_DECLARE_METATYPE(slidercrank::MechanismPart)
+
+namespace
+{
+
+/// A table of two columns; the rows lead to 0.5, 1.5, … s and are about pin A.
+PageTable tableOf(const QString &name, const std::vector<double> &numbers)
+{
+    PageTable table{name, name, {{"name", {}, "name", false}, {"number", {}, "number"}}, {}};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        table.rows.push_back(
+            {{{.text = QString("row, %1").arg(i)}, {.text = QString::number(numbers[i], 'g', 3), .number = numbers[i]}},
+             0.5 + static_cast<double>(i),
+             MechanismPart::PinA});
+    }
+    return table;
+}
+
+struct Shown {
+    Page page;
+    int made = 0; ///< pages
+    TablePanel panel{"panel", "Panel", [this] {
+                         ++made;
+                         return page;
+                     }};
+
+    explicit Shown(const Page &first, const QSize &size = QSize(900, 220))
+        : page(first)
+    {
+        panel.resize(size);
+        panel.show();
+    }
+
+    void show(const Page &next)
+    {
+        page = next;
+        panel.refreshNow();
+    }
+    NumberTable *table(const QString &name = "table") const { return child<NumberTable>(panel, name); }
+};
+
+Page pageWith(const std::vector<double> &numbers)
+{
+    Page page;
+    page.sentence = "A sentence.";
+    page.tables = {tableOf("table", numbers)};
+    return page;
+}
+
+} // namespace
+
+class TestTablePanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { qRegisterMetaType<MechanismPart>(); }
+
+    void showsTheSentenceAndTheTablesOfThePage()
+    {
+        Shown shown(pageWith({1.0, 2.5}));
+        QCOMPARE(child<QLabel>(shown.panel, "panelSentence")->text(), QString("A sentence."));
+        QCOMPARE(shown.table()->model()->rowCount(), 2);
+        QCOMPARE(shown.table()->model()->index(1, 1).data().toString(), QString("2.5"));
+        QVERIFY(!shown.table()->accessibleName().isEmpty());
+        Page other;
+        other.tables = {tableOf("other", {1.0})};
+        shown.show(other);
+        QVERIFY(!shown.table()->isVisible() && shown.table("other")->isVisible());
+        shown.show({});
+        QVERIFY(!shown.table("other")->isVisible());
+        QVERIFY(!child<QToolButton>(shown.panel, "panelCopy")->isVisible());
+    }
+
+    void computesNothingWhileHiddenAndLittleWhileThingsMove()
+    {
+        Shown shown(pageWith({1.0}));
+        QCOMPARE(shown.made, 1);
+        for (int i = 0; i < 50; ++i) {
+            shown.panel.refresh();
+        }
+        QCOMPARE(shown.made, 1);
+        letTimePass(shown.panel);
+        QCOMPARE(shown.made, 2);
+        shown.panel.hide();
+        shown.page = pageWith({1.0, 2.0});
+        letTimePass(shown.panel);
+        shown.panel.refresh();
+        letTimePass(shown.panel);
+        QCOMPARE(shown.made, 2);
+        shown.panel.show();
+        QCOMPARE(shown.table()->model()->rowCount(), 2);
+    }
+
+    /// A drag has to be cheap: only the cells whose text changes are told of.
+    void onlyWhatChangesIsPaintedAgain()
+    {
+        Shown shown(pageWith({1.0, 2.0, 3.0}));
+        QSignalSpy changes(shown.table()->model(), &QAbstractItemModel::dataChanged);
+        QSignalSpy resets(shown.table()->model(), &QAbstractItemModel::modelReset);
+        shown.show(pageWith({1.0, 2.0001, 4.0})); // one of them looks the same
+        QCOMPARE(changes.count(), 1);
+        QCOMPARE(resets.count(), 0);
+        shown.show(pageWith({1.0}));
+        QCOMPARE(resets.count(), 1);
+    }
+
+    void aRowLeadsToItsTime()
+    {
+        Shown shown(pageWith({1.0, 2.0}));
+        QSignalSpy times(&shown.panel, &TablePanel::timeRequested);
+        const QRect cell = shown.table()->visualRect(shown.table()->model()->index(1, 1));
+        QTest::mouseClick(shown.table()->viewport(), Qt::LeftButton, {}, cell.center());
+        QCOMPARE(times.takeFirst()[0].toDouble(), 1.5);
+        shown.table()->setCurrentIndex(shown.table()->model()->index(0, 0));
+        QTest::keyClick(shown.table(), Qt::Key_Return);
+        QCOMPARE(times.takeFirst()[0].toDouble(), 0.5);
+        shown.page.tables[0].rows[0].time.reset();
+        shown.show(shown.page);
+        QTest::keyClick(shown.table(), Qt::Key_Return);
+        QVERIFY(times.isEmpty());
+    }
+
+    void reportsThePartOfTheRowPointedAtOrCurrent()
+    {
+        Shown shown(pageWith({1.0, 2.0}));
+        shown.panel.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&shown.panel));
+        QSignalSpy parts(&shown.panel, &TablePanel::partHovered);
+        const auto reported = [&parts] {
+            return parts.isEmpty() ? MechanismPart::None : parts.last()[0].value<MechanismPart>();
+        };
+        NumberTable *table = shown.table();
+        table->clearFocus();
+        QTest::mouseMove(table->viewport(), table->visualRect(table->model()->index(1, 1)).center());
+        QCOMPARE(reported(), MechanismPart::PinA);
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(table->viewport(), &leave);
+        QCOMPARE(reported(), MechanismPart::None);
+        table->setFocus();
+        table->setCurrentIndex(table->model()->index(0, 0));
+        QCOMPARE(reported(), MechanismPart::PinA);
+        child<QToolButton>(shown.panel, "panelCopy")->setFocus();
+        QCOMPARE(reported(), MechanismPart::None);
+    }
+
+    void copiesEveryDigitWithAPointInAnyLocale()
+    {
+        QLocale::setDefault(QLocale(QLocale::Spanish));
+        Shown shown(pageWith({1.0 / 3.0, 2.5}));
+        QSignalSpy copied(&shown.panel, &TablePanel::rowsCopied);
+        child<QToolButton>(shown.panel, "panelCopy")->click();
+        QLocale::setDefault(QLocale::c());
+        QCOMPARE(QApplication::clipboard()->text(),
+                 QString("name,number\n\"row, 0\",0.3333333333333333\n\"row, 1\",2.5\n"));
+        QCOMPARE(copied.takeFirst()[0].toInt(), 2);
+        shown.table()->selectRow(1);
+        QTest::keyClick(shown.table(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), QString("name,number\n\"row, 1\",2.5\n"));
+        QCOMPARE(copied.takeFirst()[0].toInt(), 1);
+        Page two = pageWith({1.0});
+        two.tables.push_back(tableOf("second", {2.0}));
+        QCOMPARE(csvOf(two), QString("name,number\n\"row, 0\",1\n\"row, 0\",2\n")); // one line of headings
+    }
+
+    void exportsTheTablesAndTheChart()
+    {
+        Page page = pageWith({1.0});
+        ChartContent chart{{"x", {0.0, 1.0}}, {"y", {0.0, 1.0}}, {{.name = {}, .points = {{0.0, 0.0}, {1.0, 1.0}}}}};
+        page.chart = PageChart{"chart", "Chart", chart};
+        Shown shown(page);
+        QVERIFY(child<Chart>(shown.panel, "chart")->isVisible());
+        const QTemporaryDir folder;
+        QCOMPARE(shown.panel.exportTo(folder.filePath("x.csv")), std::nullopt);
+        QFile file(folder.filePath("x.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(QString::fromUtf8(file.readAll()), csvOf(page));
+        QCOMPARE(shown.panel.exportTo(folder.filePath("x.png")), std::nullopt);
+        QCOMPARE(QImage(folder.filePath("x.png")).size(), QSize(1800, 1200));
+        QVERIFY(shown.panel.exportTo(folder.filePath("none/x.csv")).value_or("").contains("cannot be written"));
+    }
+
+    void aFindingOffersItsRemedyAndIsDimmedWhileNewOnesAreSearched()
+    {
+        Page page = pageWith({1.0});
+        page.findings = {{Finding::Remedy::None, {}, "Only a sentence.", {}, {}},
+                         {Finding::Remedy::TakeOver, {}, "It is another mechanism.", "Use it", "details"}};
+        Shown shown(page);
+        auto *button = child<QPushButton>(shown.panel, "remedyButton");
+        QCOMPARE(button->toolTip(), QString("details"));
+        QSignalSpy remedies(&shown.panel, &TablePanel::remedyRequested);
+        // What follows the click makes the findings anew, while the button is still in its own handler.
+        connect(&shown.panel, &TablePanel::remedyRequested, &shown.panel, [&shown] { shown.show(pageWith({1.0})); });
+        button->click();
+        QCOMPARE(remedies.value(0).value(0).value<Finding>().remedy, Finding::Remedy::TakeOver);
+        settle();
+        QVERIFY(shown.panel.findChildren<QPushButton *>("remedyButton").isEmpty());
+
+        shown.show(page);
+        QVERIFY(child<QLabel>(shown.panel, "findingLabel")->isEnabled());
+        page.findings.clear();
+        page.keepsFindings = true;
+        shown.show(page);
+        QVERIFY(!child<QLabel>(shown.panel, "findingLabel")->isEnabled());
+    }
+
+    void severalTablesStandSideBySideOrScrollTogether()
+    {
+        Page page = pageWith({1.0, 2.0, 3.0, 4.0});
+        page.tables.push_back(tableOf("second", {1.0, 2.0, 3.0, 4.0}));
+        Shown shown(page);
+        settle();
+        QCOMPARE(shown.table()->y(), shown.table("second")->y());
+        shown.panel.resize(210, 140);
+        settle();
+        NumberTable *second = shown.table("second");
+        QVERIFY(second->y() > shown.table()->y());
+        const auto isInSight = [second] {
+            return second->viewport()->visibleRegion().contains(
+                second->visualRect(second->model()->index(3, 0)).center());
+        };
+        QVERIFY(!isInSight());
+        second->setCurrentIndex(second->model()->index(3, 0));
+        QVERIFY(isInSight());
+    }
+
+    /// "0.00000…" was said of an angle of ten decimals.
+    void noNumberIsEverCutOff()
+    {
+        Shown shown(pageWith({1.0}), QSize(200, 120));
+        shown.page.tables[0].rows[0].cells[1].text = "-123.0123456789";
+        for (const int pixels : {11, 30}) {
+            QFont font = shown.panel.font();
+            font.setPixelSize(pixels);
+            shown.panel.setFont(font);
+            shown.show(shown.page);
+            settle(shown.panel);
+            const NumberTable *table = shown.table();
+            const QString text = table->model()->index(0, 1).data().toString();
+            QVERIFY(table->columnWidth(1) >= table->fontMetrics().horizontalAdvance(text) + 8);
+        }
+    }
+
+    /// The header kept the large font of the presentation mode.
+    void theHeaderFollowsTheFontAlsoWhileTheTableIsHidden()
+    {
+        Shown shown(pageWith({1.0}));
+        const QFont usual = shown.table()->horizontalHeader()->font();
+        QFont large = usual;
+        large.setPixelSize(40);
+        shown.panel.setFont(large);
+        QCOMPARE(shown.table()->horizontalHeader()->font().pixelSize(), 40);
+        shown.show({}); // the table is not on the page any more
+        shown.panel.setFont(QFont());
+        shown.show(pageWith({1.0}));
+        QCOMPARE(shown.table()->horizontalHeader()->font().pixelSize(), usual.pixelSize());
+        QCOMPARE(shown.table()->font().pixelSize(), usual.pixelSize());
+    }
+
+    void tintsAreToldApartByEveryEye()
+    {
+        for (const Theme theme : {Theme::Light, Theme::Dark}) {
+            const QColor positive = tintColour(1.0, paletteFor(theme)); // blue against orange
+            const QColor negative = tintColour(-1.0, paletteFor(theme));
+            QVERIFY(positive.blue() > positive.red() && negative.blue() < negative.red());
+            QCOMPARE(tintColour(0.0, paletteFor(theme)), seriesColours(paletteFor(theme)).background);
+        }
+    }
+};
+
+QTEST_MAIN(TestTablePanel)
+#include "tst_table_panel.moc"

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/number_box.h"
+
+#include "tests/support/waiting.h"
+#include "tests/support/widget_parts.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <limits>
+
+using namespace slidercrank;
+
+namespace
+{
+
+/// A box for a length beside another box, in a window that is active.
+struct Shown {
+    QWidget window;
+    NumberBox *box = new NumberBox;
+    NumberBox *other = new NumberBox;
+    QSignalSpy edits{box, &NumberBox::edited};
+
+    explicit Shown(double value = 65.0)
+    {
+        auto *rows = new QVBoxLayout(&window);
+        rows->addWidget(box);
+        rows->addWidget(other);
+        box->setSuffix(QStringLiteral(" mm"));
+        box->setUnit(kMillimetre);
+        box->setRange({.smallest = 0.0, .largest = kLargestParameter, .isOpen = true});
+        box->setValue(value);
+        window.show();
+        window.activateWindow();
+        other->setFocus();
+        if (!QTest::qWaitForWindowActive(&window)) {
+            qFatal("the window is not active");
+        }
+    }
+
+    QLineEdit *line() const { return box->findChild<QLineEdit *>(); }
+    bool noteIsShown() const
+    {
+        const auto *note = box->findChild<QLabel *>(QStringLiteral("refusalLabel"));
+        return note && note->isVisible();
+    }
+};
+
+} // namespace
+
+class TestNumberBox : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QLocale::setDefault(QLocale::c()); }
+
+    void takesAnySensibleNumberToTheLastBit()
+    {
+        struct Row {
+            QString typed;
+            double value;
+        };
+        for (const Row &row :
+             {Row{"70", 70.0}, Row{"60.123456789012345", 60.123456789012345}, Row{"70.5 mm", 70.5}, Row{"70.5mm", 70.5},
+              Row{"123456.5", 123456.5}, Row{"1e-3", 1e-3}, Row{"2.5cm", 25.0}, Row{"1 in", 25.4}, Row{"1 000", 1000.0},
+              Row{QStringLiteral("1.5·10⁻⁷"), 1.5e-7}, Row{"3e-40", 3e-40}, Row{"1e12", 1e12}}) {
+            Shown shown;
+            typeNumber(shown.box, row.typed);
+            QVERIFY2(shown.box->value() == row.value, qPrintable(row.typed));
+            QCOMPARE(shown.edits.count(), 1);
+            QCOMPARE(shown.edits[0][0].toDouble(), row.value);
+            QVERIFY(!shown.noteIsShown());
+        }
+    }
+
+    void whatIsRefusedLeavesTheNumberAndSaysWhy()
+    {
+        struct Row {
+            QString typed;
+            QString says;
+        };
+        for (const Row &row :
+             {Row{"sixty", "“sixty” is not a number."}, Row{"20/3", "“20/3” is not a number."},
+              Row{"30,5", "The decimal sign here is “.”: 30.5."}, Row{"1,234.5", "“1,234.5” is not a number."},
+              Row{"30 s", "“30 s”: the units here are mm, cm, m, in."}, Row{"inf", "“inf” is not a number."},
+              Row{QString(400, '9'), "“999999999999999999999999…” is too large."},
+              Row{"0", "This must be greater than 0 mm."}, Row{"-5", "This must be greater than 0 mm."},
+              Row{"1e13", "This must be at most 10¹² mm."}}) {
+            Shown shown;
+            typeNumber(shown.box, row.typed);
+            QCOMPARE(shown.edits.count(), 0);
+            QCOMPARE(shown.box->value(), 65.0);
+            QCOMPARE(shown.box->text(), QString("65 mm"));
+            QVERIFY(shown.noteIsShown());
+            QCOMPARE(shown.box->findChild<QLabel *>()->text(), row.says);
+            QCOMPARE(shown.box->accessibleDescription(), row.says);
+            typeNumber(shown.box, "7");
+            QVERIFY(!shown.noteIsShown());
+            QCOMPARE(shown.box->accessibleDescription(), QString());
+        }
+    }
+
+    void aNumberOutsideBecomesTheNearerEndWhereThatIsWanted()
+    {
+        Shown shown;
+        shown.box->setRange({.smallest = 0.0, .largest = 100.0, .takesNearest = true});
+        typeNumber(shown.box, "120");
+        QCOMPARE(shown.box->value(), 100.0);
+        shown.box->setRange({.smallest = 1.0, .largest = 1e6, .isWhole = true});
+        for (const char *typed : {"12.5", "0", "1000001", "1 000 001"}) {
+            typeNumber(shown.box, typed);
+            QCOMPARE(shown.box->value(), 100.0);
+        }
+        QCOMPARE(shown.box->findChild<QLabel *>()->text(),
+                 QString("This must be a whole number from 1 mm to 1000000 mm."));
+    }
+
+    void whatIsTypedCountsWhenTheBoxIsLeftAndNothingElseDoes()
+    {
+        Shown shown(60.12345678901234);
+        QCOMPARE(shown.box->text(), QString("60.1235 mm"));
+        shown.box->setFocus(); // looking at it changes nothing
+        QCOMPARE(shown.box->text(), QString("60.12345678901234 mm"));
+        QCOMPARE(shown.line()->cursorPosition(), 0);
+        shown.other->setFocus();
+        QCOMPARE(shown.edits.count(), 0);
+        shown.box->setFixedDecimals(2);
+        shown.box->setFocus();
+        QTest::keyClick(shown.box, Qt::Key_Return);
+        shown.other->setFocus();
+        QCOMPARE(shown.edits.count(), 0);
+        QVERIFY(shown.box->value() == 60.12345678901234);
+
+        shown.box->setFocus();
+        shown.box->selectAll();
+        QTest::keyClicks(shown.box, "22");
+        QVERIFY(shown.box->isTyping());
+        QCOMPARE(shown.edits.count(), 0);
+        shown.other->setFocus();
+        QCOMPARE(shown.edits.count(), 1);
+        QCOMPARE(shown.box->value(), 22.0);
+        QVERIFY(!shown.box->isTyping());
+    }
+
+    void aNumberFromElsewhereLeavesAloneWhatIsTyped()
+    {
+        Shown shown;
+        shown.box->setFocus();
+        shown.box->selectAll();
+        shown.box->setValue(66.0); // still selected: what is typed replaces it
+        QTest::keyClicks(shown.box, "4");
+        shown.box->setValue(67.0);
+        QTest::keyClicks(shown.box, "2");
+        QCOMPARE(shown.line()->text(), QString("42 mm"));
+        QTest::keyClick(shown.box, Qt::Key_Return);
+        QCOMPARE(shown.box->value(), 42.0);
+        QCOMPARE(shown.edits.count(), 1);
+    }
+
+    void escapeAndAnEmptyTextBringTheNumberBack()
+    {
+        Shown shown;
+        shown.box->setFocus();
+        QTest::keyClicks(shown.box, "7");
+        QTest::keyClick(shown.box, Qt::Key_Escape);
+        QCOMPARE(shown.box->text(), QString("65 mm"));
+        typeNumber(shown.box, " ");
+        QCOMPARE(shown.box->text(), QString("65 mm"));
+        QCOMPARE(shown.edits.count(), 0);
+        QVERIFY(!shown.noteIsShown());
+    }
+
+    void anArrowIsATenthOfThePowerOfTen()
+    {
+        struct Row {
+            double value;
+            Qt::Key key;
+            double next;
+        };
+        for (const Row &row :
+             {Row{65.0, Qt::Key_Up, 66.0}, Row{65.0, Qt::Key_Down, 64.0}, Row{100.0, Qt::Key_Down, 99.0},
+              Row{100.0, Qt::Key_Up, 110.0}, Row{0.2, Qt::Key_Up, 0.21}, Row{1e-6, Qt::Key_Down, 9.9e-7}}) {
+            Shown shown(row.value);
+            QTest::keyClick(shown.box, row.key);
+            QVERIFY2(shown.box->value() == row.next, qPrintable(shown.box->text()));
+            QCOMPARE(shown.edits.count(), 1);
+        }
+        Shown shown;
+        shown.box->setRange({});
+        shown.box->setValue(0.0);
+        QTest::keyClick(shown.box, Qt::Key_Down);
+        QCOMPARE(shown.box->value(), -1.0);
+        shown.box->setStep(0.25);
+        QTest::keyClick(shown.box, Qt::Key_Up);
+        QCOMPARE(shown.box->value(), -0.75);
+    }
+
+    void aNumberTooLongForTheBoxLosesDigitsButNotItsPowerOfTen()
+    {
+        NumberBox box;
+        box.resize(box.minimumSizeHint());
+        box.show();
+        const auto *line = box.findChild<QLineEdit *>();
+        for (const double value : {-3.81966e-7, 1.23456e11, -12.3456, 6.283185307, 0.0}) {
+            box.setValue(value);
+            QString plain = line->text();
+            plain.replace(QStringLiteral("·10"), QStringLiteral("e")).replace(u'⁻', u'-');
+            for (const QChar digit : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")) {
+                plain.replace(digit, QString::number(digit.digitValue()));
+            }
+            QVERIFY2(std::abs(plain.toDouble() - value) <= 0.05 * std::abs(value), qPrintable(line->text()));
+            QVERIFY2(line->fontMetrics().horizontalAdvance(line->text()) < line->width(), qPrintable(line->text()));
+        }
+    }
+
+    void aDoubleClickSelectsTheWholeNumber()
+    {
+        Shown shown(6.25);
+        QTest::mouseDClick(shown.line(), Qt::LeftButton, {},
+                           QPoint(shown.line()->width() - 6, shown.line()->height() / 2));
+        AWAIT_COMPARE(shown.line()->selectedText(), QStringLiteral("6.25 mm"));
+    }
+
+    void undoIsTheWindowsUnlessSomethingIsTyped()
+    {
+        Shown shown;
+        const auto takesUndo = [&shown] {
+            QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+            key.ignore();
+            QCoreApplication::sendEvent(shown.box, &key);
+            return key.isAccepted();
+        };
+        shown.box->setFocus();
+        QVERIFY(!takesUndo());
+        QTest::keyClicks(shown.box, "7");
+        QVERIFY(takesUndo());
+    }
+
+    void readsTheNumbersOfTheLocale()
+    {
+        struct Row {
+            QLocale locale;
+            QString typed;
+            double value;
+        };
+        const QLocale spanish(QLocale::Spanish);
+        for (const Row &row :
+             {Row{spanish, "61,25", 61.25}, Row{spanish, "1.234", 1.234},
+              Row{QLocale(QLocale::Swedish), QLocale(QLocale::Swedish).toString(-1.5e-7, 'g', 6), -1.5e-7},
+              Row{QLocale(QLocale::Arabic, QLocale::Egypt),
+                  QLocale(QLocale::Arabic, QLocale::Egypt).toString(-26.5, 'g', 6), -26.5}}) {
+            QLocale::setDefault(row.locale);
+            Shown shown;
+            shown.box->setRange({});
+            typeNumber(shown.box, row.typed);
+            QVERIFY2(shown.box->value() == row.value, qPrintable(row.typed));
+        }
+        QLocale::setDefault(spanish);
+        QCOMPARE(Shown(60.5).box->text(), QString("60,5 mm"));
+    }
+};
+
+QTEST_MAIN(TestNumberBox)
+#include "tst_number_box.moc"

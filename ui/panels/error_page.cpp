@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/error_page.h"
+
+#include "ui/text/axis_scale.h"
+#include "ui/text/column_text.h"
+#include "ui/text/convention_text.h"
+#include "ui/text/diagnosis_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/read_fault_text.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct ErrorPage {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ErrorPage)
+};
+
+struct VerdictLook {
+    QString mark;
+    QString word;
+    Tone tone;
+};
+
+VerdictLook lookOf(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::Agrees: return {"✓", ErrorPage::tr("agrees"), Tone::Good};
+    case Verdict::Close: return {"≈", ErrorPage::tr("close"), Tone::Fair};
+    case Verdict::Differs: return {"✗", ErrorPage::tr("differs"), Tone::Bad};
+    }
+    return {};
+}
+
+Verdict worstVerdict(const std::vector<ChannelComparison> &comparison)
+{
+    const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
+    return worst == comparison.end() ? Verdict::Differs : worst->verdict;
+}
+
+QString readout(std::optional<double> value, const QString &unit = {})
+{
+    if (value && std::isinf(*value)) {
+        return QStringLiteral("∞");
+    }
+    const QString text = shortNumber(value, kReadoutDigits);
+    return value && !unit.isEmpty() ? text + u' ' + unit : text;
+}
+
+TableCell numberCell(std::optional<double> value, const QString &unit, const QString &explanation)
+{
+    return {.text = readout(value, unit),
+            .number = value && std::isfinite(*value) ? value : std::nullopt,
+            .explanation = explanation,
+            .csv = dash()};
+}
+
+TableCell timeCell(std::optional<double> time)
+{
+    constexpr int kDigits = 6; // as many as files write
+    return {.text = numberText(time, kDigits),
+            .number = time,
+            .explanation = ErrorPage::tr("Click to go there"),
+            .csv = dash()};
+}
+
+TableCell channelCell(Channel channel)
+{
+    return {.text = QStringLiteral("%1 %2").arg(symbolOf(channel), quantityOf(channel)),
+            .csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel), unitOf(channel))};
+}
+
+TableRow rowOf(const ChannelComparison &channel)
+{
+    const QString unit = unitOf(channel.channel);
+    const VerdictLook look = lookOf(channel.verdict);
+    TableCell name = channelCell(channel.channel);
+    name.explanation = ErrorPage::tr("%1 in the file, %2 time steps compared")
+                           .arg(columnNameOf(channel.channel), countText(channel.count));
+    if (channel.missingModel > 0) {
+        name.explanation += ErrorPage::tr("; at %1 more the model does not exist").arg(countText(channel.missingModel));
+    }
+    QString rounding = channel.roundingStep ? ErrorPage::tr("The file writes this channel in steps of at most %1.")
+                                                  .arg(readout(channel.roundingStep, unit))
+                                            : ErrorPage::tr("How the file was rounded is not known.");
+    QString details =
+        ErrorPage::tr("Largest |model − reference|; root mean square %1.").arg(readout(channel.rms, unit));
+    details += u'\n' + (channel.maxPercent ? ErrorPage::tr("Point by point, |model − reference| / |reference|: at most "
+                                                           "%1 %, at t = %2 s.")
+                                                 .arg(readout(channel.maxPercent), numberText(channel.timeOfMaxPercent))
+                                           : ErrorPage::tr("Point by point, relative to the reference: undefined."));
+    if (channel.zeroReference > 0) {
+        details += u' ' + ErrorPage::tr("Undefined where the reference is zero: at %1 time steps.")
+                              .arg(countText(channel.zeroReference));
+    }
+    const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
+    return {{name,
+             {.text = look.mark + u' ' + look.word,
+              .explanation = verdictText(channel) + u'\n' + verdictFormula(channel) + u'\n' + rounding,
+              .csv = verdictText(channel),
+              .tone = look.tone},
+             numberCell(channel.maxAbs, unit, details + u'\n' + rounding),
+             numberCell(channel.percentOfPeak, {}, ErrorPage::tr("max |model − reference| / max |reference| · 100")),
+             timeCell(time)},
+            time};
+}
+
+TableRow rowOf(const ChannelDifference &channel)
+{
+    const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
+    const QString unit = unitOf(channel.channel);
+    const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
+    const QString details =
+        isUnbounded ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
+                    : ErrorPage::tr("Largest |this − pinned|; root mean square %1.").arg(readout(channel.rms, unit));
+    return {{channelCell(channel.channel), numberCell(channel.maxAbs, unit, details),
+             numberCell(channel.percentOfPeak, {}, ErrorPage::tr("max |this − pinned| / max |pinned| · 100")),
+             timeCell(time)},
+            time};
+}
+
+TableColumn channelColumn()
+{
+    return {ErrorPage::tr("quantity"), ErrorPage::tr("What is compared"), "channel", false};
+}
+
+TableColumn timeColumn()
+{
+    return {ErrorPage::tr("t [s]"), ErrorPage::tr("Time of the largest error"), "max_error_at [s]"};
+}
+
+TableColumn percentColumn()
+{
+    return {ErrorPage::tr("% of peak"), ErrorPage::tr("Largest error relative to the largest value of the reference"),
+            "percent_of_peak"};
+}
+
+/// Rows and columns of the file that were not used: a line, and its details as rich text.
+void noteWhatWasLeftOut(const ReferenceData &data, Page &page)
+{
+    constexpr std::size_t kMostDetails = 12;
+    QStringList parts;
+    QStringList details;
+    if (const std::size_t skipped = data.skippedRowCount(); skipped > 0) {
+        parts << (skipped == 1 ? ErrorPage::tr("1 row of the file was skipped (line %1)")
+                                     .arg(lineText(data.layout, data.skipped[0]))
+                               : ErrorPage::tr("%1 rows of the file were skipped").arg(countText(skipped)));
+        for (std::size_t i = 0; i < std::min(kMostDetails, data.skipped.size()); ++i) {
+            const SkippedRow &row = data.skipped[i];
+            details << ErrorPage::tr("Line %1, column %2: “%3” %4")
+                           .arg(lineText(data.layout, row).toHtmlEscaped(), QString::number(row.column),
+                                QString::fromUtf8(row.text).toHtmlEscaped(), reasonOf(row));
+        }
+        if (skipped > kMostDetails) {
+            details << ErrorPage::tr("… and %1 more").arg(countText(skipped - kMostDetails));
+        }
+    }
+    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
+        parts << (ignored.size() == 1 ? ErrorPage::tr("1 column was ignored")
+                                      : ErrorPage::tr("%1 columns were ignored").arg(ignored.size()));
+        details << ErrorPage::tr("Ignored: %1").arg(ignored.join(", ").toHtmlEscaped());
+    }
+    if (!parts.isEmpty()) {
+        page.note = parts.join("; ") + u'.';
+        page.noteDetails = details.join("<br>");
+    }
+}
+
+Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
+{
+    const Verdict verdict = worstVerdict(result.comparison);
+    const VerdictLook look = lookOf(verdict);
+    Page page;
+    page.sentence = QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryOf(result.comparison));
+    page.tone = look.tone;
+    page.fileName = ErrorPage::tr("errors", "name of a file");
+    page.keepsFindings = verdict != Verdict::Agrees && isOfFile(diagnosis, result) && !isUpToDate(diagnosis, result);
+    if (!page.keepsFindings) {
+        page.findings = findingsOf(result, diagnosis);
+        bool isOffered = false; // one thing to do at a time
+        for (Finding &finding : page.findings) {
+            if (finding.remedy != Finding::Remedy::None && std::exchange(isOffered, true)) {
+                finding.remedy = Finding::Remedy::None;
+            }
+        }
+    }
+    PageTable table{"errorTable", ErrorPage::tr("Errors, a row for each channel"), {}, {}};
+    table.columns = {
+        channelColumn(),
+        {ErrorPage::tr("verdict"),
+         ErrorPage::tr("agrees: at least 95 % of the values within the file's rounding, none beyond ten times that\n"
+                       "close: none beyond a hundred times\n"
+                       "differs: anything else, and errors beyond the rounding by 1 % of half the motion's range"),
+         "verdict", false},
+        {ErrorPage::tr("largest error"), ErrorPage::tr("max |model − reference|"), "max_error"},
+        percentColumn(),
+        timeColumn()};
+    for (const ChannelComparison &channel : result.comparison) {
+        table.rows.push_back(rowOf(channel));
+    }
+    page.tables = {table};
+    noteWhatWasLeftOut(result.reference->data, page);
+    return page;
+}
+
+Page pinnedPage(const Result &result)
+{
+    const Parameters &present = result.mechanism.parameters();
+    const Parameters &pinned = result.kept.back();
+    Page page;
+    page.fileName = ErrorPage::tr("differences", "name of a file");
+    page.sentence = present == pinned
+                        ? ErrorPage::tr("This mechanism is the pinned one: change it to see the difference.")
+                        : ErrorPage::tr("This mechanism − pinned (%1).").arg(keptText(pinned, present));
+    if (result.difference->hasGaps) {
+        page.sentence += u' ' + ErrorPage::tr("Where one of the two cannot be assembled there is nothing to compare.");
+    }
+    PageTable table{"differenceTable",
+                    ErrorPage::tr("Differences from the pinned motion, a row for each channel"),
+                    {channelColumn(),
+                     {ErrorPage::tr("largest difference"), ErrorPage::tr("max |this − pinned|"), "max_difference"},
+                     percentColumn(),
+                     timeColumn()},
+                    {}};
+    for (const ChannelDifference &channel : result.difference->channels) {
+        table.rows.push_back(rowOf(channel));
+    }
+    page.tables = {table};
+    return page;
+}
+
+/// How many channels differ, and the largest error in percent of the peak.
+struct Distance {
+    std::ptrdiff_t differing = 0;
+    double percentOfPeak = 0.0;
+};
+
+Distance distanceOf(const std::vector<ChannelComparison> &comparison)
+{
+    Distance distance;
+    for (const ChannelComparison &channel : comparison) {
+        distance.differing += channel.verdict == Verdict::Differs ? 1 : 0;
+        distance.percentOfPeak = std::max(distance.percentOfPeak, channel.percentOfPeak.value_or(0.0));
+    }
+    return distance;
+}
+
+/// Whether the mechanism found is worth taking over: fewer channels differ, or by half as much at most.
+bool isBetter(const std::vector<ChannelComparison> &found, const std::vector<ChannelComparison> &now)
+{
+    constexpr double kMuchNearer = 0.5;
+    const Distance after = distanceOf(found);
+    const Distance before = distanceOf(now);
+    return !found.empty() &&
+           (after.differing < before.differing || after.percentOfPeak <= kMuchNearer * before.percentOfPeak);
+}
+
+/// Which mechanism the file belongs to, if it is another one than the model.
+Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnosis)
+{
+    const Identification &found = diagnosis.found.identification;
+    Finding finding;
+    if (!diagnosis.found.conventions.empty() && diagnosis.found.isOfMechanismAtHand) {
+        return finding; // read with the conventions, the file belongs to the model
+    }
+    const QString summary = summaryOf(diagnosis.found);
+    if (!found.stands()) {
+        finding.sentence = summary;
+        return finding;
+    }
+    const bool isUnique = found.hasOneMechanism();
+    finding.sentence = isUnique ? changeText(diagnosis.found, Mechanism(diagnosis.parameters)) : summary;
+    const bool takesOver = isBetter(diagnosis.found.identified, result.comparison);
+    if (takesOver) {
+        finding.remedy = Finding::Remedy::TakeOver;
+        finding.remedyText = isUnique ? ErrorPage::tr("Use this mechanism") : ErrorPage::tr("Use the first of them");
+        finding.details = changesText(result.mechanism.parameters(), diagnosis.found);
+    }
+    if (finding.sentence.isEmpty() && (takesOver || !found.noise.empty())) {
+        finding.sentence = ErrorPage::tr("The file fits %1").arg(summary);
+    }
+    return finding;
+}
+
+/// What the file means otherwise, and how large the error is without and with that.
+QString conventionSentence(const ConventionFinding &found, const ReferenceData &data)
+{
+    const QString sentence = explanationOf(found.convention, data);
+    if (found.convention.kind == Convention::Kind::NotDerivative) {
+        return sentence; // the column is left out and has no error
+    }
+    return ErrorPage::tr("%1 Largest error: %2 → %3 % of peak.")
+        .arg(sentence, readout(found.before), readout(found.after));
+}
+
+} // namespace
+
+QString changesText(const Parameters &before, const Diagnosis &diagnosis)
+{
+    const Identification &found = diagnosis.identification;
+    constexpr int kDigits = 9;
+    QString rows;
+    for (const Parameter parameter : kParameters) {
+        const std::size_t i = indexOf(parameter);
+        const double factor = shownFactor(parameter);
+        const QString measured = found.identifiable[i] ? measuredText(factor * valueOf(found.parameters, parameter),
+                                                                      factor * found.standardError[i], factor)
+                                                       : ErrorPage::tr("unchanged");
+        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td><td>  (%4)</td></tr>")
+                    .arg(symbolOf(parameter), parameterText(parameter, valueOf(before, parameter)),
+                         parameterText(parameter, valueOf(diagnosis.rounded, parameter), kDigits), measured);
+    }
+    if (before.branch != diagnosis.rounded.branch) {
+        rows +=
+            QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
+                .arg(ErrorPage::tr("assembly"), assemblyText(before.branch), assemblyText(diagnosis.rounded.branch));
+    }
+    return ErrorPage::tr("Now → then (measured ± standard error)") +
+           QStringLiteral("<table style='white-space:pre'>%1</table>").arg(rows);
+}
+
+bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)
+{
+    return diagnosis && result.reference && diagnosis->reference == result.chosenReference();
+}
+
+bool isUpToDate(const ReferenceDiagnosis *diagnosis, const Result &result)
+{
+    return isOfFile(diagnosis, result) && diagnosis->parameters == result.mechanism.parameters();
+}
+
+std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis)
+{
+    std::vector<Finding> findings;
+    const Verdict verdict = worstVerdict(result.comparison);
+    if (isUpToDate(diagnosis, result) && !result.comparison.empty() && verdict != Verdict::Agrees) {
+        for (const ConventionFinding &found : diagnosis->found.conventions) {
+            findings.push_back({Finding::Remedy::Apply, found.convention,
+                                conventionSentence(found, result.reference->data), ErrorPage::tr("Apply"),
+                                effectOf(found)});
+        }
+        for (const QString &sentence : differenceSentences(result.reference->data, diagnosis->found.conventions)) {
+            findings.push_back({Finding::Remedy::None, {}, sentence, {}, {}});
+        }
+        const Finding mechanism = mechanismFinding(result, *diagnosis);
+        const bool isExplained = verdict != Verdict::Differs || !findings.empty();
+        if (!mechanism.sentence.isEmpty() && (mechanism.remedy != Finding::Remedy::None || !isExplained)) {
+            findings.push_back(mechanism);
+        }
+    }
+    if (!result.reference->conventions.empty()) {
+        QStringList names;
+        for (const Convention &convention : result.reference->conventions) {
+            names << nameOf(convention);
+        }
+        findings.push_back(
+            {Finding::Remedy::ReadAsPrinted,
+             {},
+             ErrorPage::tr("The file is read differently from how it is written: %1.").arg(listed(names)),
+             ErrorPage::tr("Read as written"),
+             {}});
+    }
+    return findings;
+}
+
+Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis)
+{
+    if (result.reference) {
+        return filePage(result, diagnosis);
+    }
+    if (result.difference) {
+        return pinnedPage(result);
+    }
+    Page page;
+    page.sentence = ErrorPage::tr("There is nothing to compare with: no file is open and no motion is pinned.");
+    page.tone = Tone::Muted;
+    return page;
+}
+
+QString errorTitle(const Result &result)
+{
+    const QString title = ErrorPage::tr("Errors");
+    return result.reference ? title + u' ' + lookOf(worstVerdict(result.comparison)).mark : title;
+}
+
+} // namespace slidercrank

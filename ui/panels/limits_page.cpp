@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/limits_page.h"
+
+#include "core/limits/extremes.h"
+#include "ui/text/axis_scale.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct LimitsPage {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::LimitsPage)
+};
+
+std::vector<TableColumn> columnsWith(const QString &first, const QString &explanation, const QString &valueExplanation)
+{
+    return {{first, explanation, "limit", false},
+            {LimitsPage::tr("value"), valueExplanation, "value"},
+            {LimitsPage::tr("θ₂ [°]"), LimitsPage::tr("Crank angle, 0 to 360°"), "theta2 [°]"},
+            {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}};
+}
+
+/// Angles have fixed decimals, and what is unbounded is a word.
+QString valueText(const MotionFact &fact)
+{
+    const bool isReadout = fact.unit != "°" && std::isfinite(fact.number);
+    return isReadout ? QStringLiteral("%1 %2").arg(shortNumber(fact.number, kReadoutDigits), fact.unit).trimmed()
+                     : fact.value;
+}
+
+std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double duration)
+{
+    std::vector<TableRow> rows;
+    for (const MotionFact &fact : facts) {
+        QString explanation = fact.explanation;
+        TableCell angle{.text = fact.remark};
+        if (fact.theta2) {
+            explanation += u'\n' + (fact.instant ? LimitsPage::tr("Click or press Enter to go there")
+                                                 : LimitsPage::tr("Outside the simulated time range"));
+            const double degrees = kDegreesPerRadian * *fact.theta2;
+            angle = {.text = crankAngleText(*fact.theta2), .number = degrees < 0.0 ? degrees + 360.0 : degrees};
+        }
+        rows.push_back({{{.text = fact.name,
+                          .csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit)},
+                         {.text = valueText(fact), .number = fact.number},
+                         angle,
+                         {.text = fact.instant ? secondsText(*fact.instant, duration) : dash(),
+                          .number = fact.instant,
+                          .tone = fact.instant ? Tone::Link : Tone::Normal}},
+                        fact.instant});
+        for (TableCell &cell : rows.back().cells) {
+            cell.explanation = explanation;
+        }
+    }
+    return rows;
+}
+
+} // namespace
+
+Page limitsPage(const Result &result)
+{
+    const Mechanism &mechanism = result.mechanism;
+    Page page;
+    page.sentence = mobilitySentence(mechanism, result.limits);
+    page.fileName = LimitsPage::tr("limits", "name of a file");
+    page.tables = {
+        {"positionTable", LimitsPage::tr("Limits of the motion"),
+         columnsWith(LimitsPage::tr("limit"), LimitsPage::tr("Where slider and crank reverse, and the stroke times"),
+                     LimitsPage::tr("Positions are those of the slider, Rₓ⁴, measured from O₂")),
+         rowsOf(positionFacts(mechanism, result.limits, result.sampling), result.sampling.duration)},
+        {"peakTable", LimitsPage::tr("Peak velocities and accelerations"),
+         columnsWith(LimitsPage::tr("peak value per revolution"),
+                     LimitsPage::tr("Largest velocities and accelerations over a whole revolution of the crank, "
+                                    "whatever part of it is simulated"),
+                     LimitsPage::tr("With its sign: x to the right, angles counter-clockwise")),
+         rowsOf(peakFacts(mechanism, result.limits, motionPeaks(mechanism), result.sampling),
+                result.sampling.duration)}};
+    return page;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/newton_pages.h"
+
+#include "core/mechanism/channel.h"
+#include "core/newton/newton.h"
+#include "core/sampling/instant_equations.h"
+#include "ui/text/axis_scale.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct NewtonPages {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::NewtonPages)
+};
+
+constexpr std::array kEquations{"Rₓ¹ = 0",
+                                "R_y¹ = 0",
+                                "θ¹ = 0",
+                                "Rₓ² − a/2 cos θ₂ = 0",
+                                "R_y² − a/2 sin θ₂ = 0",
+                                "−Rₓ³ + Rₓ² + a/2 cos θ₂ + b/2 cos θ³ = 0",
+                                "−R_y³ + R_y² + a/2 sin θ₂ + b/2 sin θ³ = 0",
+                                "Rₓ⁴ − Rₓ³ − b/2 cos θ³ = 0",
+                                "R_y⁴ − R_y³ − b/2 sin θ³ = 0",
+                                "θ⁴ − θ¹ = 0",
+                                "R_y⁴ − c = 0",
+                                "θ₂ − ω₂ t − θ₂₀ = 0"};
+
+QString equationOf(Constraint row)
+{
+    return QString::fromUtf8(kEquations[static_cast<std::size_t>(row)]);
+}
+
+QString symbolOf(Coordinate coordinate)
+{
+    return symbolOf(Channel{coordinate, Order::Position});
+}
+
+bool isAngle(Constraint row)
+{
+    return row == GroundAngle || row == SliderAngle || row == CrankDrive;
+}
+
+QString partName(MechanismPart part)
+{
+    switch (part) {
+    case MechanismPart::Ground: return NewtonPages::tr("ground");
+    case MechanismPart::Crank: return NewtonPages::tr("crank");
+    case MechanismPart::Coupler: return NewtonPages::tr("coupler");
+    case MechanismPart::Slider: return NewtonPages::tr("slider");
+    case MechanismPart::Pivot: return NewtonPages::tr("pivot O₂");
+    case MechanismPart::PinA: return NewtonPages::tr("pin A");
+    case MechanismPart::PinB: return NewtonPages::tr("pin B");
+    case MechanismPart::Guide: return NewtonPages::tr("guide");
+    case MechanismPart::Drive: return NewtonPages::tr("drive");
+    case MechanismPart::None: break;
+    }
+    return {};
+}
+
+QString constraintName(Constraint row)
+{
+    const QString joint = partName(partOf(row));
+    switch (row) {
+    case GroundX:
+    case CrankPivotX:
+    case CrankPinX:
+    case SliderPinX: return NewtonPages::tr("%1, x").arg(joint);
+    case GroundY:
+    case CrankPivotY:
+    case CrankPinY:
+    case SliderPinY:
+    case SliderLine: return NewtonPages::tr("%1, y").arg(joint);
+    case GroundAngle:
+    case SliderAngle: return NewtonPages::tr("%1, θ").arg(joint);
+    case CrankDrive: return joint;
+    }
+    return {};
+}
+
+TableColumn textColumn(const QString &title, const QString &explanation, const QString &csvName)
+{
+    return {title, explanation, csvName, false};
+}
+
+/// With every digit in the tool tip.
+TableCell numberCell(double value, const QString &text, const QString &meaning, const QString &unit)
+{
+    if (!std::isfinite(value)) {
+        return {.text = dash(), .explanation = NewtonPages::tr("%1 does not exist here").arg(meaning)};
+    }
+    const QString digits = numberText(value, QLocale::FloatingPointShortest);
+    return {.text = text,
+            .number = value,
+            .explanation = QStringLiteral("%1 = %2 %3").arg(meaning, digits, unit).trimmed()};
+}
+
+TableCell numberCell(double value, const QString &meaning, const QString &unit)
+{
+    return numberCell(value, shortNumber(value, kReadoutDigits), meaning, unit);
+}
+
+/// `perSecond`: the power of 1/s in the unit.
+QString unitText(bool angle, int perSecond)
+{
+    const QString unit = angle ? QStringLiteral("rad") : QStringLiteral("mm");
+    return unit + (perSecond == 0 ? QString() : perSecond == 1 ? QStringLiteral("/s") : QStringLiteral("/s²"));
+}
+
+/// A page that says first why there are no numbers, or not all.
+Page pageAt(Status status, const Result &result)
+{
+    Page page;
+    page.tone = Tone::Bad;
+    switch (status) {
+    case Status::Solved: break;
+    case Status::Singular:
+        page.sentence = NewtonPages::tr("⚠ The coupler is perpendicular to the slider's line: C_q is singular. The "
+                                        "position exists, velocity and acceleration do not.");
+        break;
+    case Status::IterationLimit:
+        page.sentence = NewtonPages::tr("⚠ Not converged within %1 iterations: the last one is shown. Allow more "
+                                        "iterations or a larger tolerance.")
+                            .arg(QLocale().toString(result.solver.newton.maxIterations));
+        break;
+    case Status::NotAssemblable:
+        page.sentence = NewtonPages::tr("⚠ It cannot be assembled here: the coupler is too short.");
+        break;
+    case Status::NotFinite: page.sentence = NewtonPages::tr("⚠ The result is too large to be a number here."); break;
+    }
+    return page;
+}
+
+double stepOf(const Sampling &sampling)
+{
+    return sampling.duration / sampling.steps;
+}
+
+InstantEquations equationsOf(const Result &result, double time)
+{
+    return equationsAt(result.mechanism, time, stepOf(result.sampling), result.solver);
+}
+
+/// The tint of a cell of the Jacobian: ±1 always the same, lengths by their size.
+double jacobianTint(double value, bool isLength, double largest)
+{
+    constexpr double kUnity = 0.4;
+    constexpr double kFaintest = 0.1;
+    const double strength =
+        isLength ? kFaintest + (1.0 - kFaintest) * std::min(1.0, std::abs(value) / largest) : kUnity;
+    return value == 0.0 || !std::isfinite(value) ? 0.0 : std::copysign(strength, value);
+}
+
+ChartSeries seriesOf(const IterationHistory &history, const QString &name, QColor SeriesColours::*colour, bool isHollow)
+{
+    constexpr double kLeast = 1e-18; // a residual of 0 is drawn here
+    ChartSeries series{.name = name, .colour = colour, .isHollow = isHollow};
+    series.line = isHollow ? ChartSeries::Line::Dashed : ChartSeries::Line::Solid;
+    if (isHollow) {
+        series.mark.addRect(-3.5, -3.5, 7.0, 7.0);
+    } else {
+        series.mark.addEllipse(QPointF(), 3.5, 3.5);
+    }
+    for (const Iteration &iteration : history) {
+        const double residual = std::isfinite(iteration.residual) ? std::max(kLeast, iteration.residual) : 1.0;
+        series.points.push_back({static_cast<double>(series.points.size()), residual});
+        series.tips << numberText(iteration.residual, QLocale::FloatingPointShortest);
+    }
+    return series;
+}
+
+/// ‖C‖ over the iterations against the tolerance. The axes stay as they are while the mechanism moves.
+ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions &options)
+{
+    Interval steps{-0.3, 6.3};
+    Interval decades{-19.0, 2.0};
+    for (const ChartSeries &history : series) {
+        steps.upper = std::max(steps.upper, static_cast<double>(history.points.size()) - 0.7);
+        for (const QPointF &point : history.points) {
+            decades.upper = std::max(decades.upper, std::ceil(std::log10(point.y())));
+        }
+    }
+    if (options.tolerance > 0.0) {
+        series.push_back({.name = NewtonPages::tr("tolerance %1").arg(shortNumber(options.tolerance, 2)),
+                          .colour = &SeriesColours::warning,
+                          .points = {{steps.lower, options.tolerance}, {steps.upper, options.tolerance}},
+                          .line = ChartSeries::Line::Dashed});
+        decades.lower = std::min(decades.lower, std::floor(std::log10(options.tolerance)) - 1.0);
+    }
+    const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
+    return {{NewtonPages::tr("iteration"), steps},
+            {isRelative ? NewtonPages::tr("‖C‖, relative") : NewtonPages::tr("‖C‖"),
+             {std::pow(10.0, decades.lower), std::pow(10.0, decades.upper)},
+             true},
+            std::move(series)};
+}
+
+} // namespace
+
+Page equationPage(const Result &result, double time)
+{
+    const InstantEquations equations = equationsOf(result, time);
+    Page page = pageAt(equations.state.status, result);
+    page.fileName = NewtonPages::tr("equations", "name of a file");
+    PageTable table{
+        "equationTable",
+        NewtonPages::tr("Equations, a row for each constraint"),
+        {textColumn(NewtonPages::tr("joint"), NewtonPages::tr("Joint that the equation describes"), "joint"),
+         textColumn(NewtonPages::tr("equation"),
+                    NewtonPages::tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"),
+                    "equation"),
+         {NewtonPages::tr("C"), NewtonPages::tr("Residual of the equation, in mm or rad"), "C"},
+         {NewtonPages::tr("Cₜ, per s"),
+          NewtonPages::tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
+         {NewtonPages::tr("Q_d, per s²"),
+          NewtonPages::tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
+         textColumn(NewtonPages::tr("unit"), NewtonPages::tr("Of C; of Cₜ per s, of Q_d per s²"), "unit")},
+        {}};
+    for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+        const auto row = static_cast<Constraint>(i);
+        const bool angle = isAngle(row);
+        const QString number = QString::number(i + 1);
+        table.rows.push_back(
+            {{{.text = constraintName(row), .explanation = NewtonPages::tr("Equation %1").arg(number)},
+              {.text = equationOf(row)},
+              numberCell(equations.C[i], NewtonPages::tr("C, row %1").arg(number), unitText(angle, 0)),
+              numberCell(equations.Ct[i], NewtonPages::tr("Cₜ, row %1").arg(number), unitText(angle, 1)),
+              numberCell(equations.Qd[i], NewtonPages::tr("Q_d, row %1").arg(number), unitText(angle, 2)),
+              {.text = unitText(angle, 0)}},
+             {},
+             partOf(row)});
+    }
+    page.tables = {table};
+    return page;
+}
+
+Page jacobianPage(const Result &result, double time)
+{
+    const InstantEquations equations = equationsOf(result, time);
+    Page page = pageAt(equations.state.status, result);
+    page.fileName = NewtonPages::tr("jacobian", "name of a file");
+    PageTable table{
+        "jacobianTable",
+        NewtonPages::tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
+        {textColumn(NewtonPages::tr("C_q"),
+                    NewtonPages::tr("∂C/∂q: a row for each constraint, a column for each coordinate"), "constraint")},
+        {}};
+    for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
+        const auto coordinate = static_cast<Coordinate>(j);
+        const QString body = partName(partOf(coordinate));
+        table.columns.push_back({symbolOf(coordinate),
+                                 isAngle(coordinate) ? NewtonPages::tr("Angle of the %1; lengths in mm").arg(body)
+                                                     : NewtonPages::tr("Centre of mass of the %1").arg(body),
+                                 columnNameOf(Channel{coordinate, Order::Position})});
+    }
+    const double largest = 0.5 * std::max(result.mechanism.a(), result.mechanism.b());
+    for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+        const auto row = static_cast<Constraint>(i);
+        TableRow shown{{{.text = constraintName(row), .explanation = equationOf(row)}}, {}, partOf(row)};
+        for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
+            const auto coordinate = static_cast<Coordinate>(j);
+            const double value = equations.Cq(i, j);
+            const bool isLength = isAngle(coordinate) && !isAngle(row); // mm/rad
+            TableCell cell =
+                numberCell(value, NewtonPages::tr("∂(%1)/∂%2").arg(constraintName(row), symbolOf(coordinate)),
+                           isLength ? QStringLiteral("mm") : QString());
+            cell.tint = jacobianTint(value, isLength, largest);
+            if (value == 0.0) {
+                cell.text.clear();
+            }
+            shown.cells.push_back(cell);
+        }
+        table.rows.push_back(shown);
+    }
+    page.tables = {table};
+    if (equations.hasPosition()) {
+        const double condition = conditionNumber(equations.Cq);
+        page.note = NewtonPages::tr("Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm")
+                        .arg(std::isinf(condition) ? QStringLiteral("∞") : shortNumber(condition, kReadoutDigits),
+                             shortNumber(equations.Cq.determinant(), kReadoutDigits));
+        page.noteDetails =
+            NewtonPages::tr("κ is the largest singular value divided by the smallest, mm and rad mixed as "
+                            "in C_q. The larger it is, the more digits are lost; it is infinite where the "
+                            "coupler is perpendicular to the slider's line.");
+    }
+    return page;
+}
+
+Page iterationPage(const Result &result, double time)
+{
+    const NewtonOptions &options = result.solver.newton;
+    const double step = stepOf(result.sampling);
+    IterationHistory rough;
+    IterationHistory warm;
+    solve(result.mechanism, time, options, {}, &rough);
+    const NewtonInstant before = solve(result.mechanism, time - step, options);
+    if (before.positionStatus == Status::Solved) {
+        solve(result.mechanism, time, options, before, &warm);
+    }
+    const QString roughName = NewtonPages::tr("from a rough start");
+    const QString warmName = NewtonPages::tr("from %1 s earlier").arg(numberText(step));
+    const QString roughStart = NewtonPages::tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)");
+    const QString warmStart = NewtonPages::tr("From the position one time step before");
+
+    Page page = pageAt(equationsOf(result, time).state.status, result);
+    page.fileName = NewtonPages::tr("iterations", "name of a file");
+    page.chart = PageChart{"iterationPlot", NewtonPages::tr("Residual ‖C‖ over the iterations"),
+                           residualChart({seriesOf(rough, roughName, &SeriesColours::model, false),
+                                          seriesOf(warm, warmName, &SeriesColours::reference, true)},
+                                         options)};
+    PageTable table{"iterationTable",
+                    NewtonPages::tr("Iterations, a row for each"),
+                    {{NewtonPages::tr("step"), NewtonPages::tr("0: the start"), "step"},
+                     {NewtonPages::tr("● ‖C‖"), roughStart, "residual_from_afar"},
+                     {NewtonPages::tr("● θ³ [°]"), roughStart, "theta3_from_afar"},
+                     {NewtonPages::tr("□ ‖C‖"), warmStart, "residual_from_before"},
+                     {NewtonPages::tr("□ θ³ [°]"), warmStart, "theta3_from_before"}},
+                    {}};
+    constexpr int kDecimals = 10;
+    for (std::size_t k = 0; k < std::max(rough.size(), warm.size()); ++k) {
+        TableRow row{{{.text = QString::number(k), .number = static_cast<double>(k)}}};
+        for (const IterationHistory *history : {&rough, &warm}) {
+            if (k >= history->size()) {
+                row.cells.insert(row.cells.end(), 2, TableCell());
+                continue;
+            }
+            const Iteration &iteration = (*history)[k];
+            const double degrees = kDegreesPerRadian * iteration.q[Theta3];
+            row.cells.push_back(numberCell(iteration.residual, "‖C‖", {}));
+            row.cells.push_back(
+                numberCell(degrees, localeWithoutGroups().toString(degrees, 'f', kDecimals), "θ³", "°"));
+        }
+        table.rows.push_back(row);
+    }
+    page.tables = {table};
+    if (page.sentence.isEmpty()) {
+        page.tone = Tone::Normal;
+        page.sentence = NewtonPages::tr(
+            "Near the solution each iteration doubles the number of correct digits: the line bends down.");
+    }
+    return page;
+}
+
+Page coordinatePage(const Result &result, double time)
+{
+    const State state = equationsOf(result, time).state;
+    Page page = pageAt(state.status, result);
+    page.fileName = NewtonPages::tr("coordinates", "name of a file");
+    PageTable table{
+        "coordinateTable",
+        NewtonPages::tr("Coordinates, a row for each"),
+        {textColumn(NewtonPages::tr("coordinate"), NewtonPages::tr("Centre of mass and angle of each body"),
+                    "coordinate"),
+         textColumn(NewtonPages::tr("body"), {}, "body"),
+         {NewtonPages::tr("position"), NewtonPages::tr("q, in mm or °"), "position"},
+         {NewtonPages::tr("velocity, per s"), NewtonPages::tr("dq/dt, in mm/s or °/s"), "velocity"},
+         {NewtonPages::tr("acceleration, per s²"), NewtonPages::tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
+         textColumn(NewtonPages::tr("unit"),
+                    NewtonPages::tr("Of the position; of the velocity per s, of the acceleration per s²"), "unit")},
+        {}};
+    for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+        const auto coordinate = static_cast<Coordinate>(i);
+        TableRow row{{{.text = symbolOf(coordinate), .csv = columnNameOf(Channel{coordinate, Order::Position})},
+                      {.text = partName(partOf(coordinate))}},
+                     {},
+                     partOf(coordinate)};
+        for (const auto &[order, values] :
+             {std::pair{Order::Position, &state.q}, std::pair{Order::Velocity, &state.qDot},
+              std::pair{Order::Acceleration, &state.qDDot}}) {
+            const Channel channel{coordinate, order};
+            row.cells.push_back(numberCell(toFileUnit(channel, (*values)[i]), symbolOf(channel), unitOf(channel)));
+        }
+        row.cells.push_back({.text = unitOf(Channel{coordinate, Order::Position})});
+        table.rows.push_back(row);
+    }
+    page.tables = {table};
+    return page;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/reference_page.h"
+
+#include "ui/panels/error_page.h"
+#include "ui/text/column_text.h"
+#include "ui/text/diagnosis_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/read_fault_text.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct ReferencePage {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferencePage)
+};
+
+TableRow textRow(const QStringList &texts)
+{
+    TableRow row;
+    for (const QString &text : texts) {
+        row.cells.push_back({.text = text});
+    }
+    return row;
+}
+
+QString valueCountText(const ReferenceSeries &series)
+{
+    const auto isGap = [](double value) { return std::isnan(value); };
+    const auto gaps = static_cast<std::size_t>(std::ranges::count_if(series.values, isGap));
+    const QString values = countText(series.values.size() - gaps);
+    return gaps == 0   ? values
+           : gaps == 1 ? ReferencePage::tr("%1, 1 gap").arg(values)
+                       : ReferencePage::tr("%1, %2 gaps").arg(values, countText(gaps));
+}
+
+TableRow columnRow(const ReferenceData &data, std::size_t column)
+{
+    const FileColumn &read = data.layout.columns[column];
+    const bool isAbscissa = read.role == ColumnRole::Time || read.role == ColumnRole::CrankAngle;
+    const ReferenceSeries *series = read.role == ColumnRole::Channel ? data.find(read.channel) : nullptr;
+    TableRow row = textRow({headingAlone(data.layout, column), unitText(read), meaningText(read),
+                            series ? roundingText(series->rounding) : dash(),
+                            series       ? valueCountText(*series)
+                            : isAbscissa ? countText(data.time.size())
+                                         : dash(),
+                            shortReasonText(data.layout, column)});
+    for (TableCell &cell : row.cells) {
+        cell.explanation = reasonText(data.layout, column);
+        cell.tone = read.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;
+    }
+    if (isGuess(read.reason)) {
+        row.cells.back().tone = Tone::Fair;
+    }
+    return row;
+}
+
+PageTable columnTable(const ReferenceData &data)
+{
+    PageTable table{"columnTable",
+                    ReferencePage::tr("Columns of the file, a row for each"),
+                    {{ReferencePage::tr("heading"), {}, "heading", false},
+                     {ReferencePage::tr("unit"), {}, "unit", false},
+                     {ReferencePage::tr("read as"), {}, "read_as", false},
+                     {ReferencePage::tr("rounded to"), ReferencePage::tr("Inferred from all values of the column"),
+                      "rounded_to", false},
+                     {ReferencePage::tr("values"), {}, "values", false},
+                     {ReferencePage::tr("why"), {}, "why", false}},
+                    {}};
+    const FileLayout &layout = data.layout;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        if (!layout.files.empty() && (i == 0 || layout.columns[i].file != layout.columns[i - 1].file)) {
+            table.rows.push_back(
+                textRow({QString::fromUtf8(layout.files[layout.columns[i].file]), {}, {}, {}, {}, {}}));
+        }
+        if (!repeatsInstants(layout, i)) {
+            table.rows.push_back(columnRow(data, i));
+        }
+    }
+    return table;
+}
+
+PageTable skippedTable(const ReferenceData &data)
+{
+    PageTable table{"skippedTable",
+                    ReferencePage::tr("Rows of the file that were skipped"),
+                    {{ReferencePage::tr("skipped line"), {}, "line", false},
+                     {ReferencePage::tr("column"), {}, "column", false},
+                     {ReferencePage::tr("text"), {}, "text", false},
+                     {ReferencePage::tr("why"), {}, "why", false}},
+                    {}};
+    for (const SkippedRow &row : data.skipped) {
+        table.rows.push_back(
+            textRow({lineText(data.layout, row), row.column == 0 ? QString() : QString::number(row.column),
+                     QString::fromUtf8(row.text), reasonOf(row)}));
+    }
+    return table;
+}
+
+bool isAbscissaOpen(const ReferenceData &data)
+{
+    const auto isGuessedTime = [](const FileColumn &column) {
+        return column.role == ColumnRole::Time && isGuess(column.reason);
+    };
+    return data.crank || std::ranges::any_of(data.layout.columns, isGuessedTime);
+}
+
+/// Headings may not tell a table by time from one by crank angle.
+Finding abscissaFinding(const ReferenceData &data)
+{
+    if (data.crank) {
+        return {Finding::Remedy::ReadByTime,
+                {},
+                ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time."),
+                ReferencePage::tr("First column is the time"),
+                {}};
+    }
+    return {Finding::Remedy::ReadByAngle,
+            {},
+            ReferencePage::tr("The rows are by time."),
+            ReferencePage::tr("First column is the crank angle"),
+            {}};
+}
+
+Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis)
+{
+    if (!isOfFile(diagnosis, result)) {
+        return {Finding::Remedy::None, {}, ReferencePage::tr("Searching for the mechanism of this file…"), {}, {}};
+    }
+    const Diagnosis &found = diagnosis->found;
+    Finding finding;
+    finding.sentence = ReferencePage::tr("Mechanism found in this file: %1").arg(summaryOf(found));
+    if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
+        finding.sentence += u'\n' + rounded;
+    }
+    if (found.identification.stands() && result.mechanism.parameters() != found.rounded) {
+        const bool isUnique = found.identification.hasOneMechanism();
+        finding.remedy = Finding::Remedy::TakeOver;
+        finding.remedyText = isUnique ? ReferencePage::tr("Use this mechanism") : ReferencePage::tr("Use the first");
+        finding.details = changesText(result.mechanism.parameters(), found);
+    }
+    return finding;
+}
+
+} // namespace
+
+Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
+{
+    Page page;
+    if (!result.reference) {
+        page.sentence = ReferencePage::tr("No file is open.");
+        page.tone = Tone::Muted;
+        return page;
+    }
+    const ReferenceData &data = result.reference->data;
+    QString rows = data.time.size() == 1 ? ReferencePage::tr("1 row")
+                                         : ReferencePage::tr("%1 rows").arg(countText(data.time.size()));
+    if (!data.time.empty()) {
+        rows += QStringLiteral(", ") + abscissaText(data);
+    }
+    page.sentence = shownNameOf(result.reference->paths);
+    page.fileName = ReferencePage::tr("reference", "name of a file");
+    page.findings = {{Finding::Remedy::ChooseColumns,
+                      {},
+                      ReferencePage::tr("%1. %2.").arg(formText(data.layout), rows),
+                      ReferencePage::tr("Choose columns…"),
+                      {}},
+                     mechanismFound(result, diagnosis)};
+    if (isAbscissaOpen(data)) {
+        page.findings.insert(page.findings.begin() + 1, abscissaFinding(data));
+    }
+    for (const Finding &finding : findingsOf(result, diagnosis)) {
+        if (finding.remedy == Finding::Remedy::Apply || finding.remedy == Finding::Remedy::ReadAsPrinted) {
+            page.findings.push_back(finding);
+        }
+    }
+    page.tables = {columnTable(data), skippedTable(data)};
+    return page;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/study_page.h"
+
+#include "ui/text/axis_scale.h"
+#include "ui/text/study_text.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct StudyPage {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyPage)
+};
+
+constexpr int kDigits = 3;
+constexpr int kEveryChannel = 36;
+constexpr int kPlottedChannelsOnly = 6;
+constexpr double kLeastError = 1e-17; // an error of 0 is drawn here, below what a double can resolve
+
+struct MethodText {
+    QString name;
+    QString explanation;
+    Tone tone;
+};
+
+MethodText textFor(MethodName::Kind kind)
+{
+    const QString taylor = StudyPage::tr(
+        "The same, started from position, velocity and acceleration of the time step before (Taylor series)");
+    switch (kind) {
+    case MethodName::Kind::NewtonDense:
+        return {StudyPage::tr("Newton-Raphson, dense"),
+                StudyPage::tr("As in the reference report: 12 equations solved together (dense LU), started from the "
+                              "time step before"),
+                Tone::Fair};
+    case MethodName::Kind::NewtonDenseTaylor: return {StudyPage::tr("dense, Taylor start"), taylor, Tone::Fair};
+    case MethodName::Kind::NewtonStructured:
+        return {StudyPage::tr("Newton-Raphson, structured"),
+                StudyPage::tr("The same 12 equations, solved joint by joint"), Tone::Model};
+    case MethodName::Kind::NewtonStructuredTaylor:
+        return {StudyPage::tr("structured, Taylor start"), taylor, Tone::Model};
+    case MethodName::Kind::ClosedForm:
+        return {StudyPage::tr("closed form"), StudyPage::tr("The exact formulas, one time step after the other"),
+                Tone::Good};
+    case MethodName::Kind::ClosedFormBatch:
+        return {StudyPage::tr("closed form, batch"),
+                StudyPage::tr("The exact formulas for several time steps at once (vector instructions)"), Tone::Good};
+    case MethodName::Kind::FiniteDifference:
+        return {StudyPage::tr("finite differences"),
+                StudyPage::tr("Velocity and acceleration as central differences of exact positions"), Tone::Bad};
+    case MethodName::Kind::Harmonics:
+        return {StudyPage::tr("Fourier series"), StudyPage::tr("The motion as a Fourier series"), Tone::Bad};
+    }
+    return {};
+}
+
+QString nameOfRow(const MethodResult &row)
+{
+    const QString name = textFor(row.method.kind).name;
+    return row.method.kind == MethodName::Kind::Harmonics
+               ? StudyPage::tr("%1, %2 harmonics").arg(name, QString::number(row.method.harmonics))
+               : name;
+}
+
+QString statusText(Status status)
+{
+    switch (status) {
+    case Status::Solved: return StudyPage::tr("solved");
+    case Status::Singular: return StudyPage::tr("singular");
+    case Status::IterationLimit: return StudyPage::tr("not converged");
+    case Status::NotAssemblable: return StudyPage::tr("cannot be assembled");
+    case Status::NotFinite: return StudyPage::tr("not finite");
+    }
+    return {};
+}
+
+/// "solved", or "190 solved, 11 singular".
+QString outcomeText(const MethodResult &row)
+{
+    QStringList parts;
+    for (std::size_t i = 0; i < kStatusCount; ++i) {
+        if (row.counts[i] > 0) {
+            parts += QStringLiteral("%1 %2").arg(countText(row.counts[i]), statusText(static_cast<Status>(i)));
+        }
+    }
+    QString text = parts.size() == 1 ? statusText(row.status) : parts.join(", ");
+    if (row.silentFailures.value_or(0) > 0) {
+        text += StudyPage::tr(", %1 wrong but called solved").arg(countText(*row.silentFailures));
+    }
+    return text;
+}
+
+QString descriptionOf(const MethodResult &row)
+{
+    QStringList lines{
+        nameOfRow(row), textFor(row.method.kind).explanation,
+        StudyPage::tr("%1 ns per time step (± %2), %3 channels")
+            .arg(shortNumber(row.nsPerState, kDigits), shortNumber(0.5 * row.spread, 2), QString::number(row.channels)),
+        row.maxError ? StudyPage::tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kDigits))
+                     : StudyPage::tr("No time step is solved")};
+    if (row.errorBound) {
+        lines << StudyPage::tr("Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1")
+                     .arg(shortNumber(*row.errorBound, kDigits));
+    }
+    return lines.join(u'\n');
+}
+
+TableRow rowOf(const MethodResult &method)
+{
+    TableRow row{
+        {{.text = nameOfRow(method), .tone = textFor(method.method.kind).tone},
+         {.text = method.tolerance ? numberText(*method.tolerance, kDigits) : dash(), .number = method.tolerance},
+         {.text = shortNumber(method.nsPerState, kDigits), .number = method.nsPerState},
+         {.text = shortNumber(method.maxError, kDigits), .number = method.maxError},
+         {.text = shortNumber(method.iterationsPerState, kDigits), .number = method.iterationsPerState},
+         {.text = outcomeText(method), .tone = method.silentFailures.value_or(0) > 0 ? Tone::Bad : Tone::Normal}}};
+    for (TableCell &cell : row.cells) {
+        cell.explanation = descriptionOf(method);
+    }
+    return row;
+}
+
+/// Of the methods that compute so many channels.
+PageTable tableFor(const CaseResult &result, int channels)
+{
+    const QString title = StudyPage::tr("%1 channels").arg(channels);
+    PageTable table{
+        QStringLiteral("studyTable%1").arg(channels),
+        StudyPage::tr("Methods that compute %1 channels, a row for each method and tolerance").arg(channels),
+        {{title, StudyPage::tr("How the motion is computed"), "method", false},
+         {StudyPage::tr("tolerance"),
+          StudyPage::tr("Of Newton-Raphson: absolute for the reference report's way, relative for the others"),
+          "tolerance"},
+         {StudyPage::tr("time [ns]"),
+          StudyPage::tr("Position, velocity and acceleration at one time step: median over interleaved rounds"),
+          "time [ns]"},
+         {StudyPage::tr("error"),
+          StudyPage::tr("Largest error of the six plotted channels, relative to the peak of the channel, over "
+                        "the time steps solved"),
+          "error"},
+         {StudyPage::tr("iterations"), StudyPage::tr("For each time step"), "iterations"},
+         {StudyPage::tr("time steps"), StudyPage::tr("What the method reports"), "instants", false}},
+        {}};
+    for (const MethodResult &method : result.methods) {
+        if (method.channels == channels) {
+            table.rows.push_back(rowOf(method));
+        }
+    }
+    return table;
+}
+
+/// Kinds of the same colour have different marks.
+QPainterPath markOf(MethodName::Kind kind)
+{
+    QPainterPath path;
+    switch (kind) {
+    case MethodName::Kind::NewtonDense:
+    case MethodName::Kind::ClosedForm:
+    case MethodName::Kind::FiniteDifference: path.addRect(-4.0, -4.0, 8.0, 8.0); break;
+    case MethodName::Kind::NewtonStructured:
+    case MethodName::Kind::Harmonics: path.addEllipse(QPointF(), 4.0, 4.0); break;
+    case MethodName::Kind::NewtonDenseTaylor:
+    case MethodName::Kind::NewtonStructuredTaylor:
+    case MethodName::Kind::ClosedFormBatch:
+        path.addPolygon(QPolygonF{{0, -5}, {5, 0}, {0, 5}, {-5, 0}, {0, -5}});
+        break;
+    }
+    return path;
+}
+
+QColor SeriesColours::*colourOf(Tone tone)
+{
+    return tone == Tone::Fair    ? &SeriesColours::reference
+           : tone == Tone::Model ? &SeriesColours::model
+           : tone == Tone::Good  ? &SeriesColours::errorOther
+                                 : &SeriesColours::error;
+}
+
+ChartContent chartOf(const CaseResult &result)
+{
+    ChartContent chart{{StudyPage::tr("time for one time step [ns]"), {1e1, 1e3}, true},
+                       {StudyPage::tr("error / peak"), {1e-17, 1.0}, true},
+                       {},
+                       ChartContent::Legend::Right};
+    const auto include = [](ChartAxis &axis, double value) {
+        axis.range = {std::min(axis.range.lower, std::pow(10.0, std::floor(std::log10(value)))),
+                      std::max(axis.range.upper, std::pow(10.0, std::ceil(std::log10(value))))};
+    };
+    std::vector<MethodName::Kind> kinds;
+    double bound = 0.0;
+    for (const MethodResult &method : result.methods) {
+        if (!method.maxError || method.nsPerState <= 0.0) {
+            continue;
+        }
+        auto kind = std::ranges::find(kinds, method.method.kind);
+        if (kind == kinds.end()) {
+            const MethodText text = textFor(method.method.kind);
+            chart.series.push_back({.name = text.name,
+                                    .colour = colourOf(text.tone),
+                                    .mark = markOf(method.method.kind),
+                                    .isHollow = method.channels < kEveryChannel});
+            kind = kinds.insert(kinds.end(), method.method.kind);
+        }
+        ChartSeries &series = chart.series[static_cast<std::size_t>(kind - kinds.begin())];
+        const double error = std::isfinite(*method.maxError) ? std::max(kLeastError, *method.maxError) : 1.0;
+        const QPointF point(method.nsPerState, error);
+        const auto place = std::ranges::lower_bound(series.points, point.x(), {}, &QPointF::x) - series.points.begin();
+        series.points.insert(series.points.begin() + place, point);
+        series.tips.insert(place, descriptionOf(method));
+        include(chart.x, point.x());
+        include(chart.y, point.y());
+        bound = std::max(bound, method.errorBound.value_or(0.0));
+    }
+    if (bound > 0.0) {
+        include(chart.y, bound);
+        chart.series.push_back({.name = StudyPage::tr("effect of rounded input"),
+                                .colour = &SeriesColours::warning,
+                                .points = {{chart.x.range.lower, bound}, {chart.x.range.upper, bound}},
+                                .line = ChartSeries::Line::Dashed});
+    }
+    return chart;
+}
+
+} // namespace
+
+Page studyPage(const CaseResult &result)
+{
+    Page page;
+    page.sentence = closedFormSentence(result);
+    page.fileName = StudyPage::tr("speed", "name of a file");
+    page.chart = PageChart{"studyChart", StudyPage::tr("Error against time for each method"), chartOf(result)};
+    page.tables = {tableFor(result, kEveryChannel), tableFor(result, kPlottedChannelsOnly)};
+    return page;
+}
+
+Page emptyStudyPage()
+{
+    Page page;
+    page.sentence =
+        StudyPage::tr("How fast is each method, and how accurate? Run the study: every method is timed on the "
+                      "same time steps, and its error is measured against a computation with 50 digits or "
+                      "more.");
+    page.tone = Tone::Muted;
+    return page;
+}
+
+} // namespace slidercrank

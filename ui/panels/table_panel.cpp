@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/table_panel.h"
+
+#include "ui/document/whole_file.h"
+#include "ui/export/figure_export.h"
+#include "ui/text/theme.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/paragraph.h"
+#include "ui/widgets/save_dialog.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+
+#include <algorithm>
+#include <chrono>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kPause{100}; // numbers that change faster cannot be read
+constexpr int kChartWidth = 360;                 // px, beside tables
+constexpr QSize kChartSize(900, 600);            // px, of an exported chart
+
+QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation)
+{
+    auto *button = named(name, new QToolButton);
+    button->setText(text);
+    button->setToolTip(explanation);
+    button->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(button, 0, Qt::AlignTop);
+    return button;
+}
+
+} // namespace
+
+TablePanel::TablePanel(const QString &name, const QString &title, const std::function<Page()> &makePage,
+                       QWidget *parent)
+    : QWidget(parent)
+    , m_makePage(makePage)
+    , m_sentence(named(name + "Sentence", plainText()))
+    , m_findings(named("findings", new QWidget))
+    , m_scroll(new QScrollArea)
+    , m_chart(new Chart)
+    , m_note(named(name + "Note", plainText()))
+{
+    named(name, this, title);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_sentence, 1);
+    m_copy = addButton(head, name + "Copy", tr("Copy"), tr("Copies the tables as CSV, with every digit"));
+    m_export = addButton(head, name + "Export", tr("Export…"), tr("Writes the tables to a CSV file, with every digit"));
+    connect(m_copy, &QToolButton::clicked, this, &TablePanel::copy);
+    connect(m_export, &QToolButton::clicked, this, &TablePanel::chooseFile);
+    auto *grid = new QGridLayout(m_findings);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(0, 1);
+    m_findings->hide();
+
+    auto *parts = new QWidget;
+    auto *columns = new QHBoxLayout(parts);
+    columns->setContentsMargins(0, 0, 0, 0);
+    columns->setSpacing(12);
+    m_beside = new QBoxLayout(QBoxLayout::LeftToRight);
+    m_beside->setSpacing(12);
+    columns->addWidget(m_chart, 1);
+    columns->addLayout(m_beside, 1);
+    m_chart->setMinimumSize(200, 100);
+    m_chart->hide();
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setWidget(parts);
+
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(6, 4, 6, 2);
+    rows->setSpacing(3);
+    rows->addLayout(head);
+    rows->addWidget(m_findings);
+    rows->addWidget(m_scroll, 1);
+    rows->addWidget(m_note);
+
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_stale) {
+            refresh();
+        }
+    });
+}
+
+void TablePanel::refresh()
+{
+    m_stale = true;
+    if (isVisible() && !m_pause.isActive()) {
+        fill();
+    }
+}
+
+void TablePanel::refreshNow()
+{
+    m_pause.stop();
+    refresh();
+}
+
+void TablePanel::fill()
+{
+    m_stale = false;
+    m_pause.start();
+    const Page page = m_makePage();
+    m_sentence->setText(page.sentence);
+    setInk(*m_sentence, toneColour(page.tone, palette()));
+    m_note->setText(page.note);
+    m_note->setToolTip(page.noteDetails);
+    m_note->setVisible(!page.note.isEmpty());
+    m_chart->setVisible(page.chart.has_value());
+    if (page.chart) {
+        named(page.chart->name, m_chart, page.chart->title);
+        m_chart->setContent(page.chart->content);
+    }
+    fillFindings(page);
+    fillTables(page);
+    arrange();
+}
+
+void TablePanel::fillFindings(const Page &page)
+{
+    m_findings->setEnabled(!page.keepsFindings);
+    if (page.keepsFindings || page.findings == m_shownFindings) {
+        return;
+    }
+    m_shownFindings = page.findings;
+    auto *grid = static_cast<QGridLayout *>(m_findings->layout());
+    while (QLayoutItem *item = grid->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater(); // one of them may be the button that was just pressed
+        delete item;
+    }
+    m_findings->setVisible(!m_shownFindings.empty());
+    for (int row = 0; row < static_cast<int>(m_shownFindings.size()); ++row) {
+        const Finding &finding = m_shownFindings[static_cast<std::size_t>(row)];
+        grid->addWidget(named("findingLabel", plainText(finding.sentence)), row, 0);
+        if (finding.remedy != Finding::Remedy::None) {
+            auto *button = named("remedyButton", new QPushButton(finding.remedyText),
+                                 tr("%1: %2").arg(finding.remedyText, finding.sentence));
+            button->setToolTip(finding.details);
+            button->setFocusPolicy(Qt::TabFocus); // it vanishes when clicked, and must not take the focus with it
+            grid->addWidget(button, row, 1, Qt::AlignTop);
+            connect(button, &QPushButton::clicked, this, [this, finding] { emit remedyRequested(finding); });
+        }
+    }
+}
+
+NumberTable *TablePanel::tableFor(const PageTable &content)
+{
+    NumberTable *&table = m_tables[content.name];
+    if (!table) {
+        table = new NumberTable(content.name, content.title, content.columns);
+        m_beside->addWidget(table, 1);
+        connect(table, &NumberTable::timeRequested, this, &TablePanel::timeRequested);
+        connect(table, &NumberTable::partHovered, this, &TablePanel::partHovered);
+        connect(table, &NumberTable::copied, this, &TablePanel::rowsCopied);
+        connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+                [this, shown = table](const QModelIndex &index) {
+                    const QRect row = shown->visualRect(index);
+                    const QPoint centre = shown->viewport()->mapTo(m_scroll->widget(), row.center());
+                    m_scroll->ensureVisible(centre.x(), centre.y(), 0, row.height());
+                });
+    }
+    return table;
+}
+
+void TablePanel::fillTables(const Page &page)
+{
+    m_shownTables.clear();
+    for (const PageTable &content : page.tables) {
+        NumberTable *table = tableFor(content);
+        table->setRows(content.rows);
+        if (!content.rows.empty()) {
+            m_shownTables.push_back(table);
+        }
+    }
+    for (const auto &[name, table] : m_tables) {
+        table->setVisible(std::ranges::count(m_shownTables, table) > 0);
+    }
+    m_copy->setVisible(!m_shownTables.empty());
+    m_export->setVisible(!m_shownTables.empty());
+}
+
+/// Several tables scroll together; a table by itself scrolls under its headings.
+void TablePanel::arrange()
+{
+    constexpr int kScrollBar = 20; // px
+    const bool together = m_shownTables.size() > 1;
+    const int available = m_scroll->width() - (m_chart->isHidden() ? 0 : kChartWidth);
+    int needed = 0;
+    for (NumberTable *table : m_shownTables) {
+        const QSize content = table->contentSize();
+        needed += content.width() + m_beside->spacing();
+        table->setVerticalScrollBarPolicy(together ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+        table->setMinimumHeight(together ? content.height() : 1);
+        table->setMinimumWidth(
+            m_chart->isHidden() ? 1 : std::clamp(content.width() + kScrollBar, 1, std::max(1, available)));
+    }
+    m_beside->setDirection(needed <= available || !together ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
+void TablePanel::copy()
+{
+    const Page page = m_makePage();
+    QApplication::clipboard()->setText(csvOf(page));
+    std::size_t rows = 0;
+    for (const PageTable &table : page.tables) {
+        rows += table.rows.size();
+    }
+    emit rowsCopied(static_cast<int>(rows));
+}
+
+std::optional<QString> TablePanel::exportTo(const QString &path) const
+{
+    const Page page = m_makePage();
+    if (!path.endsWith(".csv", Qt::CaseInsensitive) && page.chart) {
+        Chart chart;
+        chart.setContent(page.chart->content);
+        return exportFigure(path, {kChartSize, 2.0}, page.chart->title, [&chart](QPainter &painter, const QSize &size) {
+            chart.paint(painter, size, paletteFor(Theme::Light));
+        });
+    }
+    const std::optional<QString> reason = writeWhole(path, csvOf(page).toUtf8());
+    return reason ? std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
+}
+
+void TablePanel::chooseFile()
+{
+    const Page page = m_makePage();
+    QStringList filters{tr("Tables (*.csv)")};
+    if (page.chart) {
+        filters += figureFilters();
+    }
+    chooseFileToSave(this, {tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation),
+                            page.fileName + QStringLiteral(".csv"), [this](const QString &path, const QString &) {
+                                if (const std::optional<QString> problem = exportTo(path)) {
+                                    emit problemFound(*problem);
+                                }
+                            }});
+}
+
+void TablePanel::showEvent(QShowEvent *event)
+{
+    if (m_stale) {
+        fill();
+    }
+    QWidget::showEvent(event);
+}
+
+void TablePanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void TablePanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange ||
+        event->type() == QEvent::FontChange) {
+        refresh();
+    }
+}
+
+QString csvOf(const Page &page)
+{
+    QString text;
+    QString headings;
+    for (const PageTable &table : page.tables) {
+        const QString csv = csvText(table.columns, table.rows);
+        const QString first = csv.section(u'\n', 0, 0);
+        text += first == headings ? csv.sliced(first.size() + 1) : csv;
+        headings = first;
+    }
+    return text;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Shows a page: its sentence, findings with their buttons, chart and tables side by side where there is space. The page
+// is computed when the panel is visible, at most ten times a second.
+
+#include "ui/panels/page.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <map>
+
+class QBoxLayout;
+class QLabel;
+class QScrollArea;
+class QToolButton;
+
+namespace slidercrank
+{
+
+class TablePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `name`: the object name; `title`: what a screen reader announces.
+    TablePanel(const QString &name, const QString &title, const std::function<Page()> &makePage,
+               QWidget *parent = nullptr);
+
+    /// The tables, every digit, or by its suffix (.png, .svg, .pdf) the chart. A sentence when it could not be written.
+    std::optional<QString> exportTo(const QString &path) const;
+
+    QSize minimumSizeHint() const override { return {200, 100}; } ///< the rest scrolls
+
+public slots:
+    void refresh();
+    void refreshNow(); ///< without waiting: it is another page
+
+signals:
+    void timeRequested(double seconds);
+    void partHovered(slidercrank::MechanismPart part);
+    void remedyRequested(const slidercrank::Finding &finding);
+    void rowsCopied(int count);
+    void problemFound(const QString &sentence);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void fill();
+    void fillFindings(const Page &page);
+    void fillTables(const Page &page);
+    NumberTable *tableFor(const PageTable &content);
+    void arrange();
+    void copy();
+    void chooseFile();
+
+    std::function<Page()> m_makePage;
+    bool m_stale = true;
+    QTimer m_pause{this}; ///< runs for a moment after each filling
+    std::vector<Finding> m_shownFindings;
+
+    QLabel *m_sentence;
+    QToolButton *m_copy;
+    QToolButton *m_export;
+    QWidget *m_findings;
+    QScrollArea *m_scroll;
+    QBoxLayout *m_beside; ///< the tables, side by side or one above the other
+    Chart *m_chart;
+    std::map<QString, NumberTable *> m_tables; ///< by name, also of pages shown before
+    std::vector<NumberTable *> m_shownTables;
+    QLabel *m_note;
+};
+
+/// The tables of a page as CSV, one after the other; equal headings are not repeated.
+QString csvOf(const Page &page);
+
+} // namespace slidercrank
