@@ -115,7 +115,7 @@ private:
     {
         if (theta2) {
             limit.theta2 = degreesFromZero(*theta2);
-            limit.time = instantAtCrankAngle(m_mechanism, *limit.theta2, 0.0);
+            limit.time = instantAtCrankAngle(m_mechanism, *theta2, 0.0);
         }
         m_list.push_back(limit);
     }

@@ -163,7 +163,7 @@ std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism
     }
     const double degrees = options.number("at-angle", 0.0, kDegree);
     const QString angle = QString::number(degrees, 'g', 6);
-    const std::optional<double> time = instantAtCrankAngle(mechanism, degrees, start);
+    const std::optional<double> time = instantAtCrankAngle(mechanism, degrees / kDegreesPerRadian, start);
     if (!time && mechanism.omega2() == 0.0) {
         throw UsageError{CommandLine::tr("The crank stands still (--omega2 0) and never reaches %1°: choose another "
                                          "--omega2, or set the angle with --theta20.")

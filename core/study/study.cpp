@@ -112,11 +112,10 @@ struct Contender {
     std::vector<double> nanoseconds; ///< per state, a value a round
 };
 
-/// |got - exact|, with a value in degrees converted in extended precision, so that the conversion adds no error.
-double deviation(double got, bool isInDegrees, TwoPart exact)
+/// |got - exact|; infinite if there is no value.
+double deviation(double got, TwoPart exact)
 {
-    constexpr long double kRadiansPerDegree = std::numbers::pi_v<long double> / 180.0L;
-    const long double value = isInDegrees ? kRadiansPerDegree * static_cast<long double>(got) : got;
+    const long double value = got;
     const auto error =
         static_cast<double>((value - static_cast<long double>(exact.hi)) - static_cast<long double>(exact.lo));
     return std::isfinite(got) ? std::abs(error) : kInfinity;
@@ -138,7 +137,6 @@ int severity(Status status)
 /// Errors and statuses of the answers.
 void compareAnswers(const Contender &contender, const Judgement &judgement, MethodResult &result)
 {
-    const StudyMethod &method = *contender.method;
     double worst = 0.0;
     double bound = 0.0;
     std::size_t silent = 0;
@@ -159,9 +157,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         }
         bool isWrong = false;
         for (std::size_t k = 0; k < kChannels; ++k) {
-            const bool isInDegrees = method.givesDegrees && isAngle(kPlottedChannels[k].coordinate);
-            const double got = contender.answers.values[k][answer];
-            const double error = relative(deviation(got, isInDegrees, judged.values[k]), judgement.sizes[k]);
+            const double error = relative(deviation(contender.answers.values[k][answer], judged.values[k]), judgement.sizes[k]);
             const double limit = relative(judged.kappa[k] * kUnitRoundoff, judgement.sizes[k]);
             worst = std::max(worst, error);
             bound = std::max(bound, limit);

@@ -36,7 +36,6 @@ struct StudyMethod {
     std::optional<double> tolerance; ///< of Newton-Raphson
     ToleranceKind toleranceKind = ToleranceKind::Absolute;
     int channels = 6;
-    bool givesDegrees = false; ///< else radians
     bool dependsOnStep = true; ///< its error or its cost for the same outputs
     Instants instants = Instants::All;
 

@@ -78,7 +78,7 @@ TableCell channelCell(Channel channel)
             .csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel), unitOf(channel))};
 }
 
-TableRow rowOf(const ChannelComparison &channel)
+TableRow fileRow(const ChannelComparison &channel)
 {
     const QString unit = unitOf(channel.channel);
     const VerdictLook look = lookOf(channel.verdict);
@@ -113,7 +113,7 @@ TableRow rowOf(const ChannelComparison &channel)
             time};
 }
 
-TableRow rowOf(const ChannelDifference &channel)
+TableRow pinnedRow(const ChannelComparison &channel)
 {
     const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
     const QString unit = unitOf(channel.channel);
@@ -204,7 +204,7 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
         percentColumn(),
         timeColumn()};
     for (const ChannelComparison &channel : result.comparison) {
-        table.rows.push_back(rowOf(channel));
+        table.rows.push_back(fileRow(channel));
     }
     page.tables = {table};
     noteWhatWasLeftOut(result.reference->data, page);
@@ -231,7 +231,7 @@ Page pinnedPage(const Result &result)
                      timeColumn()},
                     {}};
     for (const ChannelDifference &channel : result.difference->channels) {
-        table.rows.push_back(rowOf(channel));
+        table.rows.push_back(pinnedRow(channel));
     }
     page.tables = {table};
     return page;
