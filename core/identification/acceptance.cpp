@@ -162,6 +162,7 @@ std::vector<double> crankAngles(const Observations &data, const Hypothesis &hypo
 {
     const double rate = phaseRate(data, hypothesis, hypothesis.unknowns);
     std::vector<double> angles;
+    angles.reserve(data.abscissa.size());
     for (const double at : data.abscissa) {
         angles.push_back(rate * at + hypothesis.unknowns[4]);
     }

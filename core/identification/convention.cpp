@@ -85,6 +85,18 @@ void applyToAngles(const Convention &convention, ReferenceData &data)
     }
 }
 
+void applyToTime(const Convention &convention, ReferenceData &data)
+{
+    const bool isUnit = convention.kind == Kind::TimeUnit;
+    if (isUnit && data.crank) { // its time stamps are those of the model
+        return;
+    }
+    for (double &time : data.time) {
+        time = isUnit ? time * convention.amount : time + convention.amount;
+    }
+    data.timeRounding.unitFactor *= isUnit ? std::abs(convention.amount) : 1.0;
+}
+
 } // namespace
 
 bool concerns(const Convention &convention, Channel channel)
@@ -152,33 +164,10 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         case Kind::NotDerivative: break;
         }
     }
-    switch (convention.kind) {
-    case Kind::TimeUnit:
-        if (data.crank) {
-            break; // its instants are of the model, not of the file
-        }
-        for (double &instant : data.time) {
-            instant *= convention.amount;
-        }
-        data.timeRounding.unitFactor *= std::abs(convention.amount);
-        break;
-    case Kind::TimeShift:
-        for (double &instant : data.time) {
-            instant += convention.amount;
-        }
-        break;
-    case Kind::NotDerivative:
+    if (convention.kind == Kind::TimeUnit || convention.kind == Kind::TimeShift) {
+        applyToTime(convention, data);
+    } else if (convention.kind == Kind::NotDerivative) {
         std::erase_if(data.series, [&](const ReferenceSeries &series) { return concerns(convention, series.channel); });
-        break;
-    case Kind::AngleUnit:
-    case Kind::LengthUnit:
-    case Kind::Sign:
-    case Kind::HalfTurn:
-    case Kind::WholeTurns:
-    case Kind::ZeroPoint:
-    case Kind::SwappedColumns:
-    case Kind::Axis:
-    case Kind::Branch: break;
     }
     return data;
 }

@@ -224,23 +224,6 @@ void fillErrors(const Observations &data, const Candidate &best, const Uncertain
     }
 }
 
-/// Nothing is accepted: what comes nearest of the candidates that interpret the file as its headings say.
-void decideNearest(const Observations &data, std::span<const Candidate> candidates, Decision &decision)
-{
-    constexpr double kFarthest = 0.45; // of the squares of the columns: more than half has to be explained
-    const Candidate *nearest = nullptr;
-    for (const Candidate &candidate : candidates) {
-        if (isAsWritten(data, candidate) && (!nearest || candidate.distance < nearest->distance)) {
-            nearest = &candidate;
-        }
-    }
-    if (nearest && nearest->distance < kFarthest) {
-        decision.candidate = *nearest;
-        decision.identification.outcome = Outcome::Nearest;
-        decision.identification.iterations = nearest->fit.iterations;
-    }
-}
-
 } // namespace
 
 std::optional<Lack> findLack(const Observations &data)
@@ -309,6 +292,31 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     return result;
 }
 
+Decision decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
+{
+    constexpr double kFarthest = 0.45; // of the squares of the columns: more than half has to be explained
+    Decision decision;
+    Identification &result = decision.identification;
+    result.parameters = given;
+    result.claimNothing();
+    const Candidate *nearest = nullptr;
+    for (const Candidate &candidate : candidates) {
+        if (isAsWritten(data, candidate) && (!nearest || candidate.distance < nearest->distance)) {
+            nearest = &candidate;
+        }
+    }
+    if (nearest && nearest->distance < kFarthest) {
+        decision.candidate = *nearest;
+        std::vector<Image> images = remainingImages(data, *nearest);
+        chooseImageLike(given, *decision.candidate, images);
+        result.outcome = Outcome::Nearest;
+        result.iterations = nearest->fit.iterations;
+        result.parameters = parametersOf(data, decision.candidate->fit.hypothesis);
+        result.parameters.theta20 = data.isByCrankAngle ? given.theta20 : result.parameters.theta20;
+    }
+    return decision;
+}
+
 Decision decide(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
 {
     constexpr double kLeastEvidence = 30.0; // nats
@@ -317,24 +325,12 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     result.parameters = given;
     result.claimNothing();
     if (candidates.empty() || candidates.front().acceptance == Acceptance::Rejected) {
-        decideNearest(data, candidates, decision);
-    } else {
-        decision.candidate = candidates.front();
+        return decideNearest(data, candidates, given);
     }
-    if (!decision.candidate) {
-        return decision;
-    }
+    decision.candidate = candidates.front();
     Candidate &best = *decision.candidate;
     std::vector<Image> images = remainingImages(data, best);
     chooseImageLike(given, best, images);
-    const auto setParameters = [&] {
-        result.parameters = parametersOf(data, best.fit.hypothesis);
-        result.parameters.theta20 = data.isByCrankAngle ? given.theta20 : result.parameters.theta20;
-    };
-    if (result.outcome == Outcome::Nearest) {
-        setParameters();
-        return decision;
-    }
     decision.uncertainty = computeUncertainty(data, best);
     result.iterations = best.fit.iterations;
     result.conditionNumber = decision.uncertainty.conditionNumber;
@@ -347,7 +343,8 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
                                                                      : Lack::Crooked;
         return decision;
     }
-    setParameters();
+    result.parameters = parametersOf(data, best.fit.hypothesis);
+    result.parameters.theta20 = data.isByCrankAngle ? given.theta20 : result.parameters.theta20;
     result.outcome = best.acceptance == Acceptance::Identified ? Outcome::Identified : Outcome::Approximate;
     fillErrors(data, best, decision.uncertainty, result);
     for (const Image &image : images) { // also of an approximate mechanism: no column excludes them

@@ -37,6 +37,9 @@ struct Decision {
     Uncertainty uncertainty;            ///< only where a mechanism is accepted
 };
 
+/// What comes nearest of the candidates that interpret the file as its headings say: Nearest, or None.
+Decision decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given);
+
 /// `candidates`: the best first.
 Decision decide(const Observations &data, std::span<const Candidate> candidates, const Parameters &given);
 

@@ -108,8 +108,9 @@ public:
     Diagnosis compute();
 
 private:
-    void interpret(const Observations &all, FileSearch search);
-    void keepNearest();
+    void interpret(const Observations &all, const FileSearch &search);
+    void keepNearest(const FileSearch &search);
+    void compareWith(const ReferenceData &read);
     void nameLeftOut(const ReferenceData &data, const Candidate &candidate, const Observations &observed, bool isOfTwo);
     ReferenceData timed(const ReferenceData &data, const Parameters &parameters) const;
 
@@ -143,20 +144,29 @@ void FileDiagnosis::nameLeftOut(const ReferenceData &data, const Candidate &cand
     }
 }
 
-/// Nothing is claimed; the mechanism is what was fitted, and its own deviation is reported.
-void FileDiagnosis::keepNearest()
+/// Nothing is claimed; the mechanism is one that was fitted to the columns as they are written, and its own deviation
+/// is reported.
+void FileDiagnosis::keepNearest(const FileSearch &search)
 {
     Identification &found = m_result.identification;
     const std::vector<Identification::LeftOut> leftOut = found.leftOut;
-    found.outcome = Outcome::Nearest;
+    if (!m_result.conventions.empty()) {
+        found = decideNearest(search.data, search.candidates, m_given).identification;
+        found.rejectImpossible(m_given);
+    } else {
+        found.outcome = Outcome::Nearest;
+    }
     found.claimNothing();
     found.leftOut = leftOut;
     m_result.conventions.clear();
     m_result.rounded = found.parameters;
-    m_result.identified = compareExactly(Mechanism(found.parameters), timed(m_data, found.parameters), m_stop).channels;
+    if (found.outcome == Outcome::Nearest) {
+        m_result.identified =
+            compareExactly(Mechanism(found.parameters), timed(m_data, found.parameters), m_stop).channels;
+    }
 }
 
-void FileDiagnosis::interpret(const Observations &all, FileSearch search)
+void FileDiagnosis::interpret(const Observations &all, const FileSearch &search)
 {
     constexpr double kLargestCondition = 1e5; // beyond, next to nothing separates one motion from another
     Identification &found = m_result.identification;
@@ -165,7 +175,7 @@ void FileDiagnosis::interpret(const Observations &all, FileSearch search)
     found.rejectImpossible(m_given);
     m_result.rounded = found.parameters;
     if (found.outcome == Outcome::Nearest) {
-        keepNearest();
+        keepNearest(search);
     }
     if (!found.stands()) {
         return;
@@ -178,7 +188,7 @@ void FileDiagnosis::interpret(const Observations &all, FileSearch search)
                kind != Kind::NotDerivative;
     });
     if (isOfNumbers && found.conditionNumber > kLargestCondition) {
-        keepNearest();
+        keepNearest(search);
         return;
     }
     const bool isCleaned = !search.excluded.empty() || all.hasSaturation;
@@ -200,15 +210,21 @@ void FileDiagnosis::interpret(const Observations &all, FileSearch search)
     nameLeftOut(allApplied(ofUsed, own), best, search.data, isOfTwo);
     const bool hasStranger = ofUsed.size() < m_result.conventions.size();
     if (!doAllPay || isOfTwo || (hasStranger && found.outcome == Outcome::Approximate)) {
-        keepNearest();
+        keepNearest(search);
         return;
     }
     for (const std::size_t row : search.excluded) {
         found.excludedRows.push_back(m_data.lineOfRow(row));
     }
-    const ReferenceData read = allApplied(m_result.conventions, std::move(own));
-    m_result.identified = compareExactly(Mechanism(found.parameters), read, m_stop).channels;
     m_result.isSpeedOfDerivatives = all.isByCrankAngle && found.identifiable[indexOf(Parameter::Omega2)];
+    compareWith(allApplied(m_result.conventions, std::move(own)));
+}
+
+/// Compares the data, as they are interpreted, with the mechanism found, its round numbers and the given mechanism.
+void FileDiagnosis::compareWith(const ReferenceData &read)
+{
+    Identification &found = m_result.identification;
+    m_result.identified = compareExactly(Mechanism(found.parameters), read, m_stop).channels;
     m_result.rounded =
         found.outcome == Outcome::Ambiguous ? found.parameters : inRoundNumbers(found, read, m_result.identified);
     const ReferenceData asGiven = timed(read, m_given);

@@ -94,6 +94,7 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         const double factor = fit.hypothesis.columns[j].factor();
         std::vector<double> magnitudes;
+        magnitudes.reserve(flags.size());
         for (const double residual : fit.residuals[j]) {
             if (!std::isnan(residual)) {
                 magnitudes.push_back(std::abs(residual));

@@ -46,7 +46,7 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
 /// Computes residuals, variances and noise at the unknowns of the hypothesis.
 bool weigh(const Observations &data, Fit &fit)
 {
-    constexpr double kDoublePrecision = 2e-16;
+    constexpr double kDoublePrecision = 1e-15; // of the largest angle, with some margin
     const std::size_t columnCount = data.columns.size();
     fit.residuals.assign(columnCount, std::vector<double>(data.abscissa.size(), kNone));
     fit.variances = fit.residuals;
