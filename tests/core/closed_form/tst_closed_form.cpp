@@ -259,7 +259,8 @@ void tst_closed_form::isExactUpToARockersLimits()
     constexpr double kConditionRoundings = 4.0;
     constexpr double kNearTheLimit = 1e-4;
     constexpr double kAtTheLimit = 1e-30; // of a + b + |c|: an angle in two parts cannot tell this from the limit
-    const Case turn{.parameters = parameters,
+    const Case turn{.name = {},
+                    .parameters = parameters,
                     .sampling = {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
 
     // A whole turn, both sides of each limit, and the doubles around it: of t, and of θ20 at t = 0.
@@ -343,7 +344,7 @@ void tst_closed_form::manyTimeStampsAreThoseOfOne()
     for (const auto &[name, parameters] : mechanismList(200)) {
         Parameters p = parameters;
         std::vector<double> times = randomTimes(random, 61, -100.0, 100.0);
-        for (const double t : squareInstants({.parameters = p})) {
+        for (const double t : squareInstants({.name = {}, .parameters = p})) {
             times.push_back(t);
         }
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {
