@@ -162,8 +162,9 @@ QString helpText(Subcommand subcommand)
             group = option.group;
             text += u'\n' + CommandLine::tr(group) + u'\n';
         }
-        text += (QStringLiteral("  ") + optionSyntax(option)).leftJustified(kOptionWidth - 1) + u' ' +
-                wrapped(CommandLine::tr(option.text), kOptionWidth, kOptionWidth);
+        const QString syntax = QStringLiteral("  ") + optionSyntax(option);
+        text += syntax.size() < kOptionWidth ? syntax.leftJustified(kOptionWidth) : syntax + u'\n' + QString(kOptionWidth, u' ');
+        text += wrapped(CommandLine::tr(option.text), kOptionWidth, kOptionWidth);
     }
     if (subcommand != Subcommand::Window) {
         text += u'\n' + wrapped(unitsText(), 0, 0);

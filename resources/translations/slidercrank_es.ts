@@ -2960,20 +2960,20 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Teoría y ayuda</translation>
     </message>
     <message>
-        <source>&amp;Pin this motion</source>
+        <source>P&amp;in this motion</source>
         <translation>F&amp;ijar este movimiento</translation>
     </message>
     <message>
-        <source>Re&amp;move pinned motions</source>
+        <source>Remo&amp;ve pinned motions</source>
         <translation>&amp;Quitar los movimientos fijados</translation>
     </message>
     <message>
-        <source>Show the &amp;motion of the file or pinned</source>
+        <source>Show the mo&amp;tion of the file or pinned</source>
         <translation>Mostrar el &amp;movimiento del archivo o el fijado</translation>
     </message>
     <message>
         <source>Presentation &amp;mode</source>
-        <translation>Modo &amp;presentación</translation>
+        <translation>Modo p&amp;resentación</translation>
     </message>
 </context>
 <context>

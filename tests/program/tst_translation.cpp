@@ -644,7 +644,7 @@ private slots:
         MainWindow window;
         window.show();
         auto *bar = window.findChild<MessageBar *>();
-        QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("Space plays")));
+        QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("Press Space")));
         speak(Language::Spanish);
         bar = window.findChild<MessageBar *>();
         QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("espaciadora")));

@@ -52,15 +52,6 @@ std::array<std::vector<double>, kPlottedChannels.size()> motionAt(const Mechanis
     return values;
 }
 
-double largestMagnitude(const std::vector<double> &values)
-{
-    double largest = 0.0;
-    for (const double value : values) {
-        largest = std::abs(value) > largest ? std::abs(value) : largest; // NaN is not larger
-    }
-    return largest;
-}
-
 } // namespace
 
 ComparedMotion::ComparedMotion(const Result &result, const PlotSettings &settings)
@@ -96,9 +87,8 @@ ComparedMotion::ComparedMotion(const Result &result, const PlotSettings &setting
         const ChannelDifference &difference = result.difference->channels[i];
         m_channels[i].model = m_ownModel[i];
         m_channels[i].reference = m_ownReference[i];
-        const bool hasPeak = difference.percentOfPeak.has_value() || !difference.maxAbs;
-        m_channels[i].peak = hasPeak ? largestMagnitude(m_ownReference[i]) : std::numeric_limits<double>::infinity();
-        m_channels[i].isUnbounded = !hasPeak || !std::isfinite(difference.maxAbs.value_or(0.0));
+        m_channels[i].peak = difference.peak;
+        m_channels[i].isUnbounded = !std::isfinite(difference.peak) || !std::isfinite(difference.maxAbs.value_or(0.0));
     }
     computeErrors();
 }

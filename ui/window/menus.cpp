@@ -161,8 +161,8 @@ void Menus::addEdit()
              [exports](const QString &name) { exports->copy(exports->plot(name)); });
     edit->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     edit->addSeparator();
-    edit->addAction(tr("&Pin this motion"), QKeySequence(Qt::CTRL | Qt::Key_K), &session, &Session::keep);
-    QAction *forget = edit->addAction(tr("Re&move pinned motions"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+    edit->addAction(tr("P&in this motion"), QKeySequence(Qt::CTRL | Qt::Key_K), &session, &Session::keep);
+    QAction *forget = edit->addAction(tr("Remo&ve pinned motions"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                                       &session, &Session::forgetKept);
     enableWhile(forget, session, [](const Result &result) { return !result.kept.empty(); });
     edit->addAction(tr("Rese&t all parameters"), &session, [&session] { session.setParameters(Parameters()); });
@@ -184,7 +184,7 @@ void Menus::addView()
     fold->setShortcut(QKeySequence(Qt::Key_F9));
     connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    QAction *ghost = addSwitch(view, tr("Show the &motion of the file or pinned"), m_rooms.ghost->isWanted());
+    QAction *ghost = addSwitch(view, tr("Show the mo&tion of the file or pinned"), m_rooms.ghost->isWanted());
     connect(ghost, &QAction::triggered, m_rooms.ghost, &Ghost::setWanted);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
     view->addSeparator();

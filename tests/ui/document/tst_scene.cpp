@@ -474,7 +474,7 @@ private slots:
         broken("negative length", "mechanism.b", -1e-9, {"\"mechanism.b\"", "1e-9"});
         broken("too long", "mechanism.b", 2e12, {"\"mechanism.b\"", "1e12"});
         broken("too fast", "mechanism.omega2", -2e12, {"\"mechanism.omega2\"", "1e12"});
-        broken("a number in quotes", "mechanism.b", QStringLiteral("65"), {"\"mechanism.b\"", "number"});
+        broken("a number in quotes", "mechanism.b", QStringLiteral("65"), {"\"mechanism.b\"", "1e-9 mm"});
         broken("another branch", "mechanism.branch", QStringLiteral("left"), {"\"mechanism.branch\"", "\"crossed\""});
         broken("mechanism of text", "mechanism", QStringLiteral("x"), {"\"mechanism\"", "object"});
         broken("no duration", "sampling.duration", 0, {"\"sampling.duration\"", "greater than 0"});

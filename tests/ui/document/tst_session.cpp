@@ -798,7 +798,7 @@ private slots:
         }
         QCOMPARE(session.kept().size(), std::size_t(4)); // the last found no room
         QCOMPARE(problems.count(), 2);
-        QVERIFY(problems.last().first().toString().contains(QStringLiteral("forget")));
+        QVERIFY(problems.last().first().toString().contains(QStringLiteral("remove them")));
         session.forgetKept();
         QVERIFY(session.kept().empty() && !session.result()->isCompared());
         QCOMPARE(session.undoStack().undoText(), QStringLiteral("removal of the pinned motions"));

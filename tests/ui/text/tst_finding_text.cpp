@@ -62,7 +62,7 @@ private slots:
     {
         const Parameters present;
         Parameters kept;
-        QCOMPARE(keptText(kept, present), QString("kept"));
+        QCOMPARE(keptText(kept, present), QString("pinned"));
         kept.b = 80.0;
         QCOMPARE(keptText(kept, present), QString("b = 80 mm"));
         kept.theta20 = 1.0;
