@@ -108,6 +108,8 @@ private slots:
 
     void aSlowDiskKeepsNobodyWaiting()
     {
+        openWindow();
+        settle(); // large areas are filled by threads of the pool: nothing is painted while they are held
         QThreadPool *pool = QThreadPool::globalInstance();
         pool->setMaxThreadCount(1);
         const auto disk = std::make_shared<QSemaphore>();
@@ -116,7 +118,6 @@ private slots:
             disk->release();
             pool->setMaxThreadCount(QThread::idealThreadCount());
         });
-        openWindow();
         m_window->session().setParameter(Parameter::B, 70.0);
         letTimePass(recovery());
         QVERIFY(kept().isEmpty());
