@@ -18,7 +18,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::size_t kLongestText = 200; // bytes: more is no number, and std::regex recurses
+constexpr std::size_t kLongestText = 200; // bytes: beyond that only digits are read, for std::regex recurses
 
 /// In ASCII: spaces, signs, and raised digits behind "^".
 std::string plainText(std::string_view text)
@@ -61,6 +61,9 @@ NumberAndRest splitNumber(const std::string &plain)
     static const std::regex kPower(R"(([+-]?)10((?:\^-?\^?|\^)\d(?:\^?\d)*)( *)(.*))");
     static const std::regex kNumber(
         R"(([+-]?(?:\d{1,3}(?: \d{3})+(?!\d)|\d+|(?=\.\d))(?:\.\d*)?)(?:[eE]([+-]?\d+)| ?\* ?10(\^-?\^?\d(?:\^?\d)*))? *(.*))");
+    if (plain.size() > kLongestText) {
+        return {plain, {}};
+    }
     std::smatch found;
     NumberAndRest parts;
     std::string exponent;
@@ -113,7 +116,7 @@ double converted(double value, const Unit &from, const Unit &to)
 Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
 {
     const auto refused = [](QuantityFault fault) { return Quantity{.fault = fault}; };
-    const std::string plain = text.size() <= kLongestText ? plainText(text) : std::string();
+    const std::string plain = plainText(text);
     const auto [digits, rest] = splitNumber(plain);
     const CellNumber number = parseNumber(digits, DecimalSign::Point);
     if (digits.empty() || number.fault) {

@@ -86,7 +86,8 @@ private slots:
             {"1.234,5", NotANumber},    {"1,234,567", NotANumber},
             {"1e999", TooLarge},        {"12abc", UnknownUnit},
             {"0x10", UnknownUnit},      {"3 s", WrongUnit},
-            {"3 mm/s", WrongUnit},      {std::string(100'000, '1'), NotANumber},
+            {"3 mm/s", WrongUnit},      {std::string(100'000, '1'), TooLarge},
+            {std::string(100'000, '*'), NotANumber},
         };
         for (const Row &row : rows) {
             const Quantity quantity = readQuantity(row.text, kMillimetre);
