@@ -53,7 +53,7 @@ NumberBox::NumberBox(QWidget *parent)
     setDecimals(kDecimals);
     setRange(NumberRange());
     lineEdit()->installEventFilter(this);
-    connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::edited);
+    connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::take);
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
         if (!m_refusal.isEmpty()) {
             refuse(std::exchange(m_refusal, {}));
@@ -75,6 +75,7 @@ void NumberBox::setValue(double value)
     const int cursor = lineEdit()->cursorPosition();
     const bool isSelected = lineEdit()->hasSelectedText();
     QDoubleSpinBox::setValue(value);
+    m_taken = this->value();
     if (typing) {
         lineEdit()->setText(typed);
         lineEdit()->setCursorPosition(cursor);
@@ -88,6 +89,19 @@ void NumberBox::setRange(const NumberRange &range)
     const QSignalBlocker quiet(this);
     m_range = range;
     QDoubleSpinBox::setRange(range.smallest, range.largest);
+    m_taken = value();
+}
+
+/// A screen reader sets numbers without asking validate().
+void NumberBox::take(double value)
+{
+    if (const QString refusal = refusalOf(value); !refusal.isEmpty()) {
+        setValue(m_taken);
+        refuse(refusal);
+        return;
+    }
+    m_taken = value;
+    emit edited(value);
 }
 
 void NumberBox::setFixedDecimals(int decimals)

@@ -77,6 +77,7 @@ private:
         double value;
         QString refusal; ///< empty: it can be taken over
     };
+    void take(double value);
     TypedNumber read(const QString &text) const;
     QString refusalOf(double value) const;
     QString shownText() const { return textFromValue(value()) + suffix(); }
@@ -85,6 +86,7 @@ private:
     void refuse(const QString &sentence);
 
     NumberRange m_range;
+    double m_taken = 0.0; ///< the last number that was accepted
     std::optional<Unit> m_unit;
     double m_step = 0.0;
     int m_fixedDecimals = -1; ///< negative: as many as needed
