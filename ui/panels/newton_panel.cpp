@@ -46,6 +46,7 @@ NewtonPanel::NewtonPanel(QWidget *parent)
     columns->addWidget(m_stack, 1);
 
     connect(m_pages, &QButtonGroup::idClicked, this, &NewtonPanel::showPage);
+    showPage(0);
     connect(m_form, &SolverForm::edited, this, &NewtonPanel::edited);
     connect(m_tables, &TablePanel::rowsCopied, this, &NewtonPanel::rowsCopied);
     connect(m_tables, &TablePanel::partHovered, this, &NewtonPanel::partHovered);
@@ -72,6 +73,9 @@ void NewtonPanel::setPose(const Pose &pose)
 
 void NewtonPanel::showPage(int index)
 {
+    for (QAbstractButton *button : m_pages->buttons()) {
+        button->setFocusPolicy(button->isChecked() ? Qt::TabFocus : Qt::NoFocus); // arrow keys lead to the others
+    }
     m_stack->setCurrentIndex(index == 0 ? 0 : 1);
     m_tables->refreshNow();
 }

@@ -11,6 +11,8 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     : QTabWidget(parent)
 {
     setDocumentMode(true);
+    setFocusPolicy(Qt::NoFocus); // only the bar is a stop of the Tab key; this would pass on to it
+    tabBar()->setFocusPolicy(Qt::TabFocus);
     tabBar()->setObjectName(QStringLiteral("tabBar"));
     tabBar()->setDrawBase(false);
     tabBar()->setAccessibleName(tr("Panels"));
