@@ -89,7 +89,7 @@ TableRow fileRow(const ChannelComparison &channel)
         name.explanation += ErrorPage::tr("; at %1 more the model does not exist").arg(countText(channel.missingModel));
     }
     QString rounding = channel.roundingStep ? ErrorPage::tr("The file writes this channel in steps of at most %1.")
-                                                  .arg(readout(channel.roundingStep, unit))
+                                                  .arg(numberText(*channel.roundingStep, kReadoutDigits) + u' ' + unit)
                                             : ErrorPage::tr("How the file was rounded is not known.");
     QString details =
         ErrorPage::tr("Largest |model − reference|; root mean square %1.").arg(readout(channel.rms, unit));

@@ -268,8 +268,7 @@ private slots:
         pinned.b = 40.0;
         page = pin();
         QVERIFY(page.sentence.contains("cannot be assembled"));
-        QCOMPARE(cell(page, 2, 1).text, QString("∞"));
-        QCOMPARE(cell(page, 2, 1).number, std::nullopt);
+        QVERIFY(std::isfinite(cell(page, 2, 1).number.value())); // next to a limit, the largest sampled one
     }
 
     void saysHowTheFileWasRead()
