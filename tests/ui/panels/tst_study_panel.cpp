@@ -77,7 +77,8 @@ private slots:
 
     void everyMethodOfAKindIsAPointOfItsSeries()
     {
-        const CaseResult &result = studyOfATurn()->cases.front();
+        const std::shared_ptr<const StudyResult> study = studyOfATurn();
+        const CaseResult &result = study->cases.front();
         std::size_t points = 0;
         const Page page = studyPage(result);
         for (const ChartSeries &series : page.chart->content.series) {
