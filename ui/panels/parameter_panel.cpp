@@ -205,6 +205,7 @@ void ParameterPanel::addRow(Row &row)
     const QString name = tr("%1 (%2)").arg(explanation, symbol);
 
     row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, noun));
+    row.label->setWordWrap(true); // large letters and long languages leave the slider its room
     row.label->setToolTip(explanation);
     m_grid->addWidget(row.label, line, 0);
 

@@ -98,6 +98,7 @@ SolverForm::SolverForm(QWidget *parent)
 
     auto *settings = new QFormLayout;
     settings->setVerticalSpacing(4);
+    settings->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
     const auto add = [settings](const QString &name, QWidget *field) {
         field->setAccessibleName(name);
         field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

@@ -19,6 +19,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 using namespace slidercrank;
 
@@ -80,6 +81,11 @@ QString cutOff(const QWidget *widget)
         const bool fits = wraps ? label->height() >= label->heightForWidth(label->width())
                                 : label->width() >= label->sizeHint().width();
         return fits && label->height() >= label->fontMetrics().height() ? QString() : label->text();
+    }
+    if (const auto *tool = qobject_cast<const QToolButton *>(widget);
+        tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()) { // its text is a name only
+        const bool fits = tool->width() >= tool->iconSize().width() && tool->height() >= tool->iconSize().height();
+        return fits ? QString() : tool->text();
     }
     if (const auto *button = qobject_cast<const QAbstractButton *>(widget)) {
         const QString text = button->text().remove(u'&');

@@ -131,6 +131,7 @@ private slots:
         const auto *bar = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
         const auto cancel = [this] { emit m_window->findChild<StatusBar *>()->cancelled(); };
         Scene scene;
+        scene.solver.method = Method::Newton;
         scene.sampling.steps = 1'000'000; // takes seconds
         const QString path = m_folder.filePath(QStringLiteral("long.json"));
         QCOMPARE(writeScene(scene, path), std::nullopt);
