@@ -2921,7 +2921,7 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
     <message>
         <source>&amp;Keyboard and mouse</source>
-        <translation>&amp;Teclado y ratón</translation>
+        <translation>Teclado y &amp;ratón</translation>
     </message>
     <message>
         <source>Keyboard and mouse</source>
@@ -4882,7 +4882,7 @@ Tiempos medidos en %2</translation>
     </message>
     <message>
         <source>&amp;Time range and speed…</source>
-        <translation>&amp;Intervalo de tiempo y velocidad…</translation>
+        <translation>Intervalo de tie&amp;mpo y velocidad…</translation>
     </message>
     <message>
         <source>&amp;Loop</source>

@@ -67,9 +67,13 @@ TablePanel::TablePanel(const QString &name, const QString &title, const std::fun
     m_findings->hide();
 
     auto *parts = new QWidget;
-    auto *columns = new QHBoxLayout(parts);
-    columns->setContentsMargins(0, 0, 0, 0);
+    auto *content = new QVBoxLayout(parts);
+    content->setContentsMargins(0, 0, 0, 0);
+    content->setSpacing(3);
+    content->addWidget(m_findings);
+    auto *columns = new QHBoxLayout;
     columns->setSpacing(12);
+    content->addLayout(columns, 1);
     m_beside = new QBoxLayout(QBoxLayout::LeftToRight);
     m_beside->setSpacing(12);
     columns->addWidget(m_chart, 1);
@@ -86,7 +90,6 @@ TablePanel::TablePanel(const QString &name, const QString &title, const std::fun
     rows->setContentsMargins(6, 4, 6, 2);
     rows->setSpacing(3);
     rows->addLayout(head);
-    rows->addWidget(m_findings);
     rows->addWidget(m_scroll, 1);
     rows->addWidget(m_note);
 
