@@ -214,7 +214,9 @@ void Exports::chooseAnimationFile(const Animation &animation)
     connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, animation](const QString &path) {
         const QString suffix = dialog->selectedNameFilter().section(QStringLiteral("(*"), -1).chopped(1);
         remember({{QStringLiteral("lastFolder"), QFileInfo(path).absolutePath()}});
-        writeAnimation(isVideo(path) ? path : path + suffix, animation);
+        const QString completed = isVideo(path) ? path : path + suffix;
+        const auto write = [this, completed, animation] { writeAnimation(completed, animation); };
+        QMetaObject::invokeMethod(this, write, Qt::QueuedConnection); // writing handles events: the dialog may go
     });
     dialog->open();
 }
