@@ -85,11 +85,11 @@ std::optional<ReadError> assign(AssignedTable &assigned, const std::string &file
     if (const ColumnFault *fault = std::get_if<ColumnFault>(&outcome)) {
         return ReadError{headerLine, fault->column + 1, excerpt(table.headings[fault->column].printed), fault->fault};
     }
-    assigned.uses = std::get<std::vector<ColumnUse>>(std::move(outcome));
+    assigned.uses = std::get<std::vector<ColumnAssignment>>(std::move(outcome));
     bool hasChannel = false;
     assigned.abscissa = assigned.uses.size();
     for (std::size_t i = 0; i < assigned.uses.size(); ++i) {
-        const ColumnUse &use = assigned.uses[i];
+        const ColumnAssignment &use = assigned.uses[i];
         const bool isByFile =
             byFile && i == byFile->first && use.role == ColumnRole::Channel && use.reason != ColumnReason::Chosen;
         FileColumn &column = table.layout.columns[i];

@@ -17,7 +17,7 @@ namespace slidercrank
 /// A file's table and what its columns are used for; those that are used hold seconds, degrees and the author's units.
 struct AssignedTable {
     RawTable table;
-    std::vector<ColumnUse> uses;
+    std::vector<ColumnAssignment> uses;
     std::size_t firstColumn = 0; ///< its number among the columns of all files
     std::size_t abscissa = 0;
 };

@@ -88,7 +88,7 @@ std::optional<double> unitsPerSecond(const std::string &unitText)
     return unit && unit->dimension == Dimension::Time ? std::optional(unit->factor) : std::nullopt;
 }
 
-/// ColumnUse::factor; nothing where the unit does not suit.
+/// ColumnAssignment::factor; nothing where the unit does not suit.
 std::optional<double> factorFor(ColumnRole role, Channel channel, const std::string &unit)
 {
     switch (role) {
@@ -130,7 +130,7 @@ public:
     void guessCrankAngle();
     std::optional<ColumnFault> assignChannels();
 
-    std::vector<ColumnUse> take() { return std::move(m_uses); }
+    std::vector<ColumnAssignment> take() { return std::move(m_uses); }
 
 private:
     std::optional<std::size_t> columnUsedAs(ColumnRole role, Channel channel = {}) const;
@@ -143,7 +143,7 @@ private:
     bool isSame(std::size_t i, std::size_t j) const;
     void ignore(std::size_t i, ColumnReason reason, std::optional<std::size_t> other = std::nullopt)
     {
-        m_uses[i] = ColumnUse{ColumnRole::Ignored, {}, reason, other, 1.0};
+        m_uses[i] = ColumnAssignment{ColumnRole::Ignored, {}, reason, other, 1.0};
     }
     void explainIgnored(std::size_t i);
     std::variant<Claim, ColumnFault, ColumnReason> claimOf(std::size_t i) const;
@@ -153,13 +153,13 @@ private:
 
     std::span<const Heading> m_headings;
     const Columns &m_values;
-    std::vector<ColumnUse> m_uses;
+    std::vector<ColumnAssignment> m_uses;
     std::vector<NameMeaning> m_meanings;
 };
 
 std::optional<std::size_t> Assignment::columnUsedAs(ColumnRole role, Channel channel) const
 {
-    const auto found = std::ranges::find_if(m_uses, [&](const ColumnUse &use) {
+    const auto found = std::ranges::find_if(m_uses, [&](const ColumnAssignment &use) {
         return use.role == role && (role != ColumnRole::Channel || use.channel == channel);
     });
     return found == m_uses.end() ? std::nullopt : std::optional<std::size_t>(found - m_uses.begin());
@@ -445,7 +445,7 @@ std::optional<double> factorTo(Channel channel, const std::string &unitText)
     return suits ? std::optional(unit->factor) : std::nullopt;
 }
 
-std::variant<std::vector<ColumnUse>, ColumnFault>
+std::variant<std::vector<ColumnAssignment>, ColumnFault>
 assignColumns(std::span<const Heading> headings, std::span<const ColumnChoice> choices, const Columns &values)
 {
     Assignment assignment(headings, values);

@@ -18,7 +18,7 @@
 namespace slidercrank
 {
 
-struct ColumnUse {
+struct ColumnAssignment {
     ColumnRole role = ColumnRole::Ignored;
     Channel channel;
     ColumnReason reason = ColumnReason::UnknownName;
@@ -39,7 +39,7 @@ struct ColumnFault {
 using Columns = std::vector<std::vector<double>>;
 
 /// `values`: some rows from all over the table.
-std::variant<std::vector<ColumnUse>, ColumnFault>
+std::variant<std::vector<ColumnAssignment>, ColumnFault>
 assignColumns(std::span<const Heading> headings, std::span<const ColumnChoice> choices, const Columns &values);
 
 /// The factor to the author's unit; 1 without a unit, nothing where the unit does not suit.

@@ -226,7 +226,7 @@ void TstLayers::findsWhatIsWrong()
     QFETCH(QString, text);
     SourceTree tree;
     tree.modules = modulesIn(QStringLiteral("slidercrank_module(core newton\n    SOURCES newton)\n"
-                                         "slidercrank_module(core sampling SOURCES sampling USES core_newton)\n"
+                                         "slidercrank_module(core sampling SOURCES run USES core_newton)\n"
                                          "slidercrank_module(ui text\n    USES core_sampling)\n"));
     tree.files = {{QStringLiteral("core/newton/newton.h"), QString()},
                    {QStringLiteral("core/sampling/run.h"), QString()},
