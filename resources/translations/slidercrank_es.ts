@@ -4622,7 +4622,7 @@ SHA-256: %2</translation>
     </message>
     <message>
         <source>Export all cases…</source>
-        <translation>Exportar todos los casos…</translation>
+        <translation>Exportar los casos…</translation>
     </message>
     <message>
         <source>The numbers of every case as CSV or JSON</source>

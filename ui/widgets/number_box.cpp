@@ -118,7 +118,7 @@ void NumberBox::setWidestText(const QString &text)
 
 bool NumberBox::isTyping() const
 {
-    return m_isEditing && lineEdit()->text() != shownText();
+    return m_isEditing && lineEdit()->text().trimmed() != shownText();
 }
 
 QSize NumberBox::sizeHint() const
@@ -209,8 +209,11 @@ QString NumberBox::refusalOf(double value) const
 
 QValidator::State NumberBox::validate(QString &text, int &) const
 {
-    if (!suffix().isEmpty() && text.endsWith(suffix() + suffix())) { // the typed unit takes the place of the displayed one
-        text.chop(suffix().size());
+    if (!suffix().isEmpty() && text.endsWith(suffix())) {
+        const QString typed = text.chopped(suffix().size()).trimmed();
+        if (typed.endsWith(suffix())) { // the typed unit takes the place of the displayed one
+            text = typed;
+        }
     }
     return read(text).refusal.isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
 }

@@ -35,6 +35,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFontMetrics>
 #include <QLocale>
 #include <QMimeData>
 #include <QScreen>
@@ -50,7 +51,14 @@ namespace
 {
 
 constexpr int kFoldBelowHeight = 800; // px: under this the nine plots need all the room there is
-constexpr int kPanelHeight = 230;     // px: the table of six channels with its sentence
+
+/// The table of six channels with its sentence, and with large letters as many lines.
+int panelHeight()
+{
+    constexpr int kUsual = 230; // px
+    constexpr int kLines = 15;
+    return std::max(kUsual, kLines * QFontMetrics(QApplication::font()).height());
+}
 
 const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
 
@@ -82,10 +90,10 @@ QSplitter *columnsOf(const Rooms &rooms)
     right->setStretchFactor(0, 1);
     right->setStretchFactor(1, 0);
     right->setChildrenCollapsible(false);
-    right->setSizes({600, kPanelHeight});
+    right->setSizes({600, panelHeight()});
     QObject::connect(rooms.tabs, &FoldingTabs::foldedChanged, right, [right](bool folded) {
         const int all = right->sizes().value(0) + right->sizes().value(1);
-        right->setSizes(folded ? QList<int>{all, 0} : QList<int>{all - kPanelHeight, kPanelHeight});
+        right->setSizes(folded ? QList<int>{all, 0} : QList<int>{all - panelHeight(), panelHeight()});
     });
 
     auto *columns = new QSplitter(Qt::Horizontal);
