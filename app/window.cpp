@@ -97,9 +97,11 @@ Command prepareWindow(OptionReader &options)
         throw UsageError{CommandLine::tr("The window opens one scene: remove \"%1\".").arg(files[1])};
     } else {
         command.scene = first;
-        const std::variant<Scene, QString> scene = readScene(first); // an error is reported before there is a window
-        if (const QString *message = std::get_if<QString>(&scene)) {
-            throw UsageError{*message, ExitStatus::FileError};
+        if (!isPipeOrDevice(QFileInfo(first))) { // which the window refuses
+            const std::variant<Scene, QString> scene = readScene(first); // an error is reported before there is a window
+            if (const QString *message = std::get_if<QString>(&scene)) {
+                throw UsageError{*message, ExitStatus::FileError};
+            }
         }
     }
     return command;
