@@ -431,8 +431,7 @@ private slots:
         auto *plots = m_window->findChild<PlotGrid *>();
         m_window->openReference(kSample);
         AWAIT(session.diagnosis());
-        AWAIT(m_said->isVisible()); // it takes some of the room
-        QCoreApplication::processEvents();
+        settle(*m_window); // everything has its place
         plots->setZoom(closeView());
         const QString scene = m_folder->filePath(QStringLiteral("scene.json"));
         QVERIFY(m_window->scene().saveTo(scene));
