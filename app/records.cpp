@@ -21,7 +21,14 @@ QByteArray csvCell(const QJsonValue &value)
         const bool needsQuotes = text.contains(u',') || text.contains(u'"') || text.contains(u'\n') || text.contains(u' ');
         return needsQuotes ? '"' + text.replace(u'"', QStringLiteral("\"\"")).toUtf8() + '"' : text.toUtf8();
     }
-    return value.isDouble() ? QByteArray::number(value.toDouble(), 'g', QLocale::FloatingPointShortest) : QByteArray();
+    if (!value.isDouble()) {
+        return {};
+    }
+    constexpr double kLargestInDigits = 1e15;
+    const double number = value.toDouble();
+    const bool isWhole = std::abs(number) < kLargestInDigits && number == std::trunc(number); // a count has no exponent
+    return isWhole ? QByteArray::number(value.toInteger())
+                   : QByteArray::number(number, 'g', QLocale::FloatingPointShortest);
 }
 
 QString alignedTable(const std::vector<QStringList> &rows, const std::vector<bool> &isNumeric)
