@@ -326,7 +326,7 @@ void TstFaults::aStreamIsClosed()
         return QString::number(program.exitCode()) + u' ' + QString::fromLocal8Bit(program.readAllStandardError());
     };
     QCOMPARE(without({STDIN_FILENO}, {"compare", "-"}), "3 Standard input cannot be read: Bad file descriptor.\n");
-    QCOMPARE(without({STDOUT_FILENO}, {"limits"}), "3 Standard output cannot be written: Bad file descriptor.\n");
+    QCOMPARE(without({STDOUT_FILENO}, {"limits"}), "3 Cannot write to standard output: Bad file descriptor.\n");
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("x.csv"));
     const QStringList asked{"compare", kSample, "nowhere.csv", "--format", "csv", "--output", path};
