@@ -317,6 +317,7 @@ void MechanismView::paintEvent(QPaintEvent *)
         m_scenery =
             QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
         m_scenery.setDevicePixelRatio(ratio);
+        m_scenery.fill(palette().color(QPalette::Base)); // the last half pixel is only half covered below
         QPainter painter(&m_scenery);
         painter.scale(magnified, magnified);
         sketch(size(), palette(), true, false).paint(painter);
