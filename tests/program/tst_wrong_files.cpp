@@ -229,7 +229,7 @@ private slots:
         }
         QVERIFY(write(m_file, rows(3'000'000), rows(3'000'000).size()));
         int refused = 0;
-        for (rlim_t more = 0; more < 512; more += 8) {
+        for (rlim_t more = 0; more < 1024; more += 32) {
             const Outcome outcome = within(least + more);
             if (outcome.status == 0) {
                 break;
