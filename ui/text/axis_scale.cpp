@@ -122,6 +122,9 @@ Interval roundedOutwards(const Interval &range)
 
 QString shortNumber(double value, int digits, const QLocale &locale)
 {
+    if (!std::isfinite(value)) {
+        return std::isnan(value) ? dash() : value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
+    }
     if (value == 0.0) {
         return locale.toString(0);
     }

@@ -144,6 +144,12 @@ MainWindow::MainWindow(QWidget *parent)
     }
 }
 
+/// While a window is destroyed, a number box that had the focus still passes on what was typed.
+MainWindow::~MainWindow()
+{
+    m_session->disconnect(this);
+}
+
 /// What does not change with the language.
 void MainWindow::connectDocument()
 {
