@@ -147,7 +147,7 @@ MainWindow::MainWindow(QWidget *parent)
 /// While a window is destroyed, a number box that had the focus still passes on what was typed.
 MainWindow::~MainWindow()
 {
-    m_session->disconnect(this);
+    m_session->disconnect();
 }
 
 /// What does not change with the language.
