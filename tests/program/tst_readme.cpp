@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Every command of the README runs, and prints the lines that the README shows.
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+class TestReadme : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void commandsRunAndPrintWhatIsShown_data();
+    void commandsRunAndPrintWhatIsShown();
+};
+
+void TestReadme::commandsRunAndPrintWhatIsShown_data()
+{
+    QTest::addColumn<QStringList>("shownLines");
+    QFile file(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/README.md"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    // Commands are indented by four spaces. Below one that begins with "$" stand lines of its output.
+    QList<QPair<QString, QStringList>> commands;
+    bool showsOutput = false;
+    for (const QString &line : QString::fromUtf8(file.readAll()).split('\n')) {
+        QString text = line.startsWith(QStringLiteral("    ")) ? line.trimmed() : QString();
+        const bool hasPrompt = text.startsWith(QStringLiteral("$ "));
+        if (hasPrompt) {
+            text.remove(0, 2);
+        }
+        const bool isSummary = text.contains(QStringLiteral("   ")); // a command and what it does, side by side
+        if (text.startsWith(QStringLiteral("slidercrank ")) && !isSummary) {
+            commands.append({text, {}});
+            showsOutput = hasPrompt;
+        } else if (text.isEmpty()) {
+            showsOutput = false;
+        } else if (showsOutput) {
+            commands.last().second.append(text);
+        }
+    }
+    QVERIFY(commands.size() >= 10);
+    for (const auto &[command, shownLines] : commands) {
+        QTest::newRow(qPrintable(command)) << shownLines;
+    }
+}
+
+void TestReadme::commandsRunAndPrintWhatIsShown()
+{
+    QFETCH(QStringList, shownLines);
+    const QTemporaryDir folder;
+    QVERIFY(QFile::link(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data"), folder.filePath(QStringLiteral("data"))));
+    QProcess process;
+    process.setWorkingDirectory(folder.path());
+    QStringList arguments = QProcess::splitCommand(QString::fromUtf8(QTest::currentDataTag()));
+    arguments.removeFirst();
+    process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+    QVERIFY(process.waitForFinished(120'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QVERIFY2(process.exitCode() == 0, process.readAllStandardError().constData());
+    const QString output = QString::fromUtf8(process.readAllStandardOutput()).simplified();
+    for (const QString &line : shownLines) {
+        QVERIFY2(output.contains(line.simplified()), qPrintable(line + QStringLiteral("\n\nis not in\n\n") + output));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestReadme)
+#include "tst_readme.moc"
