@@ -144,10 +144,12 @@ MainWindow::MainWindow(QWidget *parent)
     }
 }
 
-/// While a window is destroyed, a number box that had the focus still passes on what was typed.
+/// A number box that still has the focus passes on what was typed while everything that follows it exists.
 MainWindow::~MainWindow()
 {
-    m_session->disconnect();
+    if (QWidget *widget = focusWidget()) {
+        widget->clearFocus();
+    }
 }
 
 /// What does not change with the language.
