@@ -12,6 +12,7 @@
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
 #include "core/sampling/crank_instant.h"
+#include "ui/text/design_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/quantity_text.h"
@@ -299,23 +300,6 @@ DesignRequest readDesign(const OptionReader &options)
         throw UsageError{usage};
     }
     return request;
-}
-
-/// Why a design is impossible.
-QString designFaultText(const DesignFault &fault, const DesignRequest &request)
-{
-    switch (fault.reason) {
-    case DesignFault::Reason::StrokeNotPositive: return CommandLine::tr("The stroke must be greater than 0.");
-    case DesignFault::Reason::TimeRatioOutOfRange:
-        return CommandLine::tr("There is no such mechanism: a crank that makes full turns has a time ratio below 3, not %1.")
-            .arg(roundedText(request.timeRatio, 6));
-    case DesignFault::Reason::TransmissionAngleTooLarge:
-        return CommandLine::tr("There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; "
-                               "an angle of %3° needs a time ratio below %4.")
-            .arg(roundedText(request.timeRatio, 6), roundedText(fault.bound * kDegreesPerRadian, 4),
-                 roundedText(*request.transmissionAngle * kDegreesPerRadian, 4), roundedText(fault.timeRatioBound, 4));
-    }
-    return {};
 }
 
 ExitStatus limits(const Streams &streams, const LimitsRequest &request)

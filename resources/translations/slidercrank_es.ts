@@ -904,18 +904,6 @@
         <translation>--design debe ser como stroke=80,time-ratio=1.2,transmission-angle=40, y no «%1».</translation>
     </message>
     <message>
-        <source>The stroke must be greater than 0.</source>
-        <translation>La carrera debe ser mayor que 0.</translation>
-    </message>
-    <message>
-        <source>There is no such mechanism: a crank that makes full turns has a time ratio below 3, not %1.</source>
-        <translation>No existe tal mecanismo: una manivela que da vueltas completas tiene una relación de tiempos menor que 3, y no de %1.</translation>
-    </message>
-    <message>
-        <source>There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; an angle of %3° needs a time ratio below %4.</source>
-        <translation>No existe tal mecanismo: con una relación de tiempos de %1 el ángulo de transmisión mínimo es de %2° como mucho; un ángulo de %3° exige una relación de tiempos menor que %4.</translation>
-    </message>
-    <message>
         <source>--design computes a, b and c: remove %1.</source>
         <translation>--design calcula a, b y c: quite %1.</translation>
     </message>
@@ -2975,6 +2963,10 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <source>Presentation &amp;mode</source>
         <translation>Modo p&amp;resentación</translation>
     </message>
+    <message>
+        <source>Respo&amp;nse to</source>
+        <translation>Respues&amp;ta a</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
@@ -3439,6 +3431,10 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>Shaded: a crank longer than the coupler cannot make a full turn with any offset</source>
         <translation>Sombreado: una manivela más larga que la biela no puede dar una vuelta completa con ningún descentrado</translation>
+    </message>
+    <message>
+        <source>Click: how the limits of the motion depend on %1</source>
+        <translation>Haga clic: cómo dependen de %1 los límites del movimiento</translation>
     </message>
 </context>
 <context>
@@ -5869,6 +5865,217 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     <message>
         <source>Export</source>
         <translation>Exportar</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::DesignForm</name>
+    <message>
+        <source>Mechanism with a given stroke and time ratio</source>
+        <translation>Mecanismo con una carrera y una relación de tiempos dadas</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Type a stroke: the mechanism is scaled, so that its time ratio and angles stay</source>
+        <translation>Escriba una carrera: el mecanismo se escala, de modo que conserva su relación de tiempos y sus ángulos</translation>
+    </message>
+    <message>
+        <source>Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke stays. A ratio below 1 exchanges the forward and the return stroke.</source>
+        <translation>Escriba una relación de tiempos: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conserva la carrera. Una relación menor que 1 intercambia la carrera de ida y la de vuelta.</translation>
+    </message>
+    <message>
+        <source>Type the smallest transmission angle that you accept: the mechanism with the largest minimum transmission angle is chosen, stroke and time ratio stay</source>
+        <translation>Escriba el menor ángulo de transmisión que acepta: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conservan la carrera y la relación de tiempos</translation>
+    </message>
+    <message>
+        <source>The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank</source>
+        <translation>El grado de libertad que dejan la carrera y la relación de tiempos: la relación b/a entre biela y manivela</translation>
+    </message>
+    <message>
+        <source>Best transmission angle</source>
+        <translation>Mejor ángulo de transmisión</translation>
+    </message>
+    <message>
+        <source>The ratio b/a with the largest minimum transmission angle, at most %1</source>
+        <translation>La relación b/a con el mayor ángulo de transmisión mínimo, como máximo %1</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Carrera</translation>
+    </message>
+    <message>
+        <source>Time ratio</source>
+        <translation>Relación de tiempos</translation>
+    </message>
+    <message>
+        <source>Ratio b/a</source>
+        <translation>Relación b/a</translation>
+    </message>
+    <message>
+        <source>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</source>
+        <translation>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</translation>
+    </message>
+    <message>
+        <source>The crank does not make full turns: there is no time ratio.</source>
+        <translation>La manivela no da vueltas completas: no hay relación de tiempos.</translation>
+    </message>
+    <message>
+        <source>With this time ratio the minimum transmission angle is largest, %1°, for b/a = %2.</source>
+        <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo es mayor, %1°, con b/a = %2.</translation>
+    </message>
+    <message>
+        <source>No length may be below 10⁻⁹ mm or above 10¹² mm.</source>
+        <translation>Ninguna longitud puede ser menor que 10⁻⁹ mm ni mayor que 10¹² mm.</translation>
+    </message>
+    <message>
+        <source>Minimum transmission angle</source>
+        <translation>Ángulo de transmisión mínimo</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::DesignText</name>
+    <message>
+        <source>The stroke must be greater than 0.</source>
+        <translation>La carrera debe ser mayor que 0.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: a crank that makes full turns has a time ratio below 3, not %1.</source>
+        <translation>No existe tal mecanismo: una manivela que da vueltas completas tiene una relación de tiempos menor que 3, no %1.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; an angle of %3° needs a time ratio below %4.</source>
+        <translation>No existe tal mecanismo: con una relación de tiempos de %1, el ángulo de transmisión mínimo es como máximo %2°; un ángulo de %3° exige una relación de tiempos menor que %4.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::LimitsPanel</name>
+    <message>
+        <source>Motion limits</source>
+        <translation>Límites del movimiento</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Respuesta</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Diseño</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ResponseChart</name>
+    <message>
+        <source>stroke [mm]</source>
+        <translation>carrera [mm]</translation>
+    </message>
+    <message>
+        <source>time ratio</source>
+        <translation>relación de tiempos</translation>
+    </message>
+    <message>
+        <source>min. transmission angle [°]</source>
+        <translation>ángulo transm. mín. [°]</translation>
+    </message>
+    <message>
+        <source>peak slider speed [mm/s]</source>
+        <translation>velocidad máx. [mm/s]</translation>
+    </message>
+    <message>
+        <source>peak slider acc. [mm/s²]</source>
+        <translation>aceleración máx. [mm/s²]</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ResponseView</name>
+    <message>
+        <source>Parameter that is varied</source>
+        <translation>Parámetro que se varía</translation>
+    </message>
+    <message>
+        <source>How the limits depend on a parameter</source>
+        <translation>Cómo dependen los límites de un parámetro</translation>
+    </message>
+    <message>
+        <source>Response to %1</source>
+        <translation>Respuesta a %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the charts as an image</source>
+        <translation>Copia las gráficas como imagen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Writes the charts to an image file, or the numbers of the curves to a CSV file</source>
+        <translation>Escribe las gráficas en un archivo de imagen, o los números de las curvas en un archivo CSV</translation>
+    </message>
+    <message>
+        <source>%1 [%2]</source>
+        <translation>%1 [%2]</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Drag a dot to change %1.</source>
+        <translation>Arrastre un punto para cambiar %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>The charts are in the clipboard.</source>
+        <translation>Las gráficas están en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>response.png</source>
+        <translation>respuesta.png</translation>
+    </message>
+    <message>
+        <source>With no %1 does the crank make full turns.</source>
+        <translation>Con ningún %1 da la manivela vueltas completas.</translation>
+    </message>
+    <message>
+        <source>%1 ≤ %2 ≤ %3 mm</source>
+        <translation>%1 ≤ %2 ≤ %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 ≥ %2 mm</source>
+        <translation>%1 ≥ %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 ≤ %2 mm</source>
+        <translation>%1 ≤ %2 mm</translation>
+    </message>
+    <message>
+        <source>Full turns for %1, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1; fuera de ahí, sombreado.</translation>
     </message>
 </context>
 </TS>

@@ -6,13 +6,9 @@
 
 #include "ui/document/result.h"
 #include "ui/panels/page.h"
-
-#include <QWidget>
+#include "ui/panels/segmented_pages.h"
 
 #include <memory>
-
-class QButtonGroup;
-class QStackedWidget;
 
 namespace slidercrank
 {
@@ -20,7 +16,7 @@ namespace slidercrank
 class SolverForm;
 class TablePanel;
 
-class NewtonPanel : public QWidget
+class NewtonPanel : public SegmentedPages
 {
     Q_OBJECT
 
@@ -41,12 +37,9 @@ signals:
 
 private:
     Page page() const;
-    void showPage(int index);
 
     std::shared_ptr<const Result> m_result;
     double m_time = 0.0;
-    QButtonGroup *m_pages; ///< the first is the settings
-    QStackedWidget *m_stack;
     SolverForm *m_form;
     TablePanel *m_tables;
 };

@@ -10,6 +10,7 @@
 #include "ui/widgets/number_slider.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
@@ -207,6 +208,11 @@ void ParameterPanel::addRow(Row &row)
     row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, noun));
     row.label->setWordWrap(true); // large letters and long languages leave the slider its room
     row.label->setToolTip(explanation);
+    if (row.parameter != Parameter::Theta20) {
+        row.label->setToolTip(explanation + u'\n' + tr("Click: how the limits of the motion depend on %1").arg(symbol));
+        row.label->setCursor(Qt::PointingHandCursor);
+        row.label->installEventFilter(this);
+    }
     m_grid->addWidget(row.label, line, 0);
 
     row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
@@ -244,6 +250,15 @@ void ParameterPanel::addRow(Row &row)
     row.reset->setToolTip(tr("Back to the initial value"));
     m_grid->addWidget(row.reset, line, 4);
     connect(row.reset, &QToolButton::clicked, this, [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
+}
+
+bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    const auto row = std::ranges::find(m_rows, watched, &Row::label);
+    if (event->type() == QEvent::MouseButtonPress && row != m_rows.end()) {
+        emit responseRequested(row->parameter);
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ParameterPanel::setBrief(bool brief)

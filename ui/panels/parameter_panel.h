@@ -47,6 +47,12 @@ signals:
     void dragBegan();
     void dragEnded();
 
+    /// Somebody clicked the name of a parameter that the limits of the motion depend on.
+    void responseRequested(slidercrank::Parameter parameter);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     struct Row {
         Parameter parameter;

@@ -6,6 +6,7 @@
 #include "ui/panels/column_mapping.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/limits_page.h"
+#include "ui/panels/limits_panel.h"
 #include "ui/panels/newton_panel.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/reference_page.h"
@@ -206,9 +207,7 @@ void MainWindow::makeRooms(bool withGhost)
     m_rooms.parameters = new ParameterPanel(this);
     m_rooms.plots = new PlotGrid(this);
     m_rooms.tabs = new FoldingTabs(this);
-    m_rooms.tabs->addPage(makePanel(QStringLiteral("limitsPanel"), tr("Motion limits"),
-                                    [this] { return limitsPage(*m_session->result()); }),
-                          tr("Motion limits"));
+    m_rooms.tabs->addPage(makeLimitsPanel(), tr("Motion limits"));
     m_rooms.errors = makePanel(QStringLiteral("errorPanel"), tr("Errors against the reference"),
                                [this] { return errorPage(*m_session->result(), m_session->diagnosis().get()); });
     m_rooms.tabs->addPage(m_rooms.errors, errorTitle(*m_session->result()));
@@ -337,6 +336,22 @@ TablePanel *MainWindow::makePanel(const QString &name, const QString &title, con
     connect(panel, &TablePanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
     connect(panel, &TablePanel::remedyRequested, m_messages, &Messages::remedy);
     connect(panel, &TablePanel::problemFound, m_messages, &Messages::tellProblem);
+    return panel;
+}
+
+QWidget *MainWindow::makeLimitsPanel()
+{
+    auto *panel = new LimitsPanel(makePanel(QStringLiteral("limitsPanel"), tr("Motion limits"),
+                                            [this] { return limitsPage(*m_session->result()); }));
+    follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
+    connect(panel, &LimitsPanel::edited, m_session, &Session::setParameters);
+    connect(panel, &LimitsPanel::parameterRequested, m_session, &Session::setParameter);
+    connect(panel, &LimitsPanel::dragBegan, m_session, &Session::beginDrag);
+    connect(panel, &LimitsPanel::dragEnded, m_session, &Session::endDrag);
+    connect(panel, &LimitsPanel::responseShown, m_rooms.tabs, [this, panel] { m_rooms.tabs->showPage(panel); });
+    connect(panel, &LimitsPanel::copied, m_messages, &Messages::tell);
+    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::tellProblem);
+    connect(m_rooms.parameters, &ParameterPanel::responseRequested, panel, &LimitsPanel::showResponse);
     return panel;
 }
 

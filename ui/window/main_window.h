@@ -70,6 +70,7 @@ private:
     void follow(Changed changed, Room *room, Slot slot, const Now &...now);
 
     TablePanel *makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage);
+    QWidget *makeLimitsPanel();
     QWidget *makeNewtonPanel();
     QWidget *makeStudyPanel();
 

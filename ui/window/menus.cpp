@@ -2,6 +2,7 @@
 #include "ui/window/menus.h"
 
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/panels/limits_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/language.h"
@@ -175,6 +176,7 @@ void Menus::addView()
     view->addAction(tr("&Reset plot zoom"), QKeySequence(Qt::CTRL | Qt::Key_0), m_rooms.plots, &PlotGrid::showAll);
     view->addMenu(tr("M&echanism"))->addActions(m_rooms.mechanism->choices());
     view->addMenu(tr("Pl&ots"))->addActions(m_rooms.plots->choices());
+    tabs->findChild<LimitsPanel *>()->fillMenu(view->addMenu(tr("Respo&nse to")));
     Presentation *presentation = &m_window.presentation();
     QAction *present = addSwitch(view, tr("Presentation &mode"), presentation->isOn());
     present->setShortcut(QKeySequence(Qt::Key_F11));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/response.h"
+
+#include "core/limits/extremes.h"
+#include "core/limits/mobility.h"
+#include "ui/text/written_number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+LimitValues limitValues(const Mechanism &mechanism)
+{
+    const MotionLimits limits = motionLimits(mechanism);
+    LimitValues values{limits.stroke.value_or(kNone), limits.timeRatio.value_or(kNone), kNone, kNone, kNone};
+    if (limits.mobility != Mobility::FullTurn) {
+        return values;
+    }
+    values[2] = 90.0 - kDegreesPerRadian * limits.largestPressureAngle;
+    for (const Peak &peak : motionPeaks(mechanism)) {
+        if (peak.channel.coordinate == R4x) {
+            values[peak.channel.order == Order::Velocity ? 3 : 4] = peak.magnitude;
+        }
+    }
+    return values;
+}
+
+ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
+{
+    const auto &[a, b, offset, omega2, theta20, branch] = parameters;
+    const double c = std::abs(offset);
+    const double value = valueOf(parameters, parameter);
+    const auto upTo = [value](double end) { return std::min(std::max(end, 1.25 * value), kLargestParameter); };
+    Interval assembled;
+    Interval fullTurn;
+    switch (parameter) {
+    case Parameter::A:
+        assembled = {std::max(kShortestLink, c - b), upTo(b > c ? 1.5 * (b - c) : 2.0 * (b + c))};
+        fullTurn = {assembled.lower, b - c};
+        break;
+    case Parameter::B:
+        assembled = {std::max(kShortestLink, c - a), upTo(3.0 * (a + c))};
+        fullTurn = {a + c, assembled.upper};
+        break;
+    case Parameter::C:
+        assembled = {-(a + b), a + b};
+        fullTurn = {a - b, b - a};
+        break;
+    case Parameter::Omega2:
+    case Parameter::Theta20: {
+        const double end = nextRoundNumber(std::max(1.25 * std::abs(value), 1.0));
+        assembled = {-end, end};
+        fullTurn = b >= a + c ? assembled : Interval{1.0, -1.0};
+        break;
+    }
+    }
+    return {assembled, fullTurn};
+}
+
+Response computeResponse(const Parameters &parameters, Parameter parameter, const ResponseRange &range, int count,
+                         const std::stop_token &stop)
+{
+    Response response{parameters, parameter, range};
+    for (int i = 0; i < count; ++i) {
+        response.values.push_back(std::lerp(range.assembled.lower, range.assembled.upper, i / (count - 1.0)));
+    }
+    for (const double end : {range.fullTurn.lower, range.fullTurn.upper}) {
+        if (range.fullTurn.length() >= 0.0 && range.assembled.contains(end)) {
+            response.values.push_back(end);
+        }
+    }
+    std::ranges::sort(response.values);
+    for (const double value : response.values) {
+        Parameters varied = parameters;
+        valueOf(varied, parameter) = value;
+        const bool isUsable = !stop.stop_requested() && !findFault(varied);
+        response.limits.push_back(isUsable ? limitValues(Mechanism(varied))
+                                           : LimitValues{kNone, kNone, kNone, kNone, kNone});
+    }
+    return response;
+}
+
+} // namespace slidercrank

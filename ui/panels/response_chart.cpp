@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/response_chart.h"
+
+#include "ui/text/axis_scale.h"
+#include "ui/text/written_number.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The series of the chart.
+enum Series : std::size_t { Corners, Curve };
+
+QString limitText(Limit limit)
+{
+    switch (limit) {
+    case Limit::Stroke: return ResponseChart::tr("stroke [mm]");
+    case Limit::TimeRatio: return ResponseChart::tr("time ratio");
+    case Limit::TransmissionAngle: return ResponseChart::tr("min. transmission angle [°]");
+    case Limit::SliderSpeed: return ResponseChart::tr("peak slider speed [mm/s]");
+    case Limit::SliderAcceleration: return ResponseChart::tr("peak slider acc. [mm/s²]");
+    }
+    return {};
+}
+
+/// What does not exist or is unbounded leaves a gap.
+double drawable(double value)
+{
+    return std::isfinite(value) ? value : kNone;
+}
+
+/// Of the finite values, without the steep rise of a peak towards infinity.
+Interval valueRange(const Response &response, Limit limit)
+{
+    constexpr double kSteep = 3.0; // times the median
+    std::vector<double> values;
+    for (const LimitValues &limits : response.limits) {
+        if (const double value = limits[static_cast<std::size_t>(limit)]; std::isfinite(value)) {
+            values.push_back(value);
+        }
+    }
+    if (values.empty()) {
+        return {};
+    }
+    std::ranges::sort(values);
+    const bool isPeak = limit == Limit::SliderSpeed || limit == Limit::SliderAcceleration;
+    const double steep = std::max(kSteep * values[values.size() / 2], values.front());
+    return {values.front(), isPeak ? std::min(values.back(), steep) : values.back()};
+}
+
+} // namespace
+
+ResponseChart::ResponseChart(Limit limit)
+    : m_limit(static_cast<std::size_t>(limit))
+{
+    setAccessibleName(title());
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::SizeHorCursor);
+}
+
+void ResponseChart::setCurve(const Response &response, const QString &title)
+{
+    m_range = response.range;
+    m_curveRange = valueRange(response, static_cast<Limit>(m_limit));
+    ChartContent content{{title, m_range.assembled}, {{}, {kNone, kNone}}};
+    content.series = {{}, {.line = ChartSeries::Line::Solid}};
+    for (std::size_t i = 0; i < response.values.size(); ++i) {
+        content.series[Curve].points.emplace_back(response.values[i], drawable(response.limits[i][m_limit]));
+    }
+    setContent(content);
+}
+
+void ResponseChart::setDots(const Dots &dots)
+{
+    m_dots = dots;
+    Interval range = m_curveRange;
+    for (const Dot &dot : dots) {
+        if (std::isfinite(dot.limits[m_limit])) {
+            range = {std::min(range.lower, dot.limits[m_limit]), std::max(range.upper, dot.limits[m_limit])};
+        }
+    }
+    range = roundedOutwards(range);
+    if (range != content().y.range) {
+        ChartContent changed = content();
+        const Interval &across = m_range.assembled;
+        changed.y.range = range;
+        changed.series[Corners].points = {{across.lower, range.lower}, {across.upper, range.upper}};
+        setContent(changed);
+        m_picture = {};
+    }
+    setAccessibleDescription(shortNumber(drawable(dots[0].limits[m_limit]), 4));
+    update();
+}
+
+QString ResponseChart::title() const
+{
+    return limitText(static_cast<Limit>(m_limit));
+}
+
+QRectF ResponseChart::axisArea()
+{
+    return content().series.empty()
+               ? QRectF()
+               : QRectF(Chart::positionOf({Corners, 0}), Chart::positionOf({Corners, 1})).normalized();
+}
+
+QPointF ResponseChart::positionOf(const Dot &dot)
+{
+    const QRectF area = axisArea();
+    const auto part = [](double value, const Interval &range) { return (value - range.lower) / range.length(); };
+    return {area.left() + area.width() * part(dot.value, m_range.assembled),
+            area.bottom() - area.height() * part(dot.limits[m_limit], content().y.range)};
+}
+
+/// Covers the values with which the crank does not make full turns.
+void ResponseChart::paintShade(QPainter &painter, const QPalette &palette)
+{
+    constexpr float kOpacity = 0.16F;
+    const QRectF area = axisArea();
+    QColor colour = seriesColours(palette).warning;
+    colour.setAlphaF(kOpacity);
+    const bool isNever = m_range.fullTurn.length() < 0.0;
+    const double from = isNever ? area.right() : positionOf(Dot{m_range.fullTurn.lower}).x();
+    const double to = isNever ? area.right() : positionOf(Dot{m_range.fullTurn.upper}).x();
+    painter.fillRect(QRectF(area.topLeft(), QPointF(std::clamp(from, area.left(), area.right()), area.bottom())),
+                     colour);
+    painter.fillRect(QRectF(QPointF(std::clamp(to, area.left(), area.right()), area.top()), area.bottomRight()),
+                     colour);
+}
+
+void ResponseChart::paintDots(QPainter &painter, const QPalette &palette)
+{
+    constexpr double kRadius = 4.5; // px
+    constexpr double kRing = 9.0;
+    const QRectF area = axisArea();
+    const SeriesColours colours = seriesColours(palette);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t i = m_dots.size(); i-- > 0;) { // the present value above the pinned motions
+        const QPointF dot = positionOf(m_dots[i]);
+        if (!std::isfinite(m_dots[i].limits[m_limit]) || !m_range.assembled.contains(m_dots[i].value)) {
+            continue;
+        }
+        const QColor colour = i == 0 ? colours.cursor : colours.kept;
+        painter.setPen(colour);
+        painter.setBrush(i == 0 ? colour : colours.background);
+        painter.drawEllipse(dot, kRadius, kRadius);
+        painter.setBrush(Qt::NoBrush);
+        if (i == 0 && hasFocus()) {
+            painter.drawEllipse(dot, kRing, kRing);
+        }
+        const bool isRight = dot.x() > area.center().x();
+        QRectF label(dot.x() + kRing, dot.y() - 2.0 * kRing, area.width(), 2.0 * kRing);
+        label.moveLeft(isRight ? dot.x() - kRing - label.width() : label.left());
+        painter.drawText(label, isRight ? Qt::AlignRight : Qt::AlignLeft, shortNumber(m_dots[i].limits[m_limit], 4));
+    }
+}
+
+void ResponseChart::paintEvent(QPaintEvent *)
+{
+    if (content().series.empty()) {
+        return;
+    }
+    const QSize pixels = size() * devicePixelRatio();
+    if (m_picture.size() != pixels) {
+        m_picture = QPixmap(pixels);
+        m_picture.setDevicePixelRatio(devicePixelRatio());
+        QPainter painter(&m_picture);
+        paint(painter, size(), palette());
+        paintShade(painter, palette());
+    }
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_picture);
+    paintDots(painter, palette());
+}
+
+void ResponseChart::changeEvent(QEvent *event)
+{
+    m_picture = {};
+    Chart::changeEvent(event);
+}
+
+void ResponseChart::paintAll(QPainter &painter, const QSize &size, const QPalette &palette) const
+{
+    ResponseChart copy(static_cast<Limit>(m_limit));
+    copy.resize(size);
+    copy.m_range = m_range;
+    copy.m_dots = m_dots;
+    copy.setContent(content());
+    copy.paint(painter, size, palette);
+    copy.paintShade(painter, palette);
+    copy.paintDots(painter, palette);
+}
+
+/// Rounded to a step that is small beside the range, and within the range.
+void ResponseChart::request(double value)
+{
+    const double step = nextRoundNumber(m_range.assembled.length() / 400.0);
+    const double rounded = QString::number(std::round(value / step) * step, 'g', 12).toDouble();
+    emit requested(std::clamp(rounded, m_range.assembled.lower, m_range.assembled.upper));
+}
+
+void ResponseChart::requestAt(double pixel)
+{
+    const QRectF area = axisArea();
+    if (area.width() > 0.0) {
+        request(m_range.assembled.lower + m_range.assembled.length() * (pixel - area.left()) / area.width());
+    }
+}
+
+void ResponseChart::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton) {
+        m_isDragging = true;
+        emit dragBegan();
+        requestAt(event->position().x());
+    }
+}
+
+void ResponseChart::mouseMoveEvent(QMouseEvent *event)
+{
+    if (m_isDragging) {
+        requestAt(event->position().x());
+    } else {
+        Chart::mouseMoveEvent(event);
+    }
+}
+
+void ResponseChart::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton && m_isDragging) {
+        m_isDragging = false;
+        emit dragEnded();
+    }
+}
+
+/// What a key adds to the value; 0 for other keys.
+double ResponseChart::keyStep(int key) const
+{
+    const double step = nextRoundNumber(m_range.assembled.length() / 400.0);
+    switch (key) {
+    case Qt::Key_Left: return -step;
+    case Qt::Key_Right: return step;
+    case Qt::Key_PageDown: return -10.0 * step;
+    case Qt::Key_PageUp: return 10.0 * step;
+    default: return 0.0;
+    }
+}
+
+/// Its own keys come before the shortcuts of the playback.
+bool ResponseChart::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride && keyStep(static_cast<QKeyEvent *>(event)->key()) != 0.0) {
+        event->accept();
+        return true;
+    }
+    return Chart::event(event);
+}
+
+void ResponseChart::keyPressEvent(QKeyEvent *event)
+{
+    if (const double step = keyStep(event->key()); step != 0.0) {
+        request(m_dots[0].value + step);
+    } else {
+        Chart::keyPressEvent(event);
+    }
+}
+
+} // namespace slidercrank

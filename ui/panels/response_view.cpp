@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/response_view.h"
+
+#include "ui/document/whole_file.h"
+#include "ui/export/figure_export.h"
+#include "ui/panels/response_chart.h"
+#include "ui/text/axis_scale.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/written_number.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/paragraph.h"
+#include "ui/widgets/save_dialog.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QGridLayout>
+#include <QPainter>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
+constexpr int kChartWidth = 165;        // px, at least
+constexpr int kChartHeight = 130;
+
+} // namespace
+
+ResponseView::ResponseView(QWidget *parent)
+    : QWidget(parent)
+    , m_parameter(named("responseParameter", new QComboBox, tr("Parameter that is varied")))
+    , m_sentence(named("responseSentence", plainText()))
+    , m_scroll(new QScrollArea)
+{
+    named("responseView", this, tr("How the limits depend on a parameter"));
+    for (const Parameter parameter : kVariedParameters) {
+        m_parameter->addItem(tr("Response to %1").arg(symbolOf(parameter)));
+    }
+    m_parameter->setCurrentIndex(static_cast<int>(indexOf(Parameter::B)));
+    connect(m_parameter, &QComboBox::currentIndexChanged, this, &ResponseView::refresh);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_parameter, 0, Qt::AlignTop);
+    head->addWidget(m_sentence, 1);
+    const auto addAction = [&](const QString &name, const QString &text, const QString &explanation, auto slot) {
+        auto *action = new QAction(text, this);
+        action->setToolTip(explanation);
+        connect(action, &QAction::triggered, this, slot);
+        this->addAction(action);
+        auto *button = named(name, new QToolButton);
+        button->setDefaultAction(action);
+        button->setFocusPolicy(Qt::TabFocus);
+        head->addWidget(button, 0, Qt::AlignTop);
+    };
+    addAction("responseCopy", tr("Copy"), tr("Copies the charts as an image"), &ResponseView::copy);
+    addAction("responseExport", tr("Export…"),
+              tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"),
+              &ResponseView::chooseFile);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+
+    auto *charts = new QWidget;
+    m_grid = new QGridLayout(charts);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setSpacing(2);
+    for (std::size_t i = 0; i < kLimitCount; ++i) {
+        m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(static_cast<Limit>(i)));
+        m_charts[i]->setMinimumHeight(kChartHeight);
+        auto *title = new QLabel(m_charts[i]->title());
+        title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        auto *cell = new QVBoxLayout(m_cells[i] = new QWidget);
+        cell->setContentsMargins(0, 0, 0, 0);
+        cell->setSpacing(0);
+        cell->addWidget(title);
+        cell->addWidget(m_charts[i], 1);
+        connect(m_charts[i], &ResponseChart::requested, this,
+                [this](double value) { emit parameterRequested(m_response.parameter, value); });
+        connect(m_charts[i], &ResponseChart::dragBegan, this, &ResponseView::dragBegan);
+        connect(m_charts[i], &ResponseChart::dragEnded, this, &ResponseView::dragEnded);
+    }
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setWidget(charts);
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(2, 0, 0, 0);
+    rows->setSpacing(3);
+    rows->addLayout(head);
+    rows->addWidget(m_scroll, 1);
+}
+
+void ResponseView::setResult(const std::shared_ptr<const Result> &result)
+{
+    m_result = result;
+    refresh();
+}
+
+void ResponseView::setParameter(Parameter parameter)
+{
+    m_parameter->setCurrentIndex(static_cast<int>(indexOf(parameter)));
+}
+
+/// Computes new curves if anything but the varied parameter's value has changed, and moves the dots at once.
+void ResponseView::refresh()
+{
+    if (!isVisible() || !m_result) {
+        return;
+    }
+    const Parameters &parameters = m_result->mechanism.parameters();
+    const Parameter parameter = kVariedParameters[static_cast<std::size_t>(m_parameter->currentIndex())];
+    const double value = valueOf(parameters, parameter);
+    const int pixels = std::max(2, m_charts[0]->width());
+    if (m_response.parameter == parameter) {
+        valueOf(m_response.parameters, parameter) = value; // the curves do not depend on it
+    }
+    m_isOutdated = m_work.isRunning();
+    if (m_response.parameter == parameter && m_response.parameters == parameters &&
+        m_response.range.assembled.contains(value) && static_cast<int>(m_response.values.size()) >= pixels) {
+        showResponse(false);
+        return;
+    }
+    if (m_isOutdated) {
+        return;
+    }
+    m_work.start(
+        [parameters, parameter, pixels](const std::stop_token &stop, const WorkAside::Progress &) {
+            return computeResponse(parameters, parameter, responseRange(parameters, parameter), pixels, stop);
+        },
+        [this](const Response &response) {
+            m_response = response;
+            showResponse(true);
+            if (m_isOutdated) {
+                QMetaObject::invokeMethod(this, &ResponseView::refresh, Qt::QueuedConnection);
+            }
+        },
+        [this](const QString &sentence) { emit problemFound(sentence); });
+}
+
+void ResponseView::showResponse(bool isNew)
+{
+    const auto &[parameters, parameter, range, values, limits] = m_response;
+    const QString symbol = symbolOf(parameter);
+    const QString title = tr("%1 [%2]").arg(symbol, parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm"));
+    const Interval &turning = range.fullTurn;
+    const bool hasLower = turning.lower > range.assembled.lower;
+    const bool hasUpper = turning.upper < range.assembled.upper;
+    const QString lower = numberText(turning.lower);
+    const QString upper = numberText(turning.upper);
+    const QString bounds = hasLower && hasUpper ? tr("%1 ≤ %2 ≤ %3 mm").arg(lower, symbol, upper)
+                           : hasLower           ? tr("%1 ≥ %2 mm").arg(symbol, lower)
+                                                : tr("%1 ≤ %2 mm").arg(symbol, upper);
+    m_sentence->setText((turning.length() < 0.0 ? tr("With no %1 does the crank make full turns.").arg(symbol)
+                         : hasLower || hasUpper ? tr("Full turns for %1, shaded elsewhere.").arg(bounds)
+                                                : QString()) +
+                        u' ' + tr("Drag a dot to change %1.").arg(symbol));
+    ResponseChart::Dots dots{{valueOf(parameters, parameter), limitValues(Mechanism(parameters))}};
+    for (const Parameters &pinned : m_result->kept) {
+        dots.push_back({valueOf(pinned, parameter), limitValues(Mechanism(pinned))});
+    }
+    for (ResponseChart *chart : m_charts) {
+        if (isNew) {
+            chart->setCurve(m_response, title);
+        }
+        chart->setDots(dots);
+    }
+}
+
+void ResponseView::arrange()
+{
+    const int columns = std::clamp(m_scroll->width() / kChartWidth, 1, static_cast<int>(kLimitCount));
+    for (int i = 0; i < static_cast<int>(kLimitCount); ++i) {
+        m_grid->addWidget(m_cells[static_cast<std::size_t>(i)], i / columns, i % columns);
+        m_grid->setColumnStretch(i, i < columns ? 1 : 0);
+    }
+    m_grid->activate();
+    refresh();
+}
+
+void ResponseView::paint(QPainter &painter, const QSize &size) const
+{
+    const int line = 2 * QFontMetrics(font()).height();
+    const QSize part(size.width() / static_cast<int>(kLimitCount), size.height() - line);
+    painter.fillRect(QRect(QPoint(), size), paletteFor(Theme::Light).base());
+    for (std::size_t i = 0; i < kLimitCount; ++i) {
+        painter.save();
+        painter.translate(static_cast<int>(i) * part.width(), 0);
+        painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, m_charts[i]->title());
+        painter.translate(0, line);
+        m_charts[i]->paintAll(painter, part, paletteFor(Theme::Light));
+        painter.restore();
+    }
+}
+
+QByteArray ResponseView::csv() const
+{
+    QByteArray text =
+        QLatin1String(wordOf(m_response.parameter)).latin1() +
+        QByteArray(",stroke,time-ratio,least-transmission-angle,peak-slider-speed,peak-slider-acceleration\n");
+    for (std::size_t i = 0; i < m_response.values.size(); ++i) {
+        text += QByteArray::number(m_response.values[i], 'g', 17);
+        for (const double value : m_response.limits[i]) {
+            text += ',' + (std::isfinite(value) ? QByteArray::number(value, 'g', 17) : QByteArray());
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::optional<QString> ResponseView::exportTo(const QString &path) const
+{
+    if (!path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
+        const FigureDrawing draw = [this](QPainter &painter, const QSize &size) { paint(painter, size); };
+        return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),
+                            withParameters(draw, Mechanism(m_response.parameters), paletteFor(Theme::Light)));
+    }
+    const std::optional<QString> reason = writeWhole(path, csv());
+    return reason ? std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
+}
+
+void ResponseView::copy()
+{
+    const FigureDrawing draw = [this](QPainter &painter, const QSize &size) { paint(painter, size); };
+    if (const std::optional<QString> problem = copyFigureToClipboard({kFigureSize, 2.0}, draw)) {
+        emit problemFound(*problem);
+    } else {
+        emit copied(tr("The charts are in the clipboard."));
+    }
+}
+
+void ResponseView::chooseFile()
+{
+    chooseFileToSave(this, {tr("Export"), figureFilters() + QStringList(tr("Tables (*.csv)")),
+                            lastFolder(QStandardPaths::PicturesLocation), tr("response.png"),
+                            [this](const QString &path, const QString &) {
+                                if (const std::optional<QString> problem = exportTo(path)) {
+                                    emit problemFound(*problem);
+                                }
+                            }});
+}
+
+void ResponseView::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    arrange();
+}
+
+void ResponseView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+} // namespace slidercrank

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Five small charts: how stroke, time ratio, minimum transmission angle, peak slider speed and peak slider acceleration
+// depend on one parameter. A dot marks the present value and can be dragged; pinned motions are further dots. The
+// curves are computed at the pixels, in the background.
+
+#include "ui/document/result.h"
+#include "ui/document/work_aside.h"
+#include "ui/panels/response.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QScrollArea;
+
+namespace slidercrank
+{
+
+class ResponseChart;
+
+class ResponseView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ResponseView(QWidget *parent = nullptr);
+
+    void setResult(const std::shared_ptr<const Result> &result);
+
+    /// One of kVariedParameters.
+    void setParameter(Parameter parameter);
+
+    /// The curves on show.
+    const Response &response() const { return m_response; }
+
+    /// The charts by the suffix (.png, .svg, .pdf) or the numbers of the curves (.csv). A sentence if it could not be
+    /// written.
+    std::optional<QString> exportTo(const QString &path) const;
+
+    QSize minimumSizeHint() const override { return {200, 100}; } ///< the rest scrolls
+
+signals:
+    void parameterRequested(slidercrank::Parameter parameter, double value);
+    void dragBegan();
+    void dragEnded();
+    void copied(const QString &sentence);
+    void problemFound(const QString &sentence);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void refresh();
+    void arrange();
+    void showResponse(bool isNew); ///< else only the dots have moved
+    void paint(QPainter &painter, const QSize &size) const;
+    QByteArray csv() const;
+    void copy();
+    void chooseFile();
+
+    std::shared_ptr<const Result> m_result;
+    Response m_response;
+    WorkAside m_work{WorkAside::Kind::OfAnEdit};
+    bool m_isOutdated = false; ///< something changed while the curves were being computed
+    QComboBox *m_parameter;
+    QLabel *m_sentence;
+    QScrollArea *m_scroll;
+    QGridLayout *m_grid;
+    std::array<ResponseChart *, kLimitCount> m_charts;
+    std::array<QWidget *, kLimitCount> m_cells; ///< a chart with its title
+};
+
+} // namespace slidercrank
