@@ -4,8 +4,10 @@
 #include "core/import/unit_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
-#include <string>
+#include <cmath>
+#include <cstdint>
 
 namespace slidercrank
 {
@@ -15,11 +17,100 @@ namespace
 
 constexpr std::string_view kMinusSign = "\u2212";
 
+/// Powers of ten that a double holds exactly.
+constexpr std::array<double, 23> kExactPowers = [] {
+    std::array<double, 23> powers{};
+    double power = 1.0;
+    for (double &each : powers) {
+        each = power;
+        power *= 10.0;
+    }
+    return powers;
+}();
+
+/// Reads the exponent behind the digits, if there is one; false where something else follows.
+bool readExponent(std::string_view text, int &exponent)
+{
+    constexpr int kLargest = 100'000; // far beyond any double, and no sum of such overflows
+    if (text.empty()) {
+        return true;
+    }
+    const bool isPositive = text.size() > 1 && text[1] == '+';
+    text.remove_prefix(isPositive ? 2 : 1);
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), exponent);
+    if (fault == std::errc::result_out_of_range) {
+        exponent = text[0] == '-' ? -kLargest : kLargest;
+    }
+    exponent = std::clamp(exponent, -kLargest, kLargest);
+    return fault != std::errc::invalid_argument && end == text.data() + text.size() && !(isPositive && text[0] == '-');
+}
+
+/// `text`: an optional minus sign, digits with at most one decimal sign, an optional exponent; all in one pass.
+CellNumber parsePlain(std::string_view text, char decimal)
+{
+    constexpr CellNumber kNone{.fault = RowFault::NotANumber};
+    const bool isNegative = text.starts_with('-');
+    std::uint64_t mantissa = 0;
+    int digits = 0;
+    int significant = 0; // from the first digit other than zero on
+    int trailing = 0;    // zeros
+    std::size_t point = text.npos;
+    std::size_t at = isNegative ? 1 : 0;
+    for (; at < text.size(); ++at) {
+        const auto digit = static_cast<unsigned>(text[at]) - unsigned{'0'};
+        if (digit <= 9) {
+            ++digits;
+            significant += significant > 0 || digit > 0 ? 1 : 0;
+            trailing = digit == 0 ? trailing + 1 : 0;
+            mantissa = 10 * mantissa + digit;
+        } else if (text[at] == decimal && point == text.npos) {
+            point = at;
+        } else {
+            break;
+        }
+    }
+    const bool hasExponent = at < text.size() && (text[at] == 'e' || text[at] == 'E');
+    int exponent = 0;
+    if (digits == 0 || (at < text.size() && !hasExponent) || !readExponent(text.substr(at), exponent)) {
+        return kNone;
+    }
+    CellNumber number;
+    number.places.printed = exponent - (point == text.npos ? 0 : static_cast<int>(at - point) - 1);
+    number.places.zero = significant == 0;
+    if (significant > 0) {
+        number.places.first = number.places.printed + significant - 1;
+        number.places.last = number.places.printed + trailing;
+    }
+    // Both factors are doubles exactly: one correctly rounded operation.
+    constexpr int kExactDigits = 15;
+    const auto power = static_cast<std::size_t>(std::abs(number.places.printed));
+    if (significant <= kExactDigits && power < kExactPowers.size()) {
+        const auto whole = static_cast<double>(mantissa);
+        const double size = number.places.printed < 0 ? whole / kExactPowers[power] : whole * kExactPowers[power];
+        number.value = isNegative ? -size : size;
+        return number;
+    }
+    std::string pointed;
+    if (decimal != '.' && point != text.npos) {
+        pointed = text;
+        pointed[point] = '.';
+        text = pointed;
+    }
+    double value = 0.0; // stays where the number is too small
+    const std::errc fault = std::from_chars(text.data(), text.data() + text.size(), value).ec;
+    if (fault == std::errc::result_out_of_range && number.places.first > 0) {
+        number.fault = RowFault::TooLarge;
+        return number;
+    }
+    number.value = fault == std::errc() ? value : 0.0;
+    return number;
+}
+
 /// Whether the text is digits in groups of three: "1.234", "12.345.678".
 bool isGrouped(std::string_view text, char separator)
 {
-    const std::size_t first = std::min(text.find(separator), text.size());
-    if (first == 0 || first > 3 || text.size() == first || (text.size() - first) % 4 != 0) {
+    const std::size_t first = text.find(separator);
+    if (first == text.npos || first == 0 || first > 3 || (text.size() - first) % 4 != 0) {
         return false;
     }
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -31,51 +122,26 @@ bool isGrouped(std::string_view text, char separator)
     return true;
 }
 
-/// The number with a decimal point, "-" as its minus sign and no separators of thousands; empty where it is none.
-std::string plainNumber(std::string_view text, DecimalSign decimalSign)
+/// The number with "-" as its minus sign, no plus sign and no separators of thousands; empty where it is none.
+std::string withoutSeparators(std::string_view text, char decimal, char separator)
 {
-    const char decimal = decimalSign == DecimalSign::Comma ? ',' : '.';
-    const char separator = decimalSign == DecimalSign::Comma ? '.' : ',';
     std::string plain;
-    if (text.starts_with(kMinusSign) || text.starts_with('-')) {
+    if (text.starts_with(kMinusSign)) {
         plain = "-";
-        text.remove_prefix(text[0] == '-' ? 1 : kMinusSign.size());
-    } else if (text.starts_with('+')) {
+        text.remove_prefix(kMinusSign.size());
+    } else if (text.starts_with('-') || text.starts_with('+')) {
+        plain = text[0] == '-' ? "-" : "";
         text.remove_prefix(1);
     }
-    const std::size_t point = text.find(decimal);
-    std::string_view whole = text.substr(0, point);
-    const bool hasSeparators = whole.find(separator) != whole.npos;
-    const bool isClear = point != text.npos || std::ranges::count(whole, separator) > 1;
-    if (text.empty() || text[0] == '-' || text[0] == '+' ||
-        (hasSeparators && !(isClear && isGrouped(whole, separator)))) {
+    const std::string_view whole = text.substr(0, text.find(decimal));
+    const auto separators = std::ranges::count(whole, separator);
+    const bool isClear =
+        separators == 0 || ((whole.size() < text.size() || separators > 1) && isGrouped(whole, separator));
+    if (!isClear || text.starts_with('-') || text.starts_with('+')) {
         return {};
     }
     std::ranges::remove_copy(whole, std::back_inserter(plain), separator);
-    return point == text.npos ? plain : plain + '.' + std::string(text.substr(point + 1));
-}
-
-/// `plain`: with a decimal point and no plus sign.
-CellNumber parsePlain(std::string_view plain)
-{
-    CellNumber number;
-    const std::size_t first = plain.starts_with('-') ? 1 : 0;
-    const bool isNumber = first < plain.size() && (isDigit(plain[first]) || plain[first] == '.'); // not "-inf"
-    const char *const end = plain.data() + plain.size();
-    double value = 0.0;
-    const auto [last, fault] = std::from_chars(plain.data(), end, value);
-    if (!isNumber || last != end || fault == std::errc::invalid_argument) {
-        return {number.value, {}, RowFault::NotANumber};
-    }
-    number.places = placesOf(plain);
-    if (fault == std::errc::result_out_of_range) {
-        if (number.places.first > 0) {
-            return {number.value, {}, RowFault::TooLarge};
-        }
-        value = 0.0;
-    }
-    number.value = value;
-    return number;
+    return plain.append(text.substr(whole.size()));
 }
 
 } // namespace
@@ -98,54 +164,51 @@ bool equalIgnoringCase(std::string_view text, std::string_view lowerCaseText)
 
 std::string_view takeLine(std::string_view &rest)
 {
-    const auto isEnd = [](char c) { return c == '\n' || c == '\r'; };
-    const auto length = static_cast<std::size_t>(std::ranges::find_if(rest, isEnd) - rest.begin());
-    const std::string_view line = rest.substr(0, length);
-    rest.remove_prefix(length);
+    const auto end = std::ranges::find_if(rest, [](char c) { return c == '\n' || c == '\r'; });
+    const std::string_view line = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+    rest.remove_prefix(line.size());
     rest.remove_prefix(rest.starts_with("\r\n") ? 2 : rest.empty() ? 0 : 1);
     return line;
 }
 
-Cell CellReader::next()
+Cell takeCell(std::string_view &rest, char delimiter)
 {
-    const bool bySpaces = m_delimiter == ' ';
-    const std::size_t size = m_rest.size();
-    const auto endFrom = [&](std::size_t at) {
-        while (at < size && m_rest[at] != m_delimiter && !(bySpaces && m_rest[at] == '\t')) {
-            ++at;
-        }
-        return at;
-    };
+    const bool bySpaces = delimiter == ' ';
+    const char other = bySpaces ? '\t' : delimiter;
+    const std::size_t size = rest.size();
     std::size_t begin = 0;
-    while (begin < size && isBlank(m_rest[begin]) && (bySpaces || m_rest[begin] != m_delimiter)) {
+    while (begin < size && isBlank(rest[begin]) && (bySpaces || rest[begin] != delimiter)) {
         ++begin;
     }
     Cell cell;
     std::size_t end = begin;
-    if (begin < size && m_rest[begin] == '"') {
-        std::size_t close = begin + 1;
-        while (close < size && (m_rest[close] != '"' || (close + 1 < size && m_rest[close + 1] == '"'))) {
-            close += m_rest[close] == '"' ? 2 : 1;
+    const bool isQuoted = begin < size && rest[begin] == '"';
+    if (isQuoted) {
+        for (++end; end < size && (rest[end] != '"' || rest.substr(end + 1).starts_with('"')); ++end) {
+            end += rest[end] == '"' ? 1 : 0;
         }
-        const std::size_t behind = std::min(close + 1, size);
-        end = endFrom(behind);
-        cell.text = trimmed(m_rest.substr(begin + 1, close - begin - 1));
-        cell.wellFormed = close < size && trimmed(m_rest.substr(behind, end - behind)).empty();
-    } else {
-        end = endFrom(begin);
-        cell.text = trimmed(m_rest.substr(begin, end - begin));
+        cell.text = trimmed(rest.substr(begin + 1, end - begin - 1));
+        cell.wellFormed = end < size;
+        begin = end = std::min(end + 1, size);
     }
-    m_rest.remove_prefix(std::min(end + 1, size));
-    m_hasCell = bySpaces ? !trimmed(m_rest).empty() : end < size;
+    while (end < size && rest[end] != delimiter && rest[end] != other) {
+        ++end;
+    }
+    const std::string_view text = trimmed(rest.substr(begin, end - begin));
+    cell.text = isQuoted ? cell.text : text;
+    cell.wellFormed = cell.wellFormed && (!isQuoted || text.empty());
+    const bool isLast = end == size || (bySpaces && trimmed(rest.substr(end)).empty());
+    rest = isLast ? std::string_view() : rest.substr(end + 1);
     return cell;
 }
 
-std::vector<std::string_view> splitCells(std::string_view line, char delimiter)
+Cells splitCells(std::string_view line, char delimiter)
 {
-    std::vector<std::string_view> cells;
-    for (CellReader reader(line, delimiter); reader.hasCell();) {
-        cells.push_back(reader.next().text);
-    }
+    Cells cells;
+    std::string_view rest = line;
+    do {
+        cells.push_back(takeCell(rest, delimiter).text);
+    } while (rest.data() != nullptr);
     while (!cells.empty() && cells.back().empty()) {
         cells.pop_back();
     }
@@ -166,8 +229,7 @@ Cells splitBetweenBlanks(std::string_view line, std::size_t least)
         }
         const std::string_view cell = line.substr(begin, at - begin);
         if (!cells.empty() && (cell.starts_with('(') || cell.starts_with('['))) {
-            cells.back() = {cells.back().data(),
-                            static_cast<std::size_t>(cell.data() + cell.size() - cells.back().data())};
+            cells.back() = {cells.back().data(), cell.data() + cell.size()};
         } else {
             cells.push_back(cell);
         }
@@ -179,17 +241,18 @@ Cells splitBetweenBlanks(std::string_view line, std::size_t least)
 
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
 {
-    if (decimalSign == DecimalSign::Point) {
-        if (CellNumber number = parsePlain(text); number.fault != RowFault::NotANumber) {
-            return number;
-        }
+    const bool isComma = decimalSign == DecimalSign::Comma;
+    const char decimal = isComma ? ',' : '.';
+    const char separator = isComma ? '.' : ',';
+    CellNumber number = parsePlain(text, decimal);
+    if (number.fault != RowFault::NotANumber) {
+        return number;
     }
     if (text.empty() || equalIgnoringCase(text, "nan") || equalIgnoringCase(text, "-nan")) {
         return {};
     }
-    CellNumber number = parsePlain(plainNumber(text, decimalSign));
-    const bool isComma = decimalSign == DecimalSign::Comma;
-    if (number.fault == RowFault::NotANumber && looksNumeric(text) && text.find(isComma ? '.' : ',') != text.npos) {
+    number = parsePlain(withoutSeparators(text, decimal, separator), decimal);
+    if (number.fault == RowFault::NotANumber && looksNumeric(text) && text.find(separator) != text.npos) {
         number.fault = isComma ? RowFault::PointForComma : RowFault::CommaForPoint;
     }
     return number;
@@ -201,18 +264,16 @@ bool looksNumeric(std::string_view text)
     return std::ranges::any_of(text, isDigit) && text.find_first_not_of("0123456789+-.,eE") == text.npos;
 }
 
-std::optional<NumberWithUnit> splitUnit(std::string_view text)
+NumberWithUnit splitUnit(std::string_view text)
 {
     for (const std::string_view begins : {" \t", "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ\xC2\xCE"}) {
         const std::size_t at = text.find_first_of(begins);
-        if (at == text.npos || !looksNumeric(text.substr(0, at))) {
-            continue;
-        }
-        if (const std::string_view unit = trimmed(text.substr(at)); parseUnit(unit)) {
-            return NumberWithUnit{text.substr(0, at), unit};
+        const std::string_view unit = at == text.npos ? std::string_view() : trimmed(text.substr(at));
+        if (!unit.empty() && looksNumeric(text.substr(0, at)) && parseUnit(unit)) {
+            return {text.substr(0, at), unit};
         }
     }
-    return std::nullopt;
+    return {text};
 }
 
 std::string excerpt(std::string_view text)

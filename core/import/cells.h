@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,7 +30,7 @@ inline char lowerCase(char c)
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Without the blanks around it.
+/// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
 bool equalIgnoringCase(std::string_view text, std::string_view lowerCaseText);
@@ -42,38 +43,23 @@ struct Cell {
     bool wellFormed = true; ///< false: a quotation mark is not closed, or text follows the closing one
 };
 
-/// Walks over the cells of a line. Between cells stands the delimiter; where that is a space, any run of blanks.
-class CellReader
-{
-public:
-    CellReader(std::string_view line, char delimiter)
-        : m_rest(line)
-        , m_delimiter(delimiter)
-    {
-    }
-
-    bool hasCell() const { return m_hasCell; } ///< true for the first cell even of an empty line
-    Cell next();
-
-private:
-    std::string_view m_rest;
-    char m_delimiter;
-    bool m_hasCell = true;
-};
+/// Removes the first cell from the rest of a line and returns it. Between cells stands the delimiter; where that is a
+/// space, any run of blanks. Behind the last cell `rest` has no data.
+Cell takeCell(std::string_view &rest, char delimiter);
 
 using Cells = std::vector<std::string_view>;
+
+/// The texts of all cells of a line, without empty ones at the end.
+Cells splitCells(std::string_view line, char delimiter);
 
 /// The cells between runs of at least so many blanks outside brackets; what stands in brackets belongs to the name in
 /// front of it: "Time (s)   P[X] ( mm )".
 Cells splitBetweenBlanks(std::string_view line, std::size_t least);
 
-/// The texts of all cells of a line, without empty ones at the end.
-Cells splitCells(std::string_view line, char delimiter);
-
 struct CellNumber {
     double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN: a gap or a fault
-    PrintedPlaces places;
-    std::optional<RowFault> fault;
+    PrintedPlaces places{};
+    std::optional<RowFault> fault{};
 };
 
 /// An empty cell and "nan" are gaps. The minus may be U+2212. Separators of thousands (the other decimal sign) are
@@ -83,13 +69,13 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign);
 /// Whether the text has the characters of a number, whatever its decimal sign.
 bool looksNumeric(std::string_view text);
 
+/// A cell's number, and the known unit behind it: "0.005 sec". Without one the unit is empty.
 struct NumberWithUnit {
     std::string_view number;
-    std::string_view unit;
+    std::string_view unit{};
 };
 
-/// "0.005 sec" as number and unit; nothing where there is no known unit.
-std::optional<NumberWithUnit> splitUnit(std::string_view text);
+NumberWithUnit splitUnit(std::string_view text);
 
 /// What a message repeats of a cell: its beginning, not cut within a character.
 std::string excerpt(std::string_view text);

@@ -78,14 +78,14 @@ enum class Difference {
 
 /// One column of the file, UTF-8 whatever the file's encoding.
 struct FileColumn {
-    std::string heading; ///< as printed, with the unit where it stands there; empty: none
-    std::string unit;    ///< as printed, in the heading or in the line of units; empty: none given, the author's
+    std::string heading{}; ///< as printed, with the unit where it stands there; empty: none
+    std::string unit{};    ///< as printed, in the heading or in the line of units; empty: none given, the author's
     ColumnRole role = ColumnRole::Ignored;
-    Channel channel; ///< where the role is Channel
+    Channel channel{}; ///< where the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
-    std::optional<std::size_t> otherColumn; ///< that the reason speaks of
-    std::optional<Difference> difference;   ///< what a column of derivatives is made of
-    std::size_t file = 0;                   ///< that it stands in, of FileLayout::files
+    std::optional<std::size_t> otherColumn{}; ///< that the reason speaks of
+    std::optional<Difference> difference{};   ///< what a column of derivatives is made of
+    std::size_t file = 0;                     ///< that it stands in, of FileLayout::files
 };
 
 /// What was found of a file's form. Of several that are joined, the columns of one follow those of the other; the rest

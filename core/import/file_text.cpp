@@ -17,53 +17,48 @@ namespace
 
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
-unsigned byteAt(std::string_view bytes, std::size_t i)
-{
-    return static_cast<unsigned char>(bytes[i]);
-}
+/// Windows-1252 from 0x80 to 0x9F, where it differs from Latin-1.
+constexpr std::u16string_view kWindowsCharacters =
+    u"\u20AC?\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152?\u017D??\u2018\u2019\u201C\u201D\u2022"
+    u"\u2013\u2014\u02DC\u2122\u0161\u203A\u0153?\u017E\u0178";
 
-std::string fromUtf16(std::string_view bytes, bool littleEndian)
+std::string fromUtf16(std::string_view bytes, bool isLittleEndian)
 {
     std::u16string units(bytes.size() / 2, u'\0');
     for (std::size_t i = 0; i < units.size(); ++i) {
-        const unsigned first = byteAt(bytes, 2 * i);
-        const unsigned second = byteAt(bytes, 2 * i + 1);
-        units[i] = static_cast<char16_t>(littleEndian ? second << 8U | first : first << 8U | second);
+        const auto first = static_cast<unsigned char>(bytes[2 * i]);
+        const auto second = static_cast<unsigned char>(bytes[2 * i + 1]);
+        units[i] = static_cast<char16_t>(isLittleEndian ? second * 256 + first : first * 256 + second);
     }
     return boost::locale::conv::utf_to_utf<char>(units);
 }
 
 std::string fromWindows1252(std::string_view bytes)
 {
-    // Where it differs from Latin-1: 0x80 to 0x9F.
-    constexpr std::array<char16_t, 32> kCharacters{0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
-                                                   0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
-                                                   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
-                                                   0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
     std::u16string characters(bytes.size(), u'\0');
-    std::ranges::transform(bytes, characters.begin(), [&](char c) {
+    std::ranges::transform(bytes, characters.begin(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);
-        return byte >= 0x80 && byte < 0xA0 ? kCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
+        return byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
     });
     return boost::locale::conv::utf_to_utf<char>(characters);
 }
 
+/// Whether at least half of the characters beyond ASCII are valid.
 bool isUtf8(std::string_view bytes)
 {
     using Utf8 = boost::locale::utf::utf_traits<char>;
-    std::size_t valid = 0;
-    std::size_t invalid = 0;
+    int surplus = 0;
     for (auto at = bytes.begin(); at != bytes.end();) {
-        if (static_cast<unsigned char>(*at) < 0x80) {
-            ++at;
-            continue;
+        auto next = at + 1;
+        if (static_cast<unsigned char>(*at) >= 0x80) {
+            next = at;
+            const bool isValid = boost::locale::utf::is_valid_codepoint(Utf8::decode(next, bytes.end()));
+            surplus += isValid ? 1 : -1;
+            next = isValid ? next : at + 1;
         }
-        auto next = at;
-        const bool isValid = boost::locale::utf::is_valid_codepoint(Utf8::decode(next, bytes.end()));
-        ++(isValid ? valid : invalid);
-        at = isValid ? next : at + 1;
+        at = next;
     }
-    return invalid <= valid;
+    return surplus >= 0;
 }
 
 /// Of text without a mark: in the beginning of a table nearly every character is ASCII, every other byte zero.
@@ -74,8 +69,8 @@ std::optional<TextEncoding> findUtf16(std::string_view bytes)
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
     }
-    const std::size_t most = bytes.size() / 2 * 3 / 4;
-    if (bytes.size() < 4 || std::max(zeros[0], zeros[1]) < most || std::min(zeros[0], zeros[1]) > 0) {
+    const auto [least, most] = std::minmax(zeros[0], zeros[1]);
+    if (bytes.size() < 4 || least > 0 || most < bytes.size() / 2 * 3 / 4) {
         return std::nullopt;
     }
     return zeros[1] > 0 ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
@@ -83,31 +78,29 @@ std::optional<TextEncoding> findUtf16(std::string_view bytes)
 
 TextEncoding findEncoding(std::string_view bytes)
 {
-    if (bytes.starts_with("\xFF\xFE")) {
-        return TextEncoding::Utf16LittleEndian;
-    }
-    if (bytes.starts_with("\xFE\xFF")) {
-        return TextEncoding::Utf16BigEndian;
-    }
+    constexpr std::size_t kLookedAt = std::size_t{1} << 20U;
     if (const std::optional<TextEncoding> utf16 = findUtf16(bytes)) {
         return *utf16;
     }
-    constexpr std::size_t kLookedAt = std::size_t{1} << 20U;
-    return bytes.starts_with(kUtf8Mark) || isUtf8(bytes.substr(0, kLookedAt)) ? TextEncoding::Utf8
-                                                                              : TextEncoding::Windows1252;
+    return bytes.starts_with("\xFF\xFE")                                        ? TextEncoding::Utf16LittleEndian
+           : bytes.starts_with("\xFE\xFF")                                      ? TextEncoding::Utf16BigEndian
+           : bytes.starts_with(kUtf8Mark) || isUtf8(bytes.substr(0, kLookedAt)) ? TextEncoding::Utf8
+                                                                                : TextEncoding::Windows1252;
 }
 
 /// Another format of text, by the first characters of the file.
 std::optional<ReadFault::Kind> findFormat(std::string_view text)
 {
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());
-    text.remove_prefix(first);
-    if (text.size() < 2) {
+    const auto withoutSpace = [](std::string_view rest) {
+        return rest.substr(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+    };
+    text = withoutSpace(text);
+    const std::string_view behind = withoutSpace(text.substr(std::min<std::size_t>(text.size(), 1)));
+    if (behind.empty()) {
         return std::nullopt;
     }
-    const char next = text[std::min(text.find_first_not_of(kBlanks, 1), text.size() - 1)];
-    if (text[0] == '<' && (lowerCase(next) >= 'a' ? lowerCase(next) <= 'z' : next == '!' || next == '?')) {
+    const char next = lowerCase(behind[0]);
+    if (text[0] == '<' && ((next >= 'a' && next <= 'z') || next == '!' || next == '?')) {
         return ReadFault::Kind::Markup;
     }
     const bool isJson =
@@ -116,19 +109,17 @@ std::optional<ReadFault::Kind> findFormat(std::string_view text)
 }
 
 /// Where the first byte stands that no text has; none in text. A few control characters are tolerated.
-std::optional<std::size_t> findBinary(std::string_view text)
+std::size_t findBinary(std::string_view text)
 {
     const auto isControl = [](char c) {
         return static_cast<unsigned char>(c) < 0x20 &&
                std::string_view("\t\n\v\f\r\x1A\x1B").find(c) == std::string_view::npos;
     };
     const std::string_view beginning = text.substr(0, kFileBeginning);
-    const std::size_t controls = static_cast<std::size_t>(std::ranges::count_if(beginning, isControl));
-    if (100 * controls > beginning.size()) {
-        return static_cast<std::size_t>(std::ranges::find_if(beginning, isControl) - beginning.begin());
-    }
-    const std::size_t zero = text.find('\0');
-    return zero == text.npos ? std::nullopt : std::optional(zero);
+    const auto controls = static_cast<std::size_t>(std::ranges::count_if(beginning, isControl));
+    return 100 * controls > beginning.size()
+               ? static_cast<std::size_t>(std::ranges::find_if(beginning, isControl) - beginning.begin())
+               : text.find('\0');
 }
 
 } // namespace
@@ -160,12 +151,8 @@ std::variant<FileText, ReadError> decodeText(std::string_view bytes)
         text.converted = fromWindows1252(bytes);
     }
     const std::string_view all = text.in(bytes);
-    if (const std::optional<std::size_t> binary = findBinary(all)) {
-        std::size_t line = 0;
-        for (std::string_view rest = all; all.size() - rest.size() <= *binary; ++line) {
-            takeLine(rest);
-        }
-        return refused(NotText, line);
+    if (const std::size_t binary = findBinary(all); binary != all.npos) {
+        return refused(NotText, 1 + static_cast<std::size_t>(std::ranges::count(all.substr(0, binary), '\n')));
     }
     if (const std::optional<ReadFault::Kind> format = findFormat(all)) {
         return refused(*format);

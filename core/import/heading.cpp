@@ -14,32 +14,19 @@ namespace
 {
 
 using Words = std::vector<std::string>;
-
-bool isLetter(char c)
-{
-    return lowerCase(c) >= 'a' && lowerCase(c) <= 'z';
-}
+using Kind = NameMeaning::Kind;
 
 /// What people write beyond ASCII, in plain letters.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 27> kSpellings{
-    {{"á", "a"},     {"é", "e"},     {"í", "i"},     {"ó", "o"},     {"ú", "u"},     {"ü", "u"},    {"ñ", "n"},
-     {"Á", "A"},     {"É", "E"},     {"Í", "I"},     {"Ó", "O"},     {"Ú", "U"},     {"Ü", "U"},    {"Ñ", "N"},
-     {"θ", "theta"}, {"ω", "omega"}, {"α", "alpha"}, {"ϑ", "theta"}, {"Θ", "theta"}, {"²", "2"},    {"³", "3"},
-     {"⁴", "4"},     {"₂", "2"},     {"₃", "3"},     {"₄", "4"},     {"\u0301", ""}, {"\u0303", ""}}};
+constexpr std::array<Spelling, 28> kSpellings{
+    {{"á", "a"},     {"é", "e"},     {"í", "i"},     {"ó", "o"},     {"ú", "u"},     {"ü", "u"},     {"ñ", "n"},
+     {"Á", "A"},     {"É", "E"},     {"Í", "I"},     {"Ó", "O"},     {"Ú", "U"},     {"Ü", "U"},     {"Ñ", "N"},
+     {"θ", "theta"}, {"ω", "omega"}, {"α", "alpha"}, {"ϑ", "theta"}, {"Θ", "theta"}, {"²", "2"},     {"³", "3"},
+     {"⁴", "4"},     {"₂", "2"},     {"₃", "3"},     {"₄", "4"},     {"\u0301", ""}, {"\u0303", ""}, {"°", ""}}};
 
-/// In ASCII; bytes without a plain spelling become '?', a letter that is in no word known here.
-std::string plainSpelling(std::string_view name)
+/// Also true of the bytes of letters without a plain spelling: those are in no word that is known here.
+bool isLetter(char c)
 {
-    std::string plain;
-    while (!name.empty()) {
-        const bool isAscii = static_cast<unsigned char>(name[0]) < 0x80;
-        const auto spelling = std::ranges::find_if(
-            kSpellings, [&](const auto &each) { return !isAscii && name.starts_with(each.first); });
-        const bool isSpelled = spelling != kSpellings.end();
-        plain += isSpelled ? spelling->second : isAscii ? name.substr(0, 1) : "?";
-        name.remove_prefix(isSpelled ? spelling->first.size() : 1);
-    }
-    return plain;
+    return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// The runs of letters and the runs of digits, in lower case; "SliderPosition" is two words.
@@ -47,14 +34,11 @@ Words wordsOf(std::string_view name)
 {
     Words words;
     char before = ' ';
-    for (const char c : plainSpelling(name)) {
-        const bool isOfWord = isLetter(c) || c == '?';
-        if (isOfWord || isDigit(c)) {
-            const bool newCapital = lowerCase(c) != c && lowerCase(before) == before;
-            const bool goesOn = isOfWord ? (isLetter(before) || before == '?') && !newCapital : isDigit(before);
-            if (!goesOn) {
-                words.emplace_back();
-            }
+    for (const char c : respelled(name, kSpellings)) {
+        const bool startsWithCapital = lowerCase(c) != c && lowerCase(before) == before;
+        const bool goesOn = isLetter(c) ? isLetter(before) && !startsWithCapital : isDigit(before);
+        if (isLetter(c) || isDigit(c)) {
+            words.resize(words.size() + (goesOn ? 0 : 1));
             words.back() += lowerCase(c);
         }
         before = c;
@@ -62,101 +46,92 @@ Words wordsOf(std::string_view name)
     return words;
 }
 
-std::string joined(const Words &words)
-{
-    std::string all;
-    for (const std::string &word : words) {
-        all += word;
-    }
-    return all;
-}
-
 constexpr std::string_view kTimeWords = "time times t tiempo timestamp zeit temps tempo instante";
 constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la stamp latest";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample point node nodo element elemento";
-constexpr std::string_view kCounted =
-    "steps step frames frame samples sample rows points pasos muestras"; // for a unit of time
-constexpr std::string_view kFillers = "de del la el of the en component componente comp trans translational latest";
-constexpr std::string_view kCrankAngles = "ca cad degca cadeg kw kurbelwinkel";
+constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
+constexpr std::string_view kPlotNames =
+    "y value values data output result results plot curve series valor valores datos "
+    "salida resultado resultados curva serie";
 
 enum class Body { Crank, Coupler, Slider };
 
-/// What a word says. Those with a dot are Modelica's variables, the capitals Inventor's.
-struct Vocabulary {
-    std::string_view words;
-    std::optional<Order> order;
-    std::optional<Dimension> dimension;
+/// What a word says, or several words together.
+struct WordMeaning {
+    std::string_view words{};
+    std::optional<Order> order{};
+    std::optional<Dimension> dimension{};
     char axis = ' ';
     std::optional<Body> body{};
 };
 
+/// Those with a dot are Modelica's variables, the capitals Inventor's.
 constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array<Vocabulary, 27> kVocabulary{{
-    {"position posicion pos displacement disp desplazamiento", Order::Position, kOpen},
-    {"coordinate coordenada stroke carrera", Order::Position, Dimension::Length},
-    {"velocity velocidad speed vel v geschwindigkeit", Order::Velocity, kOpen},
-    {"acceleration aceleracion accel acel acc a beschleunigung", Order::Acceleration, kOpen},
+constexpr std::array<WordMeaning, 21> kVocabulary{{
+    {"position posicion pos displacement disp desplazamiento P", Order::Position},
+    {"coordinate coordenada stroke carrera .s", Order::Position, Dimension::Length},
+    {"velocity velocidad speed vel v geschwindigkeit V", Order::Velocity},
+    {"acceleration aceleracion accel acel acc a beschleunigung A .a", Order::Acceleration},
     {"x tx", kOpen, Dimension::Length, 'x'},
     {"y ty", kOpen, Dimension::Length, 'y'},
     {"vx", Order::Velocity, Dimension::Length, 'x'},
     {"vy", Order::Velocity, Dimension::Length, 'y'},
     {"ax", Order::Acceleration, Dimension::Length, 'x'},
     {"ay", Order::Acceleration, Dimension::Length, 'y'},
-    {"rz psi", kOpen, Dimension::Angle},
-    {"angle angulo rotation rotacion giro orientation theta tita", Order::Position, Dimension::Angle},
-    {"ang angular rotational", kOpen, Dimension::Angle},
-    {"omega w", Order::Velocity, Dimension::Angle},
+    {"angle angulo rotation rotacion giro orientation theta tita .phi", Order::Position, Dimension::Angle},
+    {"omega w .w", Order::Velocity, Dimension::Angle},
     {"alpha alfa", Order::Acceleration, Dimension::Angle},
+    {".v", Order::Velocity, Dimension::Length},
+    {"ang angular rotational rz psi", kOpen, Dimension::Angle},
     {"linear lineal", kOpen, Dimension::Length},
     {"crank manivela kurbel", kOpen, Dimension::Angle, ' ', Body::Crank},
+    {"ca cad kurbelwinkel", Order::Position, Dimension::Angle, ' ', Body::Crank},
     {"coupler rod conrod connecting biela acoplador pleuel", kOpen, kOpen, ' ', Body::Coupler},
     {"slider piston corredera deslizadera deslizador deslizante embolo block bloque", kOpen, Dimension::Length, ' ',
      Body::Slider},
-    {".s", Order::Position, Dimension::Length},
-    {".v", Order::Velocity, Dimension::Length},
-    {".a", Order::Acceleration, kOpen},
-    {".phi", Order::Position, Dimension::Angle},
-    {".w", Order::Velocity, Dimension::Angle},
-    {"P", Order::Position, kOpen},
-    {"V", Order::Velocity, kOpen},
-    {"A", Order::Acceleration, kOpen},
+    {"de del la el of the en component componente comp trans translational latest"},
 }};
 
-const Vocabulary *find(std::string_view word)
+const WordMeaning *find(std::string_view word)
 {
     const auto found =
-        std::ranges::find_if(kVocabulary, [&](const Vocabulary &each) { return isAmong(word, each.words); });
+        std::ranges::find_if(kVocabulary, [&](const WordMeaning &known) { return isAmong(word, known.words); });
     return found == kVocabulary.end() ? nullptr : &*found;
 }
 
-/// The one body that is among the words.
-std::optional<Body> bodyAmong(std::string_view name)
+/// The one body that is among the words of a name.
+std::optional<Body> findBody(std::string_view name)
 {
     std::optional<Body> body;
     for (const std::string &word : wordsOf(name)) {
-        const Vocabulary *const known = find(word);
-        if (known && known->body && body && body != known->body) {
+        const WordMeaning *const known = find(word);
+        const std::optional<Body> named = known ? known->body : std::nullopt;
+        if (named && body && named != body) {
             return std::nullopt;
         }
-        body = known && known->body ? known->body : body;
+        body = named ? named : body;
     }
     return body;
 }
 
 /// The channel whose name has the same letters and digits, whatever stands between them; "dot" is a derivative.
-std::optional<Channel> channelSpelled(Words words)
+std::optional<Channel> channelSpelled(const Words &words)
 {
-    static const std::vector<std::string> names = [] {
+    const auto joined = [](const Words &parts) {
+        std::string text;
+        for (const std::string &part : parts) {
+            text += part == "dot" ? "diff" : part == "ddot" ? "diff2" : part;
+        }
+        return text;
+    };
+    static const std::vector<std::string> names = [&] {
         std::vector<std::string> plain;
         for (std::size_t index = 0; index < kChannelCount; ++index) {
             plain.push_back(joined(wordsOf(nameOf(channelAt(index)))));
         }
         return plain;
     }();
-    for (std::string &word : words) {
-        word = word == "dot" ? "diff" : word == "ddot" ? "diff2" : word;
-    }
     const auto index = static_cast<std::size_t>(std::ranges::find(names, joined(words)) - names.begin());
     return index < kChannelCount ? std::optional(channelAt(index)) : std::nullopt;
 }
@@ -164,214 +139,168 @@ std::optional<Channel> channelSpelled(Words words)
 bool isTime(const Words &words)
 {
     const auto isNamed = [](const std::string &word) { return isAmong(word, kTimeWords); };
-    return std::ranges::count_if(words, isNamed) == 1 && std::ranges::all_of(words, [&](const std::string &word) {
-               return isNamed(word) || isAmong(word, kTimeCompanions);
-           });
+    const auto suits = [&](const std::string &word) { return isNamed(word) || isAmong(word, kTimeCompanions); };
+    return std::ranges::count_if(words, isNamed) == 1 && std::ranges::all_of(words, suits);
 }
 
-/// A name that a program makes up of a quantity and of the joint or body that it belongs to.
+/// A name that a program makes up of a quantity and of the joint or body that it belongs to:
+///
+///     P[3.1]   V[3,1]   Trace:1 P[X]             Inventor's Output Grapher
+///     slider.s   der(crank.phi)                  Modelica's library
+///     Pos_TX@Slider   Y:Pos_TX-Slider@Model1     RecurDyn, in a table and in a pair of time and values
 struct CompoundName {
-    Words words;
-    std::string owner;
+    Words words{};
+    std::string owner{};
     int derivatives = 0;
+    bool isModelica = false;
 };
 
-/// "P[3.1]", "V[3,1]", "Trace:1 P[X]": position, velocity and acceleration in Inventor's Output Grapher.
-std::optional<CompoundName> fromInventor(std::string_view name)
+std::optional<CompoundName> splitCompound(std::string_view name)
 {
-    const std::size_t begin = name.rfind(' ') + 1;
-    const std::string owner(trimmed(name.substr(0, begin)));
-    name.remove_prefix(begin);
-    if (name.size() < 4 || !isAmong(name.substr(0, 1), "P V A") || name[1] != '[' || name.back() != ']') {
-        return std::nullopt;
+    const std::size_t letter = name.rfind(' ') + 1;
+    const std::string_view indexed = name.substr(letter);
+    if (indexed.size() >= 4 && isAmong(indexed.substr(0, 1), "P V A") && indexed[1] == '[' && indexed.ends_with(']')) {
+        CompoundName compound{{std::string(indexed.substr(0, 1))}, std::string(trimmed(name.substr(0, letter)))};
+        if (letter > 0) {
+            compound.words.emplace_back(1, lowerCase(indexed[2])); // "z" means nothing
+        } else {
+            compound.owner = indexed.substr(2, indexed.size() - 3);
+        }
+        return compound;
     }
-    std::string index(name.substr(2, name.size() - 3));
-    if (owner.empty()) {
-        return CompoundName{{std::string(1, name[0])}, std::move(index)};
+    const bool isPair = name.starts_with("Y:");
+    if (const std::size_t end = name.find(isPair ? '-' : '@'); end != name.npos) {
+        return CompoundName{wordsOf(name.substr(isPair ? 2 : 0, end - (isPair ? 2 : 0))),
+                            std::string(name.substr(end + 1))};
     }
-    return CompoundName{{std::string(1, name[0]), std::string(1, lowerCase(index[0]))}, owner}; // "z" means nothing
-}
-
-/// "slider.s", "der(crank.phi)": what a joint or body does in Modelica's library.
-std::optional<CompoundName> fromModelica(std::string_view name)
-{
-    CompoundName compound;
+    int derivatives = 0;
     for (; name.starts_with("der(") && name.ends_with(')'); name = name.substr(4, name.size() - 5)) {
-        ++compound.derivatives;
+        ++derivatives;
     }
     const std::size_t dot = name.rfind('.');
     const bool isPath = dot != name.npos && dot > 0 && isLetter(name[0]) && name.find_first_of(" ,;:(") == name.npos;
     if (!isPath || !find(name.substr(dot)) || isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
         return std::nullopt;
     }
-    compound.words = {std::string(name.substr(dot))};
-    compound.owner = name.substr(0, dot);
-    return compound;
+    return CompoundName{{std::string(name.substr(dot))}, std::string(name.substr(0, dot)), derivatives, true};
 }
 
-/// "Pos_TX@Slider", and in a pair of time and values "Y:Pos_TX-Slider@Model1": RecurDyn.
-std::optional<CompoundName> fromRecurDyn(std::string_view name)
+template <typename Value>
+bool contradict(const std::optional<Value> &x, const std::optional<Value> &y)
 {
-    const bool isPair = name.starts_with("Y:");
-    name.remove_prefix(isPair ? 2 : 0);
-    const std::size_t end = name.find(isPair ? '-' : '@');
-    return end == name.npos
-               ? std::nullopt
-               : std::optional(CompoundName{wordsOf(name.substr(0, end)), std::string(name.substr(end + 1))});
+    return x && y && *x != *y;
 }
 
-std::optional<Coordinate> coordinateOf(Body body, std::optional<Dimension> dimension, char axis)
+/// What words say together; nothing where one of them is not understood or they contradict each other: "rotation about
+/// x", "linear velocity of the crank".
+std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
 {
-    switch (body) {
-    case Body::Crank: return Theta2;
-    case Body::Coupler: return dimension == Dimension::Angle ? std::optional<Coordinate>(Theta3) : std::nullopt;
-    case Body::Slider: return axis == 'y' ? R4y : R4x;
-    }
-    return std::nullopt;
-}
-
-/// What words say together; nothing where one of them is not understood. `derivatives`: taken of it besides.
-NameMeaning fromWords(const Words &words, std::optional<Body> body, int derivatives, const Heading &heading)
-{
-    NameMeaning meaning;
-    std::optional<Order> order;
-    char axis = ' ';
+    WordMeaning all{.body = body};
     char number = ' '; // of the body, behind θ, ω or α
     bool isGreek = false;
-    const auto contradicts = [](const auto &known, const auto &before) { return known && before && known != before; };
     for (const std::string &word : words) {
         if (isDigit(word[0])) {
             number = isGreek && word.size() == 1 ? word[0] : number;
             continue;
         }
-        // A single letter is a quantity when it stands alone, not in "a1" or "v_0"; "tx" is one beside others.
-        const bool isLetterOfMany = word.size() == 1 && isAmong(word, "v a w") && words.size() > 1;
-        const bool isAxisAlone = words.size() == 1 && isAmong(word, "tx ty rz psi");
-        const Vocabulary *const known = isLetterOfMany || isAxisAlone ? nullptr : find(word);
-        if (!known && isAmong(word, kFillers)) {
-            continue;
-        }
-        if (!known || contradicts(known->dimension, meaning.dimension) || contradicts(known->body, body)) {
-            return {}; // "rotation about x", "linear velocity of the crank": none of the channels
+        // "v" is a velocity when it stands alone, not in "v_0"; "tx" is an axis beside other words only.
+        const bool isOpen = isAmong(word, words.size() > 1 ? "v a w" : "tx ty rz psi");
+        const WordMeaning *const known = isOpen ? nullptr : find(word);
+        if (!known || contradict(known->dimension, all.dimension) || contradict(known->body, all.body)) {
+            return std::nullopt;
         }
         isGreek = isAmong(word, "theta omega alpha alfa tita");
-        order = known->order ? std::max(known->order, order) : order;
-        meaning.dimension = known->dimension ? known->dimension : meaning.dimension;
-        body = known->body ? known->body : body;
-        axis = known->axis != ' ' ? known->axis : axis;
+        all.order = std::max(all.order, known->order);
+        all.dimension = known->dimension ? known->dimension : all.dimension;
+        all.body = known->body ? known->body : all.body;
+        all.axis = known->axis != ' ' ? known->axis : all.axis;
     }
-    if (number != ' ' && !body) {
-        body = number == '2' ? Body::Crank : Body::Coupler;
+    if (number != ' ' && !all.body) {
+        all.body = number == '2' ? Body::Crank : Body::Coupler;
     }
-    const auto bodyDimension = body == Body::Crank    ? std::optional(Dimension::Angle)
-                               : body == Body::Slider ? std::optional(Dimension::Length)
-                                                      : std::nullopt;
-    if ((number != ' ' && number != '2' && number != '3') || contradicts(bodyDimension, meaning.dimension)) {
-        return {};
+    const std::optional<Dimension> ofBody = all.body == Body::Crank    ? std::optional(Dimension::Angle)
+                                            : all.body == Body::Slider ? std::optional(Dimension::Length)
+                                                                       : std::nullopt;
+    if ((number != ' ' && number != '2' && number != '3') || contradict(ofBody, all.dimension)) {
+        return std::nullopt;
     }
-    const std::optional<Unit> unit = parseUnit(heading.unit);
-    for (const std::optional<Dimension> told :
-         {bodyDimension, unit ? std::optional(unit->dimension) : std::nullopt, heading.dimension}) {
-        meaning.dimension = meaning.dimension ? meaning.dimension : told;
-    }
-    const bool isPositionAlone =
-        axis != ' ' ? words.size() == 1 || body : body && meaning.dimension == Dimension::Angle;
-    if (!order && isPositionAlone) {
-        order = Order::Position; // "x", "slider y", "crank"
-    }
-    if (!order || static_cast<int>(*order) + derivatives > 2) {
-        return {};
-    }
-    meaning.order = static_cast<Order>(static_cast<int>(*order) + derivatives);
-    meaning.alongY = axis == 'y';
-    meaning.kind = NameMeaning::Kind::Quantity;
-    if (body) {
-        const std::optional<Coordinate> coordinate = coordinateOf(*body, meaning.dimension, axis);
-        meaning.kind = coordinate ? NameMeaning::Kind::Channel : NameMeaning::Kind::Nothing;
-        meaning.channel = {coordinate.value_or(R4x), meaning.order};
-    }
-    return meaning;
+    all.dimension = all.dimension ? all.dimension : ofBody;
+    return all;
 }
 
-void findComponents(std::vector<Heading> &row)
+/// The channel or quantity that words say, `derivatives` taken of it besides.
+NameMeaning meaningOfWords(const Words &words, std::optional<Body> body, int derivatives, std::optional<Dimension> told)
 {
-    std::optional<std::size_t> magnitude;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        Heading &heading = row[i];
-        if (heading.name != "X-comp" && heading.name != "Y-comp") {
-            magnitude = meaningOf(heading).kind == NameMeaning::Kind::Quantity ? std::optional(i) : std::nullopt;
-        } else if (magnitude) {
-            Heading &whole = row[*magnitude];
-            whole.component = whole.component.value_or(i);
-            heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
-            heading.unit = heading.unit.empty() ? whole.unit : heading.unit;
-        }
+    std::optional<WordMeaning> all = combine(words, body);
+    if (!all) {
+        return {};
     }
-}
-
-std::string perSecond(std::string_view unit, Order order)
-{
-    return std::string(unit) + (order == Order::Position ? "" : order == Order::Velocity ? "/s" : "/s2");
+    all->dimension = all->dimension ? all->dimension : told;
+    const bool isAngle = all->dimension == Dimension::Angle;
+    const bool isPlace = all->axis != ' ' ? words.size() == 1 || all->body : all->body && isAngle;
+    if (!all->order && isPlace) {
+        all->order = Order::Position; // "x", "slider y", "crank"
+    }
+    const int order = all->order ? static_cast<int>(*all->order) + derivatives : 3;
+    if (order > 2 || (all->body == Body::Coupler && !isAngle)) {
+        return {};
+    }
+    const Coordinate coordinate = all->body == Body::Crank ? Theta2 : isAngle ? Theta3 : all->axis == 'y' ? R4y : R4x;
+    return {all->body ? Kind::Channel : Kind::Quantity, {coordinate, static_cast<Order>(order)}, false, all->dimension};
 }
 
 } // namespace
 
 Heading parseHeading(std::string_view cell)
 {
-    Heading heading;
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-        heading.printed += cell[i];
-        i += cell.substr(i).starts_with("\"\"") ? 1 : 0;
-    }
-    std::string_view name = heading.printed;
+    constexpr std::array<Spelling, 1> kDoubledMark{{{"\"\"", "\""}}};
+    Heading heading{.printed = respelled(cell, kDoubledMark)};
+    const std::string_view name = heading.printed;
+    const auto split = [&](std::size_t end, std::string_view unit) {
+        heading.unit = trimmed(unit);
+        heading.name = trimmed(name.substr(0, end));
+    };
     heading.name = name;
-    if (fromModelica(name)) {
+    const std::optional<CompoundName> compound = splitCompound(name);
+    if (compound && compound->isModelica) {
         return heading;
     }
     if (name.ends_with(']') || name.ends_with(')')) {
         const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
-        if (open == name.npos) {
-            return heading;
-        }
-        const std::string_view inside = trimmed(name.substr(open + 1, name.size() - open - 2));
+        const std::string_view inside =
+            open == name.npos ? std::string_view() : trimmed(name.substr(open + 1, name.size() - open - 2));
         // "3.1" of "P[3.1]" is no unit, nor is "X" of "P[X]".
         const bool isIndex = name.back() == ']' && !inside.empty() &&
                              (inside.find_first_not_of("0123456789.,: ") == inside.npos || isAmong(inside, "X Y Z"));
-        if (!isIndex) {
-            heading.unit = name.starts_with("X:") ? "" : inside; // in a pair of RecurDyn it is that of the values
-            heading.name = trimmed(name.substr(0, open));
+        if (open != name.npos && !isIndex) {
+            split(open, name.starts_with("X:") ? "" : inside); // in a pair of RecurDyn it is that of the values
         }
         return heading;
     }
     for (const char separator : {',', ' ', '_'}) {
         const std::size_t at = name.rfind(separator);
         const std::string_view tail = at == name.npos || at == 0 ? std::string_view() : trimmed(name.substr(at + 1));
-        if (tail != "in" && tail != "min" && parseUnit(tail)) { // these are words as well
-            heading.unit = tail;
-            heading.name = trimmed(name.substr(0, at));
+        if (!isAmong(tail, "in min") && parseUnit(tail)) { // these are words as well
+            split(at, tail);
             break;
         }
     }
     return heading;
 }
 
-NameMeaning meaningOf(const Heading &heading)
+NameMeaning meaningOf(const Heading &heading, std::optional<Dimension> dimension)
 {
-    NameMeaning meaning;
+    const std::optional<Unit> unit = parseUnit(heading.unit);
+    const std::optional<Dimension> told = unit ? unit->dimension : dimension;
     if (heading.name.starts_with("X:")) { // of a pair of RecurDyn
-        meaning.kind = NameMeaning::Kind::Time;
-        return meaning;
+        return {Kind::Time};
     }
-    for (const auto &splitName : {fromInventor, fromModelica, fromRecurDyn}) {
-        const std::optional<CompoundName> compound = splitName(heading.name);
-        if (!compound) {
-            continue;
-        }
-        const std::string_view component = std::string_view(compound->owner).substr(compound->owner.rfind('.') + 1);
-        meaning = fromWords(compound->words, bodyAmong(component), compound->derivatives, heading);
-        if (meaning.kind != NameMeaning::Kind::Nothing) {
-            meaning.isModelica = splitName == fromModelica;
-            meaning.owner = splitName == fromRecurDyn ? "" : compound->owner;
+    if (const std::optional<CompoundName> compound = splitCompound(heading.name)) {
+        const std::string_view body = std::string_view(compound->owner).substr(compound->owner.rfind('.') + 1);
+        NameMeaning meaning = meaningOfWords(compound->words, findBody(body), compound->derivatives, told);
+        if (meaning.kind != Kind::Nothing) {
+            meaning.owner = compound->owner;
+            meaning.isModelica = compound->isModelica;
             return meaning;
         }
     }
@@ -379,96 +308,71 @@ NameMeaning meaningOf(const Heading &heading)
     if (words.size() == 2 && isAmong(words[0], "v a") && isAmong(words[1], "x y")) {
         words = {words[0] + words[1]}; // "v_x", "v_{x}"
     }
-    meaning = NameMeaning();
     if (words.empty()) {
-        return meaning;
+        return {};
     }
     if (isTime(words)) {
-        const bool isCounted = isAmong(heading.unit, kCounted);
-        meaning.kind = isCounted ? NameMeaning::Kind::RowNumber : NameMeaning::Kind::Time;
-    } else if (const std::optional<Channel> channel = channelSpelled(words)) {
-        meaning.kind = NameMeaning::Kind::Channel;
-        meaning.channel = *channel;
-        meaning.order = channel->order;
-        meaning.isExact = true;
-    } else if (words.size() == 1 && isAmong(words[0], kRowNumbers)) {
-        meaning.kind = NameMeaning::Kind::RowNumber;
-    } else {
-        meaning = fromWords(words, {}, 0, heading);
+        return {isAmong(heading.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
     }
-    return meaning;
+    if (const std::optional<Channel> channel = channelSpelled(words)) {
+        return {Kind::Channel, *channel, true, isAngle(channel->coordinate) ? Dimension::Angle : Dimension::Length};
+    }
+    if (words.size() == 1 && isAmong(words[0], kRowNumbers)) {
+        return {Kind::RowNumber};
+    }
+    return meaningOfWords(words, {}, 0, told);
 }
 
-bool isCrankAngle(const Heading &heading)
+bool interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles)
 {
-    const NameMeaning meaning = meaningOf(heading);
-    const bool isNamed =
-        meaning.kind == NameMeaning::Kind::Channel && meaning.channel == Channel{Theta2, Order::Position};
-    std::string letters;
-    for (const char c : heading.name) {
-        letters += isLetter(c) ? std::string(1, lowerCase(c)) : "";
+    std::optional<std::size_t> magnitude;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        Heading &heading = row[i];
+        const bool isComponent = isAmong(heading.name, "X-comp Y-comp");
+        if (isComponent && magnitude) {
+            Heading &whole = row[*magnitude];
+            whole.component = whole.component.value_or(i);
+            heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
+            heading.unit = heading.unit.empty() ? whole.unit : heading.unit;
+        }
+        heading.meaning = meaningOf(heading);
+        if (!isComponent) {
+            magnitude = heading.meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
+        }
     }
-    return isNamed || isAmong(letters, kCrankAngles);
+    bool isAnyGiven = false;
+    for (Heading &heading : row) {
+        const auto sibling = std::ranges::find_if(row, [&](const Heading &other) {
+            return other.meaning.owner == heading.meaning.owner && other.meaning.dimension;
+        });
+        if (!heading.meaning.owner.empty() && !heading.meaning.dimension && sibling != row.end()) {
+            heading.meaning = meaningOf(heading, sibling->meaning.dimension);
+        }
+        const NameMeaning &meaning = heading.meaning;
+        const bool isAngle = meaning.dimension == Dimension::Angle;
+        const std::string unit = meaning.isModelica ? (isAngle ? "rad" : "m") : isAngle ? unitOfAngles : unitOfLengths;
+        if (heading.unit.empty() && !unit.empty() && meaning.dimension) {
+            constexpr std::array kPerTime{"", "/s", "/s2"};
+            heading.unit = unit + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
+            heading.hasUnitOfModelica = meaning.isModelica;
+            isAnyGiven = isAnyGiven || !meaning.isModelica;
+        }
+    }
+    return isAnyGiven;
 }
 
 bool endsInQuantity(const Heading &heading)
 {
     Words words = wordsOf(heading.name);
     std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
-    if (words.size() < 2) {
-        return false;
-    }
-    const Vocabulary *const known = find(words.back());
-    return known && !known->body && (words.back().size() > 1 || known->axis != ' ');
+    const WordMeaning *const known = words.size() < 2 ? nullptr : find(words.back());
+    return known && !known->body && (words.back().size() > 1 ? known->order || known->dimension : known->axis != ' ');
 }
 
 bool saysNothing(const Heading &heading)
 {
-    return std::ranges::all_of(wordsOf(heading.name), [](const std::string &word) {
-        return isDigit(word[0]) || isAmong(word, "y value values data output result results plot curve series valor "
-                                                 "valores datos salida resultado resultados curva serie");
-    });
-}
-
-void relateHeadings(std::vector<Heading> &row)
-{
-    findComponents(row);
-    std::vector<NameMeaning> meanings(row.size());
-    std::ranges::transform(row, meanings.begin(), meaningOf);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        NameMeaning &meaning = meanings[i];
-        if (meaning.owner.empty() || meaning.kind == NameMeaning::Kind::Nothing) {
-            continue;
-        }
-        for (std::size_t j = 0; j < row.size() && !meaning.dimension; ++j) {
-            row[i].dimension = meaning.dimension =
-                meanings[j].owner == meaning.owner ? meanings[j].dimension : std::nullopt;
-        }
-        if (meaning.isModelica && meaning.dimension && row[i].unit.empty()) {
-            row[i].unit = perSecond(meaning.dimension == Dimension::Angle ? "rad" : "m", meaning.order);
-            row[i].unitOfModelica = true;
-        }
-    }
-}
-
-bool giveUnits(std::vector<Heading> &row, std::string_view ofLengths, std::string_view ofAngles)
-{
-    bool any = false;
-    for (Heading &heading : row) {
-        const NameMeaning meaning = meaningOf(heading);
-        std::optional<Dimension> dimension = meaning.dimension;
-        if (meaning.isExact) {
-            dimension = isAngle(meaning.channel.coordinate) ? Dimension::Angle : Dimension::Length;
-        }
-        const std::string_view unit = dimension == Dimension::Length  ? ofLengths
-                                      : dimension == Dimension::Angle ? ofAngles
-                                                                      : "";
-        if (heading.unit.empty() && !unit.empty()) {
-            heading.unit = perSecond(unit, meaning.order);
-            any = true;
-        }
-    }
-    return any;
+    return std::ranges::all_of(wordsOf(heading.name),
+                               [](const std::string &word) { return isDigit(word[0]) || isAmong(word, kPlotNames); });
 }
 
 } // namespace slidercrank

@@ -2,15 +2,14 @@
 #include "core/import/quantity.h"
 
 #include "core/import/cells.h"
+#include "core/import/unit_text.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <regex>
 #include <string>
-#include <utility>
 
 namespace slidercrank
 {
@@ -18,75 +17,80 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::size_t kLongestText = 200; // bytes: beyond that only digits are read, for std::regex recurses
+/// Signs in ASCII, spaces of any width, raised digits behind "^".
+constexpr std::array<Spelling, 17> kSigns{{{"\u2212", "-"},
+                                           {"\u00A0", " "},
+                                           {"\u2009", " "},
+                                           {"\u202F", " "},
+                                           {"·", "*"},
+                                           {"×", "*"},
+                                           {"⁻", "^-"},
+                                           {"⁰", "^0"},
+                                           {"¹", "^1"},
+                                           {"²", "^2"},
+                                           {"³", "^3"},
+                                           {"⁴", "^4"},
+                                           {"⁵", "^5"},
+                                           {"⁶", "^6"},
+                                           {"⁷", "^7"},
+                                           {"⁸", "^8"},
+                                           {"⁹", "^9"}}};
 
-/// In ASCII: spaces, signs, and raised digits behind "^".
-std::string plainText(std::string_view text)
+/// A power of ten behind a number begins with "@".
+constexpr std::array<Spelling, 4> kPowers{{{" * 10^", "@"}, {" *10^", "@"}, {"* 10^", "@"}, {"*10^", "@"}}};
+
+constexpr std::string_view kDigits = "0123456789";
+
+/// Removes the characters at the front of `rest` that are among these, and returns them.
+std::string_view take(std::string_view &rest, std::string_view characters)
 {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kSigns{{{"\u2212", "-"},
-                                                                                    {"\u00A0", " "},
-                                                                                    {"\u2009", " "},
-                                                                                    {"\u202F", " "},
-                                                                                    {"·", "*"},
-                                                                                    {"×", "*"},
-                                                                                    {"⁻", "^-"},
-                                                                                    {"⁰", "^0"},
-                                                                                    {"¹", "^1"},
-                                                                                    {"²", "^2"},
-                                                                                    {"³", "^3"},
-                                                                                    {"⁴", "^4"},
-                                                                                    {"⁵", "^5"},
-                                                                                    {"⁶", "^6"},
-                                                                                    {"⁷", "^7"},
-                                                                                    {"⁸", "^8"},
-                                                                                    {"⁹", "^9"}}};
-    std::string plain;
-    while (!text.empty()) {
-        const auto sign = std::ranges::find_if(kSigns, [&](const auto &each) { return text.starts_with(each.first); });
-        plain += sign == kSigns.end() ? text.substr(0, 1) : sign->second;
-        text.remove_prefix(sign == kSigns.end() ? 1 : sign->first.size());
-    }
-    return plain;
+    const std::string_view taken = rest.substr(0, rest.find_first_not_of(characters));
+    rest.remove_prefix(taken.size());
+    return taken;
 }
 
-/// What stands behind a number.
-struct NumberAndRest {
-    std::string number; ///< with a decimal point and an exponent; empty: there is none
-    std::string rest;
-};
-
-/// "-2.5e-3 m", "1 000.5", "1.5·10⁻⁸", "10⁻⁸".
-NumberAndRest splitNumber(const std::string &plain)
+/// Whether the text begins with a space and a group of three digits, as the thousands of "1 000 001".
+bool beginsWithGroup(std::string_view text)
 {
-    static const std::regex kPower(R"(([+-]?)10((?:\^-?\^?|\^)\d(?:\^?\d)*)( *)(.*))");
-    static const std::regex kNumber(
-        R"(([+-]?(?:\d{1,3}(?: \d{3})+(?!\d)|\d+|(?=\.\d))(?:\.\d*)?)(?:[eE]([+-]?\d+)| ?\* ?10(\^-?\^?\d(?:\^?\d)*))? *(.*))");
-    if (plain.size() > kLongestText) {
-        return {plain, {}};
+    const bool isSpaced = text.starts_with(' ');
+    return isSpaced && std::min(text.find_first_not_of(kDigits, 1), text.size()) == 4;
+}
+
+/// Removes the number at the front of `rest` and returns it with a decimal point and an exponent, or what else is
+/// there.
+std::string takeNumber(std::string_view &rest)
+{
+    std::string number(rest.substr(0, rest.find_first_not_of("+-") == 1 ? 1 : 0));
+    rest.remove_prefix(number.size());
+    const std::string_view digits = take(rest, kDigits);
+    number += digits;
+    while (!digits.empty() && digits.size() <= 3 && beginsWithGroup(rest)) {
+        number += rest.substr(1, 3);
+        rest.remove_prefix(4);
     }
-    std::smatch found;
-    NumberAndRest parts;
-    std::string exponent;
-    if (std::regex_match(plain, found, kPower)) {
-        parts = {found.str(1) + '1', found.str(4)};
-        exponent = found.str(2);
-    } else if (std::regex_match(plain, found, kNumber)) {
-        parts = {found.str(1), found.str(4)};
-        exponent = found.str(2) + found.str(3);
+    if (rest.starts_with('.')) {
+        rest.remove_prefix(1);
+        number.append(".").append(take(rest, kDigits));
     }
-    std::erase(parts.number, ' ');
-    std::erase(exponent, '^');
-    parts.number += exponent.empty() ? "" : 'e' + exponent;
-    return parts;
+    if (rest.starts_with('@') || rest.starts_with('e') || rest.starts_with('E')) {
+        std::string_view behind = rest.substr(1);
+        std::string exponent(take(behind, rest[0] == '@' ? "-^0123456789" : "+-0123456789"));
+        std::erase(exponent, '^');
+        if (exponent.find_first_of(kDigits) != exponent.npos) {
+            number += 'e' + exponent;
+            rest = behind;
+        }
+    }
+    return number;
 }
 
 /// Without the tail that 4.35 · 100 has: what was written has no more digits than these.
 double withoutTail(double value)
 {
-    constexpr int kDigits = 15;
+    constexpr int kMostDigits = 15;
     std::array<char, 32> text{};
     const auto written =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kMostDigits);
     std::from_chars(text.data(), written.ptr, value);
     return value;
 }
@@ -116,9 +120,15 @@ double converted(double value, const Unit &from, const Unit &to)
 Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
 {
     const auto refused = [](QuantityFault fault) { return Quantity{.fault = fault}; };
-    const std::string plain = plainText(text);
-    const auto [digits, rest] = splitNumber(plain);
+    std::string plain = respelled(respelled(text, kSigns), kPowers);
+    const std::size_t first = plain.starts_with('-') || plain.starts_with('+') ? 1 : 0;
+    if (plain.compare(first, 3, "10^") == 0) {
+        plain.replace(first, 3, "1@");
+    }
+    std::string_view rest = plain;
+    const std::string digits = takeNumber(rest);
     const CellNumber number = parseNumber(digits, DecimalSign::Point);
+    take(rest, " ");
     if (digits.empty() || number.fault) {
         return refused(number.fault == RowFault::TooLarge ? QuantityFault::TooLarge : QuantityFault::NotANumber);
     }
@@ -129,7 +139,7 @@ Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
     if (rest.empty()) {
         return {number.value, {}};
     }
-    if (rest.find_first_of("0123456789+-*/.,^") == 0) {
+    if (rest.find_first_of("0123456789+-*/.,^@") == 0) {
         return refused(QuantityFault::NotANumber); // more than one, or a sum
     }
     const std::optional<Unit> unit = parseUnit(rest);

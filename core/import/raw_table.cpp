@@ -31,35 +31,31 @@ public:
     void read(std::string_view line, std::size_t number);
 
 private:
-    void readCell(const Cell &cell, std::size_t column);
-    void report(BadCell bad);
-
-    std::size_t row() const { return m_table.lines.size() - 1; }
+    void readCell(std::string_view cell, std::size_t column);
+    void report(std::size_t column, std::string_view text, RowFault fault, bool spoilsRow);
 
     const TableForm &m_form;
     RawTable &m_table;
     std::vector<std::size_t> m_badCounts; ///< by column; the last one is that of whole rows
 };
 
-void RowReader::report(BadCell bad)
+void RowReader::report(std::size_t column, std::string_view text, RowFault fault, bool spoilsRow)
 {
-    std::size_t &count = m_badCounts[bad.spoilsRow ? m_badCounts.size() - 1 : bad.column];
+    std::size_t &count = m_badCounts[spoilsRow ? m_badCounts.size() - 1 : column];
     if (count++ <= kMostSkippedRows) {
-        m_table.badCells.push_back(std::move(bad));
+        m_table.badCells.push_back({m_table.lines.size() - 1, column, excerpt(text), fault, spoilsRow});
     }
 }
 
-void RowReader::readCell(const Cell &cell, std::size_t column)
+void RowReader::readCell(std::string_view cell, std::size_t column)
 {
-    std::string_view text = cell.text;
     const std::string_view unit = m_form.cellUnits[column];
-    if (!unit.empty() && text.ends_with(unit)) {
-        text = trimmed(text.substr(0, text.size() - unit.size()));
-    }
-    const CellNumber number = parseNumber(text, m_form.layout.decimalSign);
+    const bool hasUnit = !unit.empty() && cell.ends_with(unit);
+    const CellNumber number =
+        parseNumber(hasUnit ? trimmed(cell.substr(0, cell.size() - unit.size())) : cell, m_form.layout.decimalSign);
     m_table.columns[column].push_back(number.fault ? kUnreadable : number.value);
     if (number.fault) {
-        report({row(), column, excerpt(cell.text), *number.fault});
+        report(column, cell, *number.fault, false);
     } else if (number.value == number.value) {
         m_table.roundings[column].observe(number.places, number.value);
     }
@@ -69,21 +65,24 @@ void RowReader::read(std::string_view line, std::size_t number)
 {
     const std::size_t width = m_form.headings.size();
     std::optional<BadCell> spoiled;
+    const auto spoil = [&](std::size_t column, std::string_view text, RowFault fault) {
+        spoiled = spoiled ? spoiled : BadCell{0, column, std::string(text), fault};
+    };
     m_table.lines.push_back(number);
     std::size_t cells = 0;
-    for (CellReader reader(line, m_form.layout.delimiter); reader.hasCell(); ++cells) {
-        const Cell cell = reader.next();
-        if (!cell.wellFormed && !spoiled) {
-            spoiled = BadCell{row(), cells, excerpt(cell.text), RowFault::OpenQuotation, true};
+    for (std::string_view rest = line; rest.data() != nullptr; ++cells) {
+        const Cell cell = takeCell(rest, m_form.layout.delimiter);
+        if (!cell.wellFormed) {
+            spoil(cells, cell.text, RowFault::OpenQuotation);
         }
         if (cells < width) {
-            readCell(cell, cells);
-        } else if (!cell.text.empty() && !spoiled) {
-            spoiled = BadCell{row(), cells, excerpt(cell.text), RowFault::TooManyCells, true};
+            readCell(cell.text, cells);
+        } else if (!cell.text.empty()) {
+            spoil(cells, cell.text, RowFault::TooManyCells);
         }
     }
-    if (cells < m_form.fewestCells && !spoiled) {
-        spoiled = BadCell{row(), cells - 1, {}, RowFault::TooFewCells, true};
+    if (cells < m_form.fewestCells) {
+        spoil(cells - 1, {}, RowFault::TooFewCells);
     }
     for (std::size_t column = cells; column < width; ++column) {
         m_table.columns[column].push_back(kGap);
@@ -92,20 +91,17 @@ void RowReader::read(std::string_view line, std::size_t number)
         for (std::vector<double> &column : m_table.columns) {
             column.back() = kUnreadable;
         }
-        report(*std::move(spoiled));
+        report(spoiled->column, spoiled->text, spoiled->fault, true);
     }
 }
 
 /// How many rows there hardly are more of: memory that is never written to costs next to nothing, moving rows much.
 std::size_t estimateRows(std::string_view data)
 {
-    constexpr std::size_t kLookedAt = std::size_t{1} << 16U;
-    const std::string_view beginning = data.substr(0, kLookedAt);
-    const auto ends =
-        static_cast<double>(std::max(std::ranges::count(beginning, '\n'), std::ranges::count(beginning, '\r')));
-    const double share =
-        static_cast<double>(data.size()) / static_cast<double>(std::max<std::size_t>(beginning.size(), 1));
-    return static_cast<std::size_t>(1.05 * ends * share) + 1;
+    const std::string_view beginning = data.substr(0, std::size_t{1} << 16U);
+    const auto ends = std::max(std::ranges::count(beginning, '\n'), std::ranges::count(beginning, '\r'));
+    const auto share = static_cast<double>(data.size()) / static_cast<double>(beginning.size() + 1);
+    return static_cast<std::size_t>(1.05 * static_cast<double>(ends) * share) + 2;
 }
 
 } // namespace
@@ -118,10 +114,9 @@ std::variant<RawTable, ReadError> readTable(std::string_view text, const std::st
         return std::move(*error);
     }
     TableForm &form = std::get<TableForm>(outcome);
-    const std::size_t width = form.headings.size();
     RawTable table;
-    table.columns.resize(width);
-    table.roundings.resize(width);
+    table.columns.resize(form.headings.size());
+    table.roundings.resize(form.headings.size());
     const std::size_t rows = estimateRows(form.data);
     table.lines.reserve(rows);
     for (std::vector<double> &column : table.columns) {

@@ -21,21 +21,21 @@ namespace slidercrank
 struct BadCell {
     std::size_t row = 0;
     std::size_t column = 0; ///< from 0
-    std::string text;
+    std::string text{};
     RowFault fault = RowFault::NotANumber;
     bool spoilsRow = false; ///< whatever its column is used for
 };
 
 struct RawTable {
-    FileLayout layout; ///< the columns have their headings and units, no role yet
-    std::vector<Heading> headings;
-    std::string headerText; ///< for messages
+    FileLayout layout{}; ///< the columns have their headings and units, no role yet
+    std::vector<Heading> headings{};
+    std::string headerText{}; ///< for messages
     std::size_t firstDataLine = 0;
 
-    std::vector<std::vector<double>> columns; ///< in the file's units; NaN: a gap, infinity: cannot be read
-    std::vector<RoundingObserver> roundings;  ///< by column
-    std::vector<std::size_t> lines;           ///< of each row, from 1
-    std::vector<BadCell> badCells;            ///< by rows; of each column the first kMostSkippedRows
+    std::vector<std::vector<double>> columns{}; ///< in the file's units; NaN: a gap, infinity: cannot be read
+    std::vector<RoundingObserver> roundings{};  ///< by column
+    std::vector<std::size_t> lines{};           ///< of each row, from 1
+    std::vector<BadCell> badCells{};            ///< by rows; of each column the first kMostSkippedRows
 };
 
 /// How many rows that are left out are listed one by one.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/reference_data.h"
 
-#include "core/import/assigned_table.h"
 #include "core/import/cells.h"
-#include "core/import/clock.h"
+#include "core/import/column_assignment.h"
 #include "core/import/crank_angles.h"
 #include "core/import/difference.h"
 #include "core/import/file_text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <new>
 #include <numeric>
@@ -51,109 +52,184 @@ void leaveOut(SkippedRow row, std::vector<SkippedRow> &skipped)
     }
 }
 
-/// Lists the rows that cannot be used in one of the files, and returns which can be used in all.
-std::vector<bool> markRows(std::span<const AssignedTable> files, std::vector<SkippedRow> &skipped)
+/// The shortest text of that number.
+std::string printedNumber(double value)
 {
-    std::vector<bool> marks(files.front().table.lines.size(), true);
-    for (const AssignedTable &file : files) {
-        for (std::size_t i = 0; i < file.uses.size(); ++i) {
-            const std::vector<double> &values = file.table.columns[i];
-            for (std::size_t row = 0; row < marks.size() && file.uses[i].role != ColumnRole::Ignored; ++row) {
-                marks[row] = marks[row] && !std::isinf(values[row]) && !(i == file.abscissa && std::isnan(values[row]));
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+/// Names the column of a plot that is alone in its file by the name of the file, where its heading says nothing.
+void nameByFile(RawTable &table, const std::string &file)
+{
+    for (std::size_t i = 0; table.headings.size() == 2 && i < 2; ++i) {
+        Heading &heading = table.headings[i];
+        if (table.headings[1 - i].meaning.kind != NameMeaning::Kind::Time || !saysNothing(heading)) {
+            continue;
+        }
+        Heading byFile = parseHeading(file.substr(0, file.find_last_of('.')));
+        byFile.printed = heading.printed;
+        byFile.unit = heading.unit.empty() ? byFile.unit : heading.unit;
+        byFile.meaning = meaningOf(byFile);
+        byFile.isFromFileName = true;
+        const bool isChannel = byFile.meaning.kind == NameMeaning::Kind::Channel;
+        if (byFile.meaning.kind == NameMeaning::Kind::Quantity ||
+            (isChannel && factorTo(byFile.meaning.channel, byFile.unit))) {
+            heading = std::move(byFile);
+            table.layout.columns[i].unit = heading.unit;
+        }
+    }
+}
+
+/// Puts the columns of all files side by side. Files of which only the beginning is known are cut to the shortest.
+JoinedTable join(std::vector<RawTable> tables, std::span<const FileBytes> files)
+{
+    JoinedTable joined;
+    const auto countRows = [](const RawTable &table) { return table.lines.size(); };
+    const std::size_t shortest = countRows(*std::ranges::min_element(tables, {}, countRows));
+    const bool areBeginnings = std::ranges::any_of(files, &FileBytes::isBeginning);
+    for (std::size_t file = 0; file < tables.size(); ++file) {
+        RawTable &table = tables[file];
+        nameByFile(table, files[file].name);
+        const std::size_t before = joined.headings.size();
+        joined.firstColumns.push_back(before);
+        if (file == 0) {
+            joined.layout = table.layout;
+            joined.layout.columns.clear();
+            joined.layout.rows.clear();
+        }
+        joined.layout.files.push_back(files[file].name);
+        joined.layout.rows.resize(std::max(joined.layout.rows.size(), table.layout.rows.size()));
+        for (std::size_t row = 0; row < table.layout.rows.size(); ++row) {
+            joined.layout.rows[row].resize(before);
+            std::ranges::move(table.layout.rows[row], std::back_inserter(joined.layout.rows[row]));
+        }
+        for (std::size_t i = 0; i < table.headings.size(); ++i) {
+            joined.layout.columns.push_back(table.layout.columns[i]);
+            joined.layout.columns.back().file = file;
+            joined.headings.push_back(std::move(table.headings[i]));
+            joined.columns.push_back(std::move(table.columns[i]));
+            joined.columns.back().resize(areBeginnings ? shortest : countRows(table));
+            joined.roundings.push_back(table.roundings[i]);
+        }
+        table.lines.resize(areBeginnings ? shortest : countRows(table));
+    }
+    joined.files = std::move(tables);
+    return joined;
+}
+
+/// The columns that a name may mean: those with that heading, else with that heading but for the unit, else the one of
+/// that number.
+std::vector<std::size_t> columnsNamed(const std::string &name, std::span<const Heading> headings)
+{
+    std::array<std::vector<std::size_t>, 3> columns;
+    for (std::size_t i = 0; i < headings.size(); ++i) {
+        const std::array<std::string, 3> names{headings[i].printed, headings[i].name, '#' + std::to_string(i + 1)};
+        const auto match = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+        if (match < names.size()) {
+            columns[match].push_back(i);
+        }
+    }
+    return *std::ranges::find_if(columns,
+                                 [&](const auto &found) { return !found.empty() || &found == &columns.back(); });
+}
+
+/// All choices by number: what is said of a heading overrides what was said of its number.
+std::variant<std::vector<ColumnChoice>, ReadFault> resolveChoices(const ReadOptions &options,
+                                                                  std::span<const Heading> headings)
+{
+    std::vector<ColumnChoice> choices = options.columns;
+    for (const NamedChoice &named : options.named) {
+        const std::vector<std::size_t> columns = columnsNamed(named.heading, headings);
+        if (columns.size() != 1) {
+            return ReadFault{columns.empty() ? Fault::NoSuchColumn : Fault::SeveralColumns, {}, named.heading};
+        }
+        std::erase_if(choices, [&](const ColumnChoice &choice) { return choice.column == columns.front(); });
+        choices.push_back({columns.front(), named.role, named.channel, named.unit});
+    }
+    return choices;
+}
+
+bool isUsed(const FileColumn &column)
+{
+    return column.role != ColumnRole::Ignored;
+}
+
+/// Why the row cannot be used: the first cell at fault among those that are used; none where it can.
+std::optional<SkippedRow> findFault(const JoinedTable &table, std::size_t row)
+{
+    for (std::size_t file = 0; file < table.files.size(); ++file) {
+        const RawTable &own = table.files[file];
+        for (const BadCell &bad : std::ranges::equal_range(own.badCells, row, {}, &BadCell::row)) {
+            if (bad.spoilsRow || isUsed(table.layout.columns[table.firstColumns[file] + bad.column])) {
+                return SkippedRow{own.lines[row], bad.column + 1, bad.text, bad.fault, 1, file};
             }
         }
     }
-    for (std::size_t row = 0; row < marks.size(); ++row) {
-        for (std::size_t i = 0; i < files.size() && !marks[row]; ++i) {
-            if (std::optional<SkippedRow> fault = findFault(files[i], row)) {
-                fault->file = i;
-                leaveOut(*std::move(fault), skipped);
-                break;
-            }
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const std::size_t file = table.layout.columns[i].file;
+        const double value = table.columns[i][row];
+        const bool isMissing = i == table.abscissa && std::isnan(value);
+        if (isMissing || (isUsed(table.layout.columns[i]) && std::isinf(value))) {
+            return SkippedRow{table.files[file].lines[row],
+                              i - table.firstColumns[file] + 1,
+                              {},
+                              isMissing ? RowFault::NoTime : RowFault::TooLarge,
+                              1,
+                              file};
         }
-    }
-    return marks;
-}
-
-/// The series of all files, with all rows, over the time stamps of the first file.
-ReferenceData mergeColumns(std::vector<AssignedTable> &files, FileLayout layout)
-{
-    ReferenceData data;
-    data.layout = std::move(layout);
-    data.lines = std::move(files.front().table.lines);
-    data.time = files.front().table.columns[files.front().abscissa];
-    for (AssignedTable &file : files) {
-        for (std::size_t i = 0; i < file.uses.size(); ++i) {
-            if (file.uses[i].role == ColumnRole::Channel) {
-                const double factor = file.uses[i].factor;
-                data.series.push_back(
-                    {file.uses[i].channel, std::move(file.table.columns[i]), file.table.roundings[i].infer(factor)});
-            }
-        }
-    }
-    return data;
-}
-
-/// Whether two lists of time stamps are the same as far as they are printed; nearer than a quarter of their spacing.
-bool areSameInstants(const std::vector<double> &x, const Rounding &ofX, const std::vector<double> &y,
-                     const Rounding &ofY)
-{
-    constexpr double kUlps = 4.0; // of a change of unit in either
-    constexpr double kOfSpacing = 0.25;
-    const double spacing = std::abs(x.back() - x.front()) / static_cast<double>(std::max<std::size_t>(x.size() - 1, 1));
-    const double rounded = 0.5 * (clockOf(x, ofX).step() + clockOf(y, ofY).step());
-    const double allowed = std::min(rounded, kOfSpacing * spacing);
-    return std::ranges::equal(x, y, [allowed](double a, double b) {
-        const double ulps = kUlps * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
-        return std::abs(a - b) <= allowed + ulps;
-    });
-}
-
-/// Takes the time stamps of the file that prints most digits of them; an error where they are not the same in all.
-std::optional<ReadError> joinInstants(ReferenceData &data, std::vector<AssignedTable> &files,
-                                      const std::vector<bool> &marks)
-{
-    const auto roundingOf = [](const AssignedTable &file) {
-        return file.table.roundings[file.abscissa].inferOfInstants(1.0 / file.uses[file.abscissa].factor);
-    };
-    const std::vector<double> first = data.time;
-    const Rounding ofFirst = data.timeRounding = roundingOf(files.front());
-    for (std::size_t i = 1; i < files.size(); ++i) {
-        const AssignedTable &file = files[i];
-        std::vector<double> next = file.table.columns[file.abscissa];
-        keepRows(next, marks);
-        const Rounding rounding = roundingOf(file);
-        if (!first.empty() && !areSameInstants(first, ofFirst, next, rounding)) {
-            return ReadError{0, 0, {}, {Fault::OtherInstants, {}, data.layout.files[0]}, {}, i, 0};
-        }
-        if (rounding.finestStep() > 0.0 && rounding.finestStep() < data.timeRounding.finestStep()) {
-            data.time = std::move(next);
-            data.timeRounding = rounding;
-        }
-        FileColumn &column = data.layout.columns[file.firstColumn + file.abscissa];
-        column.role = ColumnRole::Ignored;
-        column.reason = ColumnReason::SameInstants;
-        column.otherColumn = files.front().abscissa;
     }
     return std::nullopt;
 }
 
+/// The rows of all columns that are used, without those that cannot be.
+ReferenceData collect(JoinedTable &table)
+{
+    ReferenceData data;
+    std::vector<bool> marks(table.files.front().lines.size(), true);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        for (std::size_t row = 0; row < marks.size() && isUsed(table.layout.columns[i]); ++row) {
+            const double value = table.columns[i][row];
+            marks[row] = marks[row] && !std::isinf(value) && !(i == table.abscissa && std::isnan(value));
+        }
+    }
+    for (std::size_t row = 0; row < marks.size(); ++row) {
+        if (std::optional<SkippedRow> fault = marks[row] ? std::nullopt : findFault(table, row)) {
+            leaveOut(*std::move(fault), data.skipped);
+        }
+    }
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const double factor = table.factors[i];
+        if (table.layout.columns[i].role == ColumnRole::Channel) {
+            data.series.push_back(
+                {table.layout.columns[i].channel, std::move(table.columns[i]), table.roundings[i].infer(factor)});
+        } else if (i == table.abscissa) {
+            data.time = std::move(table.columns[i]);
+            data.timeRounding = table.roundings[i].inferOfInstants(factor);
+        }
+    }
+    data.lines = std::move(table.files.front().lines);
+    data.layout = table.layout;
+    if (!data.skipped.empty()) {
+        keepRows(data, marks);
+    }
+    return data;
+}
+
 /// Makes time stamps of the crank angles that were read in their place.
-std::optional<ReadError> countByAngle(ReferenceData &data, const AssignedTable &file)
+std::optional<ReadError> countByAngle(ReferenceData &data, const JoinedTable &table)
 {
     data.crank.emplace();
     data.crank->degrees = goingOn(data.time);
     data.crank->rounding = data.timeRounding;
     if (const std::optional<std::size_t> row = turnsBackAt(data.crank->degrees)) {
-        ReadFault fault{Fault::AngleTurnsBack};
-        fault.heading = printedNumber(data.time[*row - 1]) + "°";
-        return ReadError{file.table.layout.headerLine, file.abscissa + 1,
-                         excerpt(file.table.headings[file.abscissa].printed), std::move(fault)};
+        return table.faultIn(*table.abscissa, {Fault::AngleTurnsBack, {}, printedNumber(data.time[*row - 1]) + "°"});
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {
-        return ReadError{
-            file.table.firstDataLine, file.abscissa + 1, {}, {.kind = Fault::NoRow, .row = RowFault::TooLarge}};
+        ReadError error = table.faultIn(*table.abscissa, {.kind = Fault::NoRow, .row = RowFault::TooLarge});
+        error.line = data.lines.front();
+        return error;
     }
     data = *std::move(timed);
     return std::nullopt;
@@ -161,11 +237,12 @@ std::optional<ReadError> countByAngle(ReferenceData &data, const AssignedTable &
 
 /// Refuses a time that decreases. Of rows with the same time the last one is kept, as it holds the state after an
 /// event; where most rows repeat the time, it is refused as well.
-std::optional<ReadError> settleTime(ReferenceData &data, const AssignedTable &file)
+std::optional<ReadError> settleTime(ReferenceData &data, const JoinedTable &table)
 {
+    const std::size_t file = data.layout.columns[*table.abscissa].file;
     const auto describe = [&](std::size_t row) {
-        const std::string text = printedNumber(data.time[row] * file.uses[file.abscissa].factor);
-        return SkippedRow{data.lines[row], file.abscissa + 1, text, RowFault::RepeatedTime};
+        return SkippedRow{data.lines[row], *table.abscissa - table.firstColumns[file] + 1,
+                          printedNumber(data.time[row] / table.factors[*table.abscissa]), RowFault::RepeatedTime};
     };
     std::vector<bool> marks(data.time.size(), true);
     std::vector<std::size_t> repeated;
@@ -244,25 +321,17 @@ std::optional<ReadError> findWhyUseless(const ReferenceData &data, std::size_t f
 }
 
 /// The data of files whose columns are settled; an error has no layout.
-std::variant<ReferenceData, ReadError> assemble(std::vector<AssignedTable> &files, const FileLayout &layout)
+std::variant<ReferenceData, ReadError> assemble(JoinedTable &table)
 {
-    std::vector<SkippedRow> skipped;
-    const std::vector<bool> marks = markRows(files, skipped);
-    ReferenceData data = mergeColumns(files, layout);
-    data.skipped = std::move(skipped);
-    if (!data.skipped.empty()) {
-        keepRows(data, marks);
-    }
-    std::optional<ReadError> error = joinInstants(data, files, marks);
-    const AssignedTable &first = files.front();
-    if (!error && !data.time.empty()) {
-        const bool isByAngle = first.uses[first.abscissa].role == ColumnRole::CrankAngle;
-        error = isByAngle ? countByAngle(data, first) : settleTime(data, first);
+    ReferenceData data = collect(table);
+    const std::size_t firstDataLine = table.files.front().firstDataLine;
+    std::optional<ReadError> error;
+    if (!data.time.empty()) {
+        const bool isByAngle = table.layout.columns[*table.abscissa].role == ColumnRole::CrankAngle;
+        error = isByAngle ? countByAngle(data, table) : settleTime(data, table);
     }
     dropEmptySeries(data);
-    if (!error) {
-        error = findWhyUseless(data, first.table.firstDataLine);
-    }
+    error = error ? error : findWhyUseless(data, firstDataLine);
     if (error) {
         return *std::move(error);
     }
@@ -295,11 +364,9 @@ std::variant<RawTable, ReadError> readRaw(std::string_view bytes, const std::sto
 std::variant<ReferenceData, ReadError> readAll(std::span<const FileBytes> files, const std::stop_token &stop,
                                                const ReadOptions &options)
 {
-    std::size_t all = 0;
-    for (const FileBytes &file : files) {
-        all += file.bytes.size();
-    }
-    std::vector<AssignedTable> tables(files.size());
+    const auto addSize = [](std::size_t sum, const FileBytes &file) { return sum + file.bytes.size(); };
+    const std::size_t all = std::accumulate(files.begin(), files.end(), std::size_t{0}, addSize);
+    std::vector<RawTable> tables(files.size());
     std::optional<ReadError> error;
     std::size_t before = 0;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -315,29 +382,31 @@ std::variant<ReferenceData, ReadError> readAll(std::span<const FileBytes> files,
             return ReadError{0, 0, {}, {Fault::Stopped}};
         }
         if (RawTable *const table = std::get_if<RawTable>(&outcome)) {
-            tables[i].table = std::move(*table);
+            tables[i] = std::move(*table);
         } else if (!error) {
             error = std::get<ReadError>(std::move(outcome));
             error->file = i;
         }
     }
-    FileLayout layout;
-    if (std::optional<ReadError> refused = assignAll(tables, files, options, layout);
-        refused && (!error || refused->file < error->file)) {
-        error = std::move(refused);
+    JoinedTable table = join(std::move(tables), files);
+    if (!error) {
+        const auto choices = resolveChoices(options, table.headings);
+        const ReadFault *const fault = std::get_if<ReadFault>(&choices);
+        error = fault ? ReadError{files.size() == 1 ? table.layout.headerLine : 0, 0, {}, *fault}
+                      : assignColumns(table, std::get<std::vector<ColumnChoice>>(choices));
     }
     if (files.size() == 1) {
-        layout.files.clear();
+        table.layout.files.clear();
     }
     if (!error) {
-        std::variant<ReferenceData, ReadError> outcome = assemble(tables, layout);
+        std::variant<ReferenceData, ReadError> outcome = assemble(table);
         if (!std::holds_alternative<ReadError>(outcome)) {
             return outcome;
         }
         error = std::get<ReadError>(std::move(outcome));
     }
     error->file = files.size() == 1 ? std::nullopt : error->file;
-    error->layout = std::move(layout);
+    error->layout = std::move(table.layout);
     return *std::move(error);
 }
 

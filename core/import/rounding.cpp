@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/rounding.h"
 
+#include "core/import/cells.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
-#include <vector>
 
 namespace slidercrank
 {
@@ -14,49 +14,24 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kLowestPower = -323;
-constexpr int kHighestPower = 308;
-
-using Powers = std::array<double, kHighestPower - kLowestPower + 1>;
-
-/// The powers of ten that a double holds. A table: a step is asked for at every value compared.
-const Powers &powersOfTen()
+/// 10^exponent, the nearest double on every system, which std::pow() is not; 0 or infinity beyond what a double holds.
+double powerOfTen(int exponent)
 {
-    static const Powers table = [] {
-        Powers powers{};
-        for (int power = kLowestPower; power <= kHighestPower; ++power) {
-            std::array<char, 8> text{'1', 'e'}; // the nearest double on every system, which std::pow() is not
-            const char *end = std::to_chars(text.data() + 2, text.data() + text.size(), power).ptr;
-            std::from_chars(text.data(), end, powers[static_cast<std::size_t>(power - kLowestPower)]);
-        }
-        return powers;
-    }();
-    return table;
-}
-
-/// 10^exponent; 0 or infinity beyond what a double holds.
-double powerOfTen(const Powers &powers, int exponent)
-{
-    if (exponent < kLowestPower) {
-        return 0.0;
-    }
-    if (exponent > kHighestPower) {
-        return std::numeric_limits<double>::infinity();
-    }
-    return powers[static_cast<std::size_t>(exponent - kLowestPower)];
+    std::array<char, 16> text{'1', 'e'};
+    double power = exponent > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+    std::from_chars(text.data(), std::to_chars(text.data() + 2, text.data() + text.size(), exponent).ptr, power);
+    return power;
 }
 
 /// A unit's conversion there and back may leave 9.99…9 of a printed 10: this part of a value decides no decade.
 constexpr double kConversionSlack = 1e-12;
 
 /// Power of ten of the first digit of a positive number.
-int decadeOf(const Powers &powers, double magnitude)
+int decadeOf(double magnitude)
 {
     const double nudged = magnitude * (1.0 + kConversionSlack);
     const int decade = static_cast<int>(std::floor(std::log10(nudged))); // or one beside it
-    return nudged >= powerOfTen(powers, decade + 1) ? decade + 1
-           : nudged < powerOfTen(powers, decade)    ? decade - 1
-                                                    : decade;
+    return nudged >= powerOfTen(decade + 1) ? decade + 1 : nudged < powerOfTen(decade) ? decade - 1 : decade;
 }
 
 /// A number of at most so many digits may be one that somebody chose (25, 360, 12.75), and then says nothing about how
@@ -100,7 +75,7 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
 {
     std::array<char, 32> text{};
     const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
-    const PrintedPlaces found = placesOf({text.data(), static_cast<std::size_t>(shortest.ptr - text.data())});
+    const PrintedPlaces found = parseNumber({text.data(), shortest.ptr}, DecimalSign::Point).places;
     return {found.zero, found.first, found.last, places.printed};
 }
 
@@ -125,16 +100,15 @@ bool isBetter(const Fit &fit, const Fit &best)
 
 double Rounding::stepAt(double value) const
 {
-    const Powers &powers = powersOfTen();
     switch (rule) {
     case Rule::Unknown: return 0.0;
-    case Rule::Decimals: return unitFactor * powerOfTen(powers, -digits);
+    case Rule::Decimals: return unitFactor * powerOfTen(-digits);
     case Rule::Multiples: return unitFactor * quantum;
     case Rule::SignificantDigits: {
         const double printed = std::abs(value) / unitFactor;
-        const int exponent = printed > 0.0 && std::isfinite(printed) ? decadeOf(powers, printed) : smallestExponent;
+        const int exponent = printed > 0.0 && std::isfinite(printed) ? decadeOf(printed) : smallestExponent;
         const int place = std::min(exponent - digits + 1, coarsestPlace);
-        return unitFactor * powerOfTen(powers, std::max(place, finestPlace));
+        return unitFactor * powerOfTen(std::max(place, finestPlace));
     }
     }
     return 0.0;
@@ -152,7 +126,7 @@ Rounding Rounding::withDecimalsAt(double value) const
 
 double Rounding::finestStep() const
 {
-    return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(powersOfTen(), finestPlace);
+    return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(finestPlace);
 }
 
 double RoundingSteps::stepElsewhere(double value)
@@ -165,59 +139,12 @@ double RoundingSteps::stepElsewhere(double value)
         m_step = step;
     } else if (printed > 0.0 && std::isfinite(printed)) {
         // Short of the decade's ends, where the slack decides.
-        const Powers &powers = powersOfTen();
-        const int decade = decadeOf(powers, printed);
-        m_from = m_rounding.unitFactor * powerOfTen(powers, decade) * (1.0 + 4.0 * kConversionSlack);
-        m_to = m_rounding.unitFactor * powerOfTen(powers, decade + 1) * (1.0 - 4.0 * kConversionSlack);
+        const int decade = decadeOf(printed);
+        m_from = m_rounding.unitFactor * powerOfTen(decade) * (1.0 + 4.0 * kConversionSlack);
+        m_to = m_rounding.unitFactor * powerOfTen(decade + 1) * (1.0 - 4.0 * kConversionSlack);
         m_step = step;
     }
     return step;
-}
-
-PrintedPlaces placesOf(std::string_view digits)
-{
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    const char *const begin =
-        digits.data() + (!digits.empty() && !isDigit(digits[0]) && digits[0] != '.' && digits[0] != ',' ? 1 : 0);
-    const char *const end = digits.data() + digits.size();
-    const char *point = end;
-    const char *stop = begin; // behind the last digit: the end, or the exponent
-    for (; stop != end && *stop != 'e' && *stop != 'E'; ++stop) {
-        point = isDigit(*stop) ? point : stop;
-    }
-    int exponent = 0;
-    for (const char *c = stop; c != end; ++c) {
-        if (isDigit(*c)) {
-            constexpr int kLargest = 100000; // far beyond any double, and no sum of such overflows
-            exponent = std::min(exponent * 10 + (*c - '0'), kLargest);
-        }
-    }
-    if (end - stop > 1 && stop[1] == '-') {
-        exponent = -exponent;
-    }
-    point = std::min(point, stop);
-
-    // The digit just before the point stands at 10^exponent.
-    const auto placeOf = [&](const char *digit) {
-        return static_cast<int>(digit < point ? point - digit - 1 : point - digit) + exponent;
-    };
-    const auto isNothing = [](char c) { return c == '0' || c == '.' || c == ','; };
-    const char *last = stop;
-    while (last != begin && isNothing(last[-1])) {
-        --last;
-    }
-    PrintedPlaces places;
-    places.printed = stop == point ? exponent : placeOf(stop - 1);
-    places.zero = last == begin;
-    if (!places.zero) {
-        const char *first = begin;
-        while (isNothing(*first)) {
-            ++first;
-        }
-        places.first = placeOf(first);
-        places.last = placeOf(last - 1);
-    }
-    return places;
 }
 
 void RoundingObserver::observe(PrintedPlaces places, double value)

@@ -13,7 +13,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace slidercrank
@@ -86,9 +85,6 @@ struct PrintedPlaces {
     int last = 0;
     int printed = 0;
 };
-
-/// `digits`: optional sign, digits with at most one '.' or ',', optional exponent.
-PrintedPlaces placesOf(std::string_view digits);
 
 /// Learns the rule of a column from its numbers as they were printed.
 ///

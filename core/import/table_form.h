@@ -17,12 +17,12 @@ namespace slidercrank
 {
 
 struct TableForm {
-    FileLayout layout;                       ///< the columns have their headings and units, no role yet
-    std::vector<Heading> headings;           ///< by column; the unit also from the line of units, or from the cells
-    std::vector<std::string_view> cellUnits; ///< by column: behind the number in every cell
-    std::size_t fewestCells = 0;             ///< that a row needs: headings at the end may stand above nothing
-    std::string headerText;                  ///< for messages
-    std::string_view data;                   ///< all lines below names and units
+    FileLayout layout{};                       ///< the columns have their headings and units, no role yet
+    std::vector<Heading> headings{};           ///< by column; the unit also from the line of units, or from the cells
+    std::vector<std::string_view> cellUnits{}; ///< by column: behind the number in every cell
+    std::size_t fewestCells = 0;               ///< that a row needs: headings at the end may stand above nothing
+    std::string headerText{};                  ///< for messages
+    std::string_view data{};                   ///< all lines below names and units
     std::size_t firstDataLine = 0;
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 namespace slidercrank
 {
@@ -32,78 +31,77 @@ constexpr std::array<NamedUnit, 11> kUnits{{
     {"min minute minutes minuto minutos", {Dimension::Time, 0, 1.0 / 60.0}},
 }};
 
+/// The ordinal sign stands for degrees on Spanish keyboards; of the two signs for micro one is the Greek letter.
+constexpr std::array<Spelling, 11> kUnitSigns{{{" ", ""},
+                                               {"\t", ""},
+                                               {"^", ""},
+                                               {"*", ""},
+                                               {"(", ""},
+                                               {")", ""},
+                                               {"°", "deg"},
+                                               {"º", "deg"},
+                                               {"²", "2"},
+                                               {"\u00B5", "u"},
+                                               {"\u03BC", "u"}}};
+
 std::optional<Unit> unitNamed(std::string_view name)
 {
-    const auto found =
-        std::find_if(kUnits.begin(), kUnits.end(), [&](const NamedUnit &each) { return isAmong(name, each.names); });
+    const auto found = std::ranges::find_if(kUnits, [&](const NamedUnit &unit) { return isAmong(name, unit.names); });
     return found == kUnits.end() ? std::nullopt : std::optional(found->unit);
 }
 
-/// Lower case, without spaces, "^", "*" and parentheses; degree, square and micro signs (also the Greek letter, the
-/// ordinal sign that stands for degrees on Spanish keyboards, and all of them as a single byte) as "deg", "2" and "u".
-std::string plainUnit(std::string_view text)
+/// Removes the text up to the next slash from `rest` and returns it.
+std::string_view takePart(std::string_view &rest)
 {
-    constexpr std::string_view kMu = "\u03BC";
-    std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (text.substr(i).starts_with(kMu)) {
-            plain += 'u';
-            i += kMu.size() - 1;
-            continue;
-        }
-        switch (static_cast<unsigned char>(c)) {
-        case 0xC2: // first byte of all these signs in UTF-8
-        case ' ':
-        case '\t':
-        case '^':
-        case '*':
-        case '(':
-        case ')': break;
-        case 0xB0:
-        case 0xBA: plain += "deg"; break;
-        case 0xB2: plain += '2'; break;
-        case 0xB5: plain += 'u'; break;
-        default: plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        }
-    }
-    return plain;
+    const std::string_view part = rest.substr(0, rest.find('/'));
+    rest.remove_prefix(part.size());
+    return part;
 }
 
 } // namespace
 
 bool isAmong(std::string_view word, std::string_view words)
 {
-    const auto ends = [words](std::size_t at) { return at == words.size() || words[at] == ' '; };
     for (std::size_t at = words.find(word); at != words.npos; at = words.find(word, at + 1)) {
-        if ((at == 0 || words[at - 1] == ' ') && ends(at + word.size())) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) {
             return true;
         }
     }
     return false;
 }
 
+std::string respelled(std::string_view text, std::span<const Spelling> spellings)
+{
+    std::string result;
+    while (!text.empty()) {
+        const auto found =
+            std::ranges::find_if(spellings, [&](const Spelling &each) { return text.starts_with(each.from); });
+        const bool isFound = found != spellings.end();
+        result += isFound ? found->to : text.substr(0, 1);
+        text.remove_prefix(isFound ? found->from.size() : 1);
+    }
+    return result;
+}
+
 std::optional<Unit> parseUnit(std::string_view text)
 {
-    const std::string plain = plainUnit(text);
+    std::string plain = respelled(text, kUnitSigns);
+    std::ranges::transform(plain, plain.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; });
     std::string_view rest = plain;
-    const std::string_view base = rest.substr(0, rest.find('/'));
-    std::optional<Unit> unit = unitNamed(base);
-    rest.remove_prefix(base.size());
+    std::optional<Unit> unit = unitNamed(takePart(rest));
     while (unit && !rest.empty()) {
         rest.remove_prefix(1);
-        std::string_view per = rest.substr(0, rest.find('/'));
-        rest.remove_prefix(per.size());
-        const bool squared = !per.empty() && per.back() == '2';
-        if (squared) {
-            per.remove_suffix(1);
-        }
-        const std::optional<Unit> perTime = unitNamed(per);
-        if (!perTime || perTime->dimension != Dimension::Time || unit->dimension == Dimension::Time) {
+        std::string_view per = takePart(rest);
+        const int power = per.ends_with('2') ? 2 : 1;
+        per.remove_suffix(power == 2 ? 1 : 0);
+        const std::optional<Unit> time = unitNamed(per);
+        if (!time || time->dimension != Dimension::Time || unit->dimension == Dimension::Time) {
             return std::nullopt;
         }
-        unit->factor *= squared ? perTime->factor * perTime->factor : perTime->factor;
-        unit->order += squared ? 2 : 1;
+        unit->factor *= power == 2 ? time->factor * time->factor : time->factor;
+        unit->order += power;
     }
     return unit && unit->order <= 2 ? unit : std::nullopt;
 }

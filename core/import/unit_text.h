@@ -5,6 +5,8 @@
 // "°CA" (degrees of crank angle).
 
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace slidercrank
@@ -27,5 +29,13 @@ std::optional<Unit> parseUnit(std::string_view text);
 
 /// Whether the word is one of these, which spaces separate.
 bool isAmong(std::string_view word, std::string_view words);
+
+struct Spelling {
+    std::string_view from;
+    std::string_view to;
+};
+
+/// The text with the first spelling that fits at each place replaced.
+std::string respelled(std::string_view text, std::span<const Spelling> spellings);
 
 } // namespace slidercrank

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/import/rounding.h"
+#include "core/import/cells.h"
 
 #include <QStringList>
 #include <QTest>
@@ -47,8 +47,9 @@ Rounding inferred(const QStringList &cells, double unitFactor = 1.0)
     RoundingObserver observer;
     for (const QString &cell : cells) {
         const QByteArray text = cell.toLatin1();
-        observer.observe(placesOf({text.constData(), static_cast<std::size_t>(text.size())}),
-                         QByteArray(text).replace(',', '.').toDouble());
+        const CellNumber number =
+            parseNumber(text.toStdString(), text.contains(',') ? DecimalSign::Comma : DecimalSign::Point);
+        observer.observe(number.places, number.value);
     }
     return observer.infer(unitFactor);
 }
@@ -73,7 +74,7 @@ private slots:
              {Row{"139.397000", false, 2, -3, -6}, Row{"0.0120", false, -2, -3, -4}, Row{"-7.5", false, 0, -1, -1},
               Row{"1200", false, 3, 2, 0}, Row{".25", false, -1, -2, -2}, Row{"25.", false, 1, 0, 0},
               Row{"1.250e+03", false, 3, 1, 0}, Row{"-1.5E-7", false, -7, -8, -8}, Row{"-0.000", true, 0, 0, -3}}) {
-            const PrintedPlaces places = placesOf(row.text);
+            const PrintedPlaces places = parseNumber(row.text, DecimalSign::Point).places;
             QVERIFY2(places.zero == row.zero && places.first == row.first && places.last == row.last &&
                          places.printed == row.printed,
                      row.text);
