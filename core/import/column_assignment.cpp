@@ -344,7 +344,7 @@ std::variant<Claim, ReadError, ColumnReason> Assignment::claimOf(std::size_t i) 
     const NameMeaning &meaning = heading.meaning;
     Claim claim{i, meaning.channel, meaning.isExact ? Evidence::ChannelName : Evidence::Words};
     if (meaning.kind == Kind::Quantity) {
-        if (!m_table.columns[i].empty() && rangeOf(m_table.columns[i]).count == 0) {
+        if (rangeOf(m_table.columns[i]).count == 0 && rangeOf(m_table.columns[*m_table.abscissa]).count > 0) {
             return ColumnReason::NoNumber;
         }
         const bool isInventor = !meaning.owner.empty() && !meaning.isModelica;
