@@ -3527,10 +3527,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>&amp;Maximizar esta gráfica</translation>
     </message>
     <message>
-        <source>Show the &amp;whole run</source>
-        <translation>Mostrar el &amp;recorrido completo</translation>
-    </message>
-    <message>
         <source>&amp;Copy this plot</source>
         <translation>&amp;Copiar esta gráfica</translation>
     </message>
@@ -3571,10 +3567,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Para comparar con una simulación, &lt;a href=&quot;open&quot;&gt;abra su CSV…&lt;/a&gt; o suéltelo aquí.</translation>
     </message>
     <message>
-        <source>&amp;Keep this motion</source>
-        <translation>Co&amp;nservar este movimiento</translation>
-    </message>
-    <message>
         <source>Show all plots agai&amp;n</source>
         <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
     </message>
@@ -3597,6 +3589,14 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>Copy the &amp;values here</source>
         <translation>Copiar los &amp;valores de aquí</translation>
+    </message>
+    <message>
+        <source>Reset plot &amp;zoom</source>
+        <translation>Restablecer el &amp;zoom de las gráficas</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this motion</source>
+        <translation>&amp;Fijar este movimiento</translation>
     </message>
 </context>
 <context>

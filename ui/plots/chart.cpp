@@ -2,7 +2,6 @@
 #include "ui/plots/chart.h"
 
 #include "ui/plots/plot_drawing.h"
-#include "ui/text/written_number.h"
 
 #include <QMouseEvent>
 #include <QToolTip>
@@ -16,68 +15,30 @@ namespace slidercrank
 namespace
 {
 
-/// Labels decades as 10⁻⁶, leaving some out where there is little room.
-class DecadeTicker : public QCPAxisTickerLog
+void setAxis(QCPAxis &axis, const ChartAxis &content, double pixelsPerLabel)
 {
-public:
-    explicit DecadeTicker(int mostLabels)
-        : m_mostLabels(std::max(1, mostLabels))
-    {
-    }
-
-protected:
-    int getSubTickCount(double) override { return 0; }
-    QVector<double> createTickVector(double, const QCPRange &range) override
-    {
-        const int first = static_cast<int>(std::ceil(std::log10(range.lower) - kTouching));
-        const int last = static_cast<int>(std::floor(std::log10(range.upper) + kTouching));
-        int step = 1;
-        for (const int larger : {2, 3, 5, 10, 20, 50, 100}) {
-            step = (last - first) / step >= m_mostLabels ? larger : step;
-        }
-        QVector<double> ticks;
-        for (int decade = first; decade <= last; ++decade) {
-            if (decade % step == 0) {
-                ticks << std::pow(10.0, decade);
-            }
-        }
-        return ticks;
-    }
-    QString getTickLabel(double tick, const QLocale &, QChar, int) override
-    {
-        return powerOfTen(static_cast<int>(std::lround(std::log10(tick))));
-    }
-
-private:
-    static constexpr double kTouching = 1e-9;
-    int m_mostLabels;
-};
-
-void setAxis(QCPAxis &axis, const ChartAxis &content, double pixels)
-{
-    constexpr double kPixelsPerLabel[] = {44.0, 22.0};
-    const double labels = pixels / kPixelsPerLabel[axis.orientation() == Qt::Vertical ? 1 : 0];
+    const bool isVertical = axis.orientation() == Qt::Vertical;
+    const int pixels = isVertical ? axis.axisRect()->height() : axis.axisRect()->width();
+    const auto ticker = content.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
+                                              : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker);
+    ticker->setTickCount(std::max(1, static_cast<int>(pixels / pixelsPerLabel)));
+    axis.setTicker(ticker);
     axis.setLabel(content.title);
-    axis.setScaleType(content.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     axis.setRange(content.range.lower, content.range.upper);
     if (content.isLogarithmic) {
-        axis.setTicker(QSharedPointer<DecadeTicker>::create(static_cast<int>(labels)));
-    } else {
-        const auto ticker = QSharedPointer<QCPAxisTicker>::create();
-        ticker->setTickCount(std::max(1, static_cast<int>(labels)));
-        axis.setTicker(ticker);
+        axis.setScaleType(QCPAxis::stLogarithmic);
+        axis.setNumberFormat(QStringLiteral("eb")); // powers of ten
+        axis.setNumberPrecision(0);
     }
-    axis.setSubTicks(false);
 }
 
-void setSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColours &colours)
+void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColours &colours)
 {
-    QCPGraph *graph = drawing.addCurve();
     QVector<QCPGraphData> data;
     for (const QPointF &point : series.points) {
         data << QCPGraphData(point.x(), point.y());
     }
-    graph->data()->set(data, true);
+    QCPGraph *graph = drawing.addCurve(drawing.axisRect(), data);
     graph->setName(series.name);
     if (!series.name.isEmpty()) {
         graph->addToLegend();
@@ -90,47 +51,30 @@ void setSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColo
     graph->setPen(QPen(colour, 1.0, series.line == Line::Dashed ? Qt::DashLine : Qt::SolidLine));
     if (!series.mark.isEmpty()) {
         constexpr double kUnscaled = 6.0; // QCustomPlot's size for paths drawn as they are
-        constexpr double kOutline = 1.2;
-        graph->setScatterStyle(QCPScatterStyle(series.mark, QPen(colour, kOutline),
-                                               series.isHollow ? colours.background : colour, kUnscaled));
+        graph->setScatterStyle(
+            QCPScatterStyle(series.mark, QPen(colour, 1.2), series.isHollow ? colours.background : colour, kUnscaled));
     }
-    for (qsizetype i = 0; i < std::min<qsizetype>(series.labels.size(), data.size()); ++i) {
+    for (qsizetype i = 0; i < std::min(series.labels.size(), data.size()); ++i) {
         constexpr int kAway = 6;
-        const double x = drawing.xAxis->coordToPixel(data[i].key);
-        const bool isRight = x > drawing.axisRect()->center().x();
-        auto *label = new QCPItemText(&drawing);
-        label->setText(series.labels[i]);
+        const bool isRight = drawing.xAxis->coordToPixel(data[i].key) > drawing.axisRect()->center().x();
+        QCPItemText *label = drawing.addText(drawing.axisRect(), series.labels[i], {data[i].key, data[i].value},
+                                             (isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         label->setColor(colour);
-        label->setFont(drawing.xAxis->tickLabelFont());
-        label->setPositionAlignment((isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         label->setPadding(QMargins(kAway, 0, kAway, 0));
-        label->position->setCoords(data[i].key, data[i].value);
     }
 }
 
-/// Hidden where there is too little room beside the axes.
-void placeLegend(PlotDrawing &drawing, ChartContent::Legend place, const QSize &size)
+/// Leaves the legend out where there is too little space.
+void placeLegend(PlotDrawing &drawing, bool isRight, const QSize &size)
 {
-    constexpr int kLeast = 200; // px, of the axes
-    constexpr double kNoStretch = 1e-3;
-    QCPLegend &legend = *drawing.legend;
-    const bool isRight = place == ChartContent::Legend::Right;
-    legend.setFillOrder(isRight ? QCPLegend::foRowsFirst : QCPLegend::foColumnsFirst);
-    const QSize needed = legend.minimumOuterSizeHint();
-    const bool fits = isRight ? needed.width() + kLeast <= size.width() && needed.height() <= size.height()
-                              : needed.width() <= size.width() && 3 * needed.height() <= size.height();
-    if (!fits || legend.itemCount() == 0) {
-        return;
-    }
-    drawing.axisRect()->insetLayout()->take(&legend);
-    legend.setVisible(true);
-    if (isRight) {
-        drawing.plotLayout()->addElement(0, 1, &legend);
-        drawing.plotLayout()->setColumnStretchFactor(1, kNoStretch);
-    } else {
-        drawing.plotLayout()->insertRow(0);
-        drawing.plotLayout()->addElement(0, 0, &legend);
-        drawing.plotLayout()->setRowStretchFactor(0, kNoStretch);
+    QCPLegend *legend = drawing.legend;
+    const QSize most = isRight ? QSize(size.width() - 200, size.height()) : size / 2; // px
+    const QSize needed = legend->minimumOuterSizeHint();
+    legend->setVisible(legend->itemCount() > 0 && needed.boundedTo(most) == needed);
+    if (legend->visible() && isRight) {
+        drawing.axisRect()->insetLayout()->take(legend);
+        drawing.plotLayout()->addElement(0, 1, legend);
+        drawing.plotLayout()->setColumnStretchFactor(1, 1e-3);
     }
 }
 
@@ -165,24 +109,22 @@ void Chart::fill(const QSize &size, const QPalette &palette, const std::optional
 {
     const SeriesColours colours = seriesColours(palette);
     m_drawing = std::make_unique<PlotDrawing>();
-    PlotDrawing &drawing = *m_drawing;
-    drawing.setStyle(PlotFonts(font()), colours);
-    drawing.layOut(size);
-    setAxis(*drawing.xAxis, m_content.x, drawing.axisRect()->width());
-    setAxis(*drawing.yAxis, m_content.y, drawing.axisRect()->height());
+    m_drawing->setStyle(PlotFonts(font()), colours);
+    m_drawing->layOut(size);
+    setAxis(*m_drawing->xAxis, m_content.x, 44.0);
+    setAxis(*m_drawing->yAxis, m_content.y, 22.0);
     for (const ChartSeries &series : m_content.series) {
-        setSeries(drawing, series, colours);
+        addSeries(*m_drawing, series, colours);
     }
-    placeLegend(drawing, m_content.legend, size);
+    placeLegend(*m_drawing, m_content.legend == ChartContent::Legend::Right, size);
     if (marked) {
-        constexpr double kDiameter = 18.0;
-        auto *ring = new QCPItemTracer(&drawing);
+        auto *ring = new QCPItemTracer(m_drawing.get());
         ring->setStyle(QCPItemTracer::tsCircle);
-        ring->setSize(kDiameter);
+        ring->setSize(18.0);
         ring->setPen(QPen(colours.cursor, 1.5));
         ring->position->setCoords(m_content.series[marked->series].points[marked->point]);
     }
-    drawing.layOut(size);
+    m_drawing->layOut(size);
 }
 
 void Chart::paintEvent(QPaintEvent *)
@@ -195,7 +137,7 @@ void Chart::paintEvent(QPaintEvent *)
 void Chart::paint(QPainter &painter, const QSize &size, const QPalette &palette)
 {
     fill(size, palette, std::nullopt);
-    m_drawing->paint(painter, QRect(QPoint(), size));
+    m_drawing->paint(painter, size);
 }
 
 QPointF Chart::positionOf(const Place &place)
@@ -209,20 +151,19 @@ QPointF Chart::positionOf(const Place &place)
 
 std::optional<Chart::Place> Chart::pointAt(const QPointF &position)
 {
-    constexpr double kNear = 9.0; // px
-    std::optional<Place> nearest;
-    double least = kNear;
+    double nearest = 9.0; // px, at most
+    std::optional<Place> found;
     for (std::size_t series = 0; series < m_content.series.size(); ++series) {
         const std::size_t points = m_content.series[series].mark.isEmpty() ? 0 : m_content.series[series].points.size();
         for (std::size_t point = 0; point < points; ++point) {
-            const QPointF away = positionOf({series, point}) - position;
-            if (const double distance = std::hypot(away.x(), away.y()); distance <= least) {
-                least = distance;
-                nearest = Place{series, point};
+            const double distance = QLineF(positionOf({series, point}), position).length();
+            if (distance <= nearest) {
+                nearest = distance;
+                found = Place{series, point};
             }
         }
     }
-    return nearest;
+    return found;
 }
 
 void Chart::mouseMoveEvent(QMouseEvent *event)

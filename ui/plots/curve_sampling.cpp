@@ -2,6 +2,7 @@
 #include "ui/plots/curve_sampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -13,65 +14,16 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void appendGap(std::vector<CurvePoint> &points, double t)
+/// The part of a line from `start` to `start + step` that lies within the range, as parts of its length.
+/// Liang and Barsky, A new concept and method for line clipping, 1984: one pair of parallel edges.
+Interval partWithin(double start, double step, const Interval &range)
 {
-    if (points.empty() || !std::isnan(points.back().value)) {
-        points.push_back({t, kNoValue});
+    if (step == 0.0) {
+        return {0.0, range.contains(start) ? 1.0 : -1.0};
     }
+    const auto [enter, leave] = std::minmax({(range.lower - start) / step, (range.upper - start) / step});
+    return {enter, leave};
 }
-
-/// Appends the extremes of the samples of one pixel column. The first gap splits them; a second one within the same
-/// pixel is not told from the first.
-void appendColumn(std::vector<CurvePoint> &points, std::span<const double> time, std::span<const double> values)
-{
-    const std::size_t none = time.size();
-    std::size_t lowest = none;
-    std::size_t highest = none;
-    bool hasGap = false;
-    const auto appendExtremes = [&] {
-        if (lowest != none) {
-            const auto [earlier, later] = std::minmax(lowest, highest);
-            points.push_back({time[earlier], values[earlier]});
-            if (later != earlier) {
-                points.push_back({time[later], values[later]});
-            }
-        }
-        lowest = highest = none;
-    };
-    for (std::size_t i = 0; i < time.size(); ++i) {
-        if (std::isfinite(values[i])) {
-            lowest = lowest == none || values[i] < values[lowest] ? i : lowest;
-            highest = highest == none || values[i] > values[highest] ? i : highest;
-        } else if (!hasGap) {
-            appendExtremes();
-            appendGap(points, time[i]);
-            hasGap = true;
-        }
-    }
-    appendExtremes();
-    if (hasGap && !std::isfinite(values.back())) {
-        appendGap(points, time.back());
-    }
-}
-
-/// The part of a line that lies within an interval, as parts of its length.
-struct Part {
-    double enter = 0.0;
-    double leave = 1.0;
-
-    /// Liang and Barsky, A new concept and method for line clipping, 1984: one pair of parallel edges.
-    void cut(double start, double step, const Interval &range)
-    {
-        if (step == 0.0) {
-            leave = range.contains(start) ? leave : -1.0;
-            return;
-        }
-        const double a = (range.lower - start) / step;
-        const double b = (range.upper - start) / step;
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-    }
-};
 
 } // namespace
 
@@ -87,31 +39,40 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
                                  std::size_t columns)
 {
     assert(time.size() == values.size() && columns > 0);
-    const auto indexOf = [&time](auto place) { return static_cast<std::size_t>(place - time.begin()); };
-    std::size_t first = indexOf(std::ranges::lower_bound(time, range.lower));
-    std::size_t end = indexOf(std::ranges::upper_bound(time, range.upper));
-    first -= first > 0 ? 1 : 0;
-    end += end < time.size() ? 1 : 0;
+    const auto indexFrom = [&](std::size_t from, double t) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(time.subspan(from), t) - time.begin());
+    };
+    std::size_t next = indexFrom(0, range.lower);
+    const std::size_t end = std::min(time.size(), indexFrom(0, std::nextafter(range.upper, kInfinity)) + 1);
+    next -= next > 0 ? 1 : 0;
     std::vector<CurvePoint> points;
-    if (end - first <= 2 * columns) {
-        points.reserve(end - first);
-        for (std::size_t i = first; i < end; ++i) {
-            points.push_back({time[i], std::isfinite(values[i]) ? values[i] : kNoValue});
+    const auto add = [&](std::size_t i) {
+        points.push_back({time[i], std::isfinite(values[i]) ? values[i] : kNoValue});
+    };
+    if (end - next <= 2 * columns) {
+        for (; next < end; ++next) {
+            add(next);
         }
         return points;
     }
-    points.reserve(2 * columns);
-    std::size_t from = first;
     for (std::size_t column = 1; column <= columns; ++column) {
         const double edge = range.lower + range.length() * static_cast<double>(column) / static_cast<double>(columns);
-        const std::size_t to = column == columns
-                                   ? end
-                                   : indexOf(std::lower_bound(time.begin() + static_cast<std::ptrdiff_t>(from),
-                                                              time.begin() + static_cast<std::ptrdiff_t>(end), edge));
-        if (to > from) {
-            appendColumn(points, time.subspan(from, to - from), values.subspan(from, to - from));
+        const std::size_t columnEnd = column == columns ? end : std::min(end, indexFrom(next, edge));
+        std::array<std::size_t, 3> kept{end, end, end}; // lowest, highest, first gap
+        for (; next < columnEnd; ++next) {
+            if (!std::isfinite(values[next])) {
+                kept[2] = std::min(kept[2], next);
+                continue;
+            }
+            kept[0] = kept[0] == end || values[next] < values[kept[0]] ? next : kept[0];
+            kept[1] = kept[1] == end || values[next] > values[kept[1]] ? next : kept[1];
         }
-        from = to;
+        std::ranges::sort(kept);
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            if (kept[i] < end && (i == 0 || kept[i] != kept[i - 1])) {
+                add(kept[i]);
+            }
+        }
     }
     return points;
 }
@@ -138,14 +99,12 @@ std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points
             kept.push_back(point);
             continue;
         }
-        const double slope = (point.value - kept.back().value) / (point.t - kept.back().t);
-        if (before && !fan.contains(slope)) {
+        const auto slopeTo = [&](double value) { return (value - kept.back().value) / (point.t - kept.back().t); };
+        if (before && !fan.contains(slopeTo(point.value))) {
             keepBefore();
         }
-        const double run = point.t - kept.back().t;
-        const double rise = point.value - kept.back().value;
-        fan.lower = std::max(fan.lower, (rise - tolerance) / run);
-        fan.upper = std::min(fan.upper, (rise + tolerance) / run);
+        fan.lower = std::max(fan.lower, slopeTo(point.value - tolerance));
+        fan.upper = std::min(fan.upper, slopeTo(point.value + tolerance));
         before = &point;
     }
     keepBefore();
@@ -156,45 +115,71 @@ std::optional<Interval> extremes(std::span<const CurvePoint> points)
 {
     Interval range{kInfinity, -kInfinity};
     for (const CurvePoint &point : points) {
-        range.lower = point.value < range.lower ? point.value : range.lower;
+        range.lower = point.value < range.lower ? point.value : range.lower; // NaN is not smaller
         range.upper = point.value > range.upper ? point.value : range.upper;
     }
     return range.lower > range.upper ? std::nullopt : std::optional(range);
 }
 
+double quantile(std::span<const CurvePoint> points, double part)
+{
+    std::vector<double> values;
+    for (const CurvePoint &point : points) {
+        if (std::isfinite(point.value)) {
+            values.push_back(point.value);
+        }
+    }
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, place);
+    return *place;
+}
+
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)
 {
-    // From farther away than that no digit of the axes would be left.
-    constexpr double kFar = 1e6;
+    constexpr double kFar = 1e6; // axis lengths: from farther away no digit of the axis would be left
     const Interval reachable{values.lower - kFar * values.length(), values.upper + kFar * values.length()};
     std::vector<CurvePoint> kept;
     kept.reserve(points.size());
-    const auto isDrawing = [&kept] { return !kept.empty() && !std::isnan(kept.back().value); };
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const CurvePoint &to = points[i];
-        const CurvePoint &from = i > 0 && !std::isnan(points[i - 1].value) ? points[i - 1] : to;
+    const CurvePoint *before = nullptr; // null after a gap
+    const auto endLine = [&](double t) {
+        if (!kept.empty() && !std::isnan(kept.back().value)) {
+            kept.push_back({t, kNoValue});
+        }
+    };
+    for (const CurvePoint &to : points) {
+        if (std::isnan(to.value)) {
+            endLine(to.t);
+            before = nullptr;
+            continue;
+        }
+        const CurvePoint &from = before ? *before : to;
+        before = &to;
         const double fromValue = std::clamp(from.value, reachable.lower, reachable.upper);
         const double dt = to.t - from.t;
         const double dv = std::clamp(to.value, reachable.lower, reachable.upper) - fromValue;
-        Part part;
-        part.cut(from.t, dt, time);
-        part.cut(fromValue, dv, values);
-        const bool isVisible = !std::isnan(to.value) && part.enter <= part.leave;
+        const Interval inTime = partWithin(from.t, dt, time);
+        const Interval inValues = partWithin(fromValue, dv, values);
+        const double enter = std::max({0.0, inTime.lower, inValues.lower});
+        const double leave = std::min({1.0, inTime.upper, inValues.upper});
+        if (enter > leave) {
+            endLine(to.t);
+            continue;
+        }
         const auto at = [&](double along) {
             return CurvePoint{std::clamp(from.t + along * dt, time.lower, time.upper),
                               std::clamp(fromValue + along * dv, values.lower, values.upper)};
         };
-        if (isVisible && (part.enter > 0.0 || !isDrawing())) {
-            if (isDrawing()) {
-                kept.push_back({at(part.enter).t, kNoValue});
-            }
-            kept.push_back(at(part.enter));
+        if (enter > 0.0) {
+            endLine(at(enter).t);
         }
-        if (isVisible && &from != &to) {
-            kept.push_back(part.leave < 1.0 ? at(part.leave) : to);
+        if (kept.empty() || std::isnan(kept.back().value)) {
+            kept.push_back(at(enter));
         }
-        if ((!isVisible || part.leave < 1.0) && isDrawing()) {
-            kept.push_back({isVisible ? kept.back().t : to.t, kNoValue});
+        if (&from != &to) {
+            kept.push_back(leave < 1.0 ? at(leave) : to);
+        }
+        if (leave < 1.0) {
+            endLine(kept.back().t);
         }
     }
     return kept;

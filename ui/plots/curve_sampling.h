@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Turns samples into the points that a plot of some width in pixels can show: at most two points a pixel column (the
-// smallest and the largest value, in the order in which they occur), with gaps, cut off at the axes. Units are those of
-// the caller. A value that is not finite is a gap, written as kNoValue.
+// Turns samples into the points that a plot of a given width in pixels can show. Units are those of the caller. A value
+// that is not finite is a gap in the curve, written as kNoValue.
 
 #include "ui/text/interval.h"
 
@@ -26,8 +25,8 @@ struct CurvePoint {
 /// The index of the time stamp nearest to t. `time` is ascending and not empty.
 std::size_t nearestIndex(std::span<const double> time, double t);
 
-/// The samples within the range and one on either side of it, so that the line reaches the edges; at most two points,
-/// and the edges of one gap, for each of the pixel columns. `time` is ascending, `values` has one value for each time.
+/// The samples within the range and one on either side of it, so that the line reaches the edges. Of many samples, the
+/// smallest, the largest and the first gap of each pixel column. `time` is ascending, `values` has a value for each.
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values, const Interval &range,
                                  std::size_t columns);
 
@@ -37,6 +36,9 @@ std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points
 
 /// The smallest and the largest finite value; nothing when there is none.
 std::optional<Interval> extremes(std::span<const CurvePoint> points);
+
+/// The finite value below which that part of the finite values lies. Requires a finite value.
+double quantile(std::span<const CurvePoint> points, double part);
 
 /// The parts of the polyline within both ranges, cut exactly at the edges, with a gap between parts.
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values);

@@ -2,10 +2,10 @@
 #include "ui/plots/motion_curves.h"
 
 #include "core/mechanism/turn.h"
+#include "core/sampling/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace slidercrank
 {
@@ -14,11 +14,7 @@ namespace
 {
 
 constexpr double kBeyondAll = 1e300; // in place of ±∞: farther than any axis reaches, and lines to there can be cut
-
-double brought(double value)
-{
-    return std::clamp(value, -kBeyondAll, kBeyondAll);
-}
+using Kind = CriticalPoint::Kind;
 
 void addGap(std::vector<CurvePoint> &points, double t)
 {
@@ -27,42 +23,41 @@ void addGap(std::vector<CurvePoint> &points, double t)
     }
 }
 
-void include(std::optional<Interval> &range, double value)
+/// The time stamps that divide the range into equal pieces, both ends included.
+std::vector<double> evenTime(const Interval &range, std::size_t pieces)
 {
-    range = range ? Interval{std::min(range->lower, value), std::max(range->upper, value)} : Interval{value, value};
-}
-
-/// Disjoint and ascending; what touches becomes one.
-std::vector<Interval> merged(std::vector<Interval> intervals)
-{
-    std::ranges::sort(intervals, {}, &Interval::lower);
-    std::vector<Interval> result;
-    for (const Interval &interval : intervals) {
-        constexpr double kTouching = 1e-9;
-        if (!result.empty() && interval.lower <= result.back().upper + kTouching * std::abs(interval.lower)) {
-            result.back().upper = std::max(result.back().upper, interval.upper);
-        } else {
-            result.push_back(interval);
-        }
-    }
-    return result;
-}
-
-/// So many from one end to the other, both included.
-std::vector<double> instantsAcross(const Interval &range, std::size_t pieces)
-{
-    std::vector<double> instants;
-    instants.reserve(pieces + 1);
+    std::vector<double> time;
+    time.reserve(pieces + 1);
     for (std::size_t i = 0; i < pieces; ++i) {
-        instants.push_back(range.lower + range.length() * static_cast<double>(i) / static_cast<double>(pieces));
+        time.push_back(range.lower + range.length() * static_cast<double>(i) / static_cast<double>(pieces));
     }
-    instants.push_back(range.upper);
-    return instants;
+    time.push_back(range.upper);
+    return time;
 }
 
-/// A stroke for each column and band, up and down in turn where there is only one.
-std::vector<CurvePoint> strokes(const std::vector<Interval> &bands, const Interval &range, std::size_t columns)
+std::optional<Interval> usualExtremes(std::vector<CurvePoint> points)
 {
+    const auto isBeyondAll = [](const CurvePoint &point) { return std::abs(point.value) >= kBeyondAll; };
+    const bool isUnbounded = std::erase_if(points, isBeyondAll) > 0;
+    const std::optional<Interval> range = extremes(points);
+    constexpr double kSeldom = 0.05; // of the values, on either side
+    return isUnbounded && range ? Interval{quantile(points, kSeldom), quantile(points, 1.0 - kSeldom)} : range;
+}
+
+/// A vertical stroke in each pixel column for each part of a turn that is free of gaps. A single part is drawn up and
+/// down in turn.
+std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
+{
+    std::vector<Interval> bands;
+    bool isOpen = false;
+    for (const CurvePoint &point : turn) {
+        if (!std::isnan(point.value)) {
+            const Interval known = isOpen ? bands.back() : Interval{point.value, point.value};
+            bands.resize(bands.size() + (isOpen ? 0 : 1));
+            bands.back() = {std::min(known.lower, point.value), std::max(known.upper, point.value)};
+        }
+        isOpen = !std::isnan(point.value);
+    }
     std::vector<CurvePoint> points;
     points.reserve(3 * bands.size() * columns);
     for (std::size_t i = 0; i < columns; ++i) {
@@ -81,195 +76,172 @@ std::vector<CurvePoint> strokes(const std::vector<Interval> &bands, const Interv
 
 } // namespace
 
-MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &run)
-    : m_motion(mechanism)
-    , m_run(run)
-    , m_speed(std::abs(mechanism.omega2()))
-    , m_phase0(mechanism.omega2() < 0.0 ? -mechanism.theta20() : mechanism.theta20())
+MotionSamples sampleMotion(const ClosedForm &motion, std::vector<double> time)
 {
-    if (m_speed > 0.0) {
-        const bool isBackwards = mechanism.omega2() < 0.0;
-        using Kind = CriticalPoint::Kind;
-        std::array<CriticalPoints, kChannels> courses = findCriticalPoints(mechanism);
-        for (std::size_t channel = 0; channel < kChannels; ++channel) {
-            CriticalPoints &course = courses[channel];
-            if (isBackwards) {
-                std::ranges::reverse(course);
-            }
-            Passages &passages = m_passages[channel];
-            for (const CriticalPoint &point : course) {
-                const Kind kind = !isBackwards || point.kind == Kind::Extremum ? point.kind
-                                  : point.kind == Kind::Begin                  ? Kind::End
-                                                                               : Kind::Begin;
-                passages.push_back({wrapToTwoPi(isBackwards ? -point.theta2 : point.theta2),
-                                    brought(toFileUnit(kPlottedChannels[channel], point.value)), kind});
-            }
-            std::ranges::stable_sort(passages, {}, &Passage::phase);
-
-            // From one beginning to the next end; all round where there is none.
-            const auto begin = std::ranges::find(passages, Kind::Begin, &Passage::kind);
-            const auto first = begin == passages.end() ? passages.begin() : begin;
-            std::vector<Interval> &bands = m_bands[channel];
-            for (std::size_t i = 0; i < passages.size(); ++i) {
-                const auto offset = static_cast<std::size_t>(first - passages.begin());
-                const Passage &passage = passages[(offset + i) % passages.size()];
-                if (bands.empty() || passage.kind == Kind::Begin) {
-                    bands.push_back({passage.value, passage.value});
-                }
-                bands.back() = {std::min(bands.back().lower, passage.value),
-                                std::max(bands.back().upper, passage.value)};
-            }
-            bands = merged(std::move(bands));
-        }
-    }
-    for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        m_extremes[channel] = extremesOf(channel, m_run);
-    }
-}
-
-MotionCurves::Samples MotionCurves::samplesAt(std::vector<double> instants) const
-{
-    Samples samples;
-    samples.time = std::move(instants);
-    for (std::vector<double> &values : samples.values) {
-        values.resize(samples.time.size());
+    MotionSamples samples{std::move(time), {}};
+    PlottedColumns columns{};
+    for (std::size_t channel = 0; channel < columns.size(); ++channel) {
+        samples.values[channel].resize(samples.time.size());
+        columns[channel] = samples.values[channel].data();
     }
     std::vector<Status> statuses(samples.time.size());
-    m_motion.evaluate(samples.time,
-                      {samples.values[0].data(), samples.values[1].data(), samples.values[2].data(),
-                       samples.values[3].data(), samples.values[4].data(), samples.values[5].data()},
-                      statuses);
-    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    motion.evaluate(samples.time, columns, statuses);
+    for (std::size_t channel = 0; channel < columns.size(); ++channel) {
         toFileUnit(kPlottedChannels[channel], samples.values[channel]);
     }
     return samples;
 }
 
-double MotionCurves::value(std::size_t channel, double t) const
+MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &time)
+    : m_motion(mechanism)
+    , m_time(time)
+    , m_speed(std::abs(mechanism.omega2()))
+    , m_phase0(mechanism.omega2() < 0.0 ? -mechanism.theta20() : mechanism.theta20())
 {
-    return samplesAt({t}).values[channel].front();
-}
-
-/// Those after the one instant and until the other, as visit(instant, passage).
-template <class Visit>
-void MotionCurves::visitPassages(std::size_t channel, double from, double to, const Visit &visit) const
-{
-    const Passages &passages = m_passages[channel];
-    constexpr double kLargestAngle = 1e12; // rad: beyond, a double does not tell where in its turn the crank is
-    const double phase = phaseAt(from);
-    if (passages.empty() || !(std::abs(phase) <= kLargestAngle && std::abs(phaseAt(to)) <= kLargestAngle)) {
-        return;
-    }
-    double turnsBegin = kTurn * std::floor(phase / kTurn);
-    const auto after = std::ranges::upper_bound(passages, phase - turnsBegin, {}, &Passage::phase);
-    for (auto next = after;; ++next) {
-        if (next == passages.end()) {
-            next = passages.begin();
-            turnsBegin += kTurn;
+    if (m_speed > 0.0) {
+        const std::array points = findCriticalPoints(mechanism);
+        for (std::size_t channel = 0; channel < points.size(); ++channel) {
+            addPassages(channel, points[channel], mechanism.omega2() < 0.0);
         }
-        const double t = from + (turnsBegin - phase + next->phase) / m_speed;
-        if (!(t <= to)) {
-            return;
-        }
-        visit(std::max(from, t), *next);
     }
 }
 
-std::optional<Interval> MotionCurves::extremes(std::size_t channel, const Interval &part) const
+MotionCurves::MotionCurves(const Trajectory &trajectory)
 {
-    const Interval within{std::max(part.lower, m_run.lower), std::min(part.upper, m_run.upper)};
-    if (within == m_run) {
-        return m_extremes[channel];
+    m_samples.time = trajectory.time;
+    const bool isBackwards = m_samples.time.size() > 1 && m_samples.time.back() < m_samples.time.front();
+    if (isBackwards) {
+        std::ranges::reverse(m_samples.time);
     }
-    return within.lower <= within.upper ? extremesOf(channel, within) : std::nullopt;
+    for (std::size_t channel = 0; channel < m_samples.values.size(); ++channel) {
+        m_samples.values[channel] = trajectory[kPlottedChannels[channel]];
+        if (isBackwards) {
+            std::ranges::reverse(m_samples.values[channel]);
+        }
+    }
 }
 
-std::optional<Interval> MotionCurves::extremesOf(std::size_t channel, const Interval &part) const
+void MotionCurves::addPassages(std::size_t channel, const CriticalPoints &points, bool isBackwards)
 {
-    const double turned = m_speed * part.length();
-    const bool isWhole = turned >= kTurn;
-    constexpr double kAndALittle = 1.001; // so that no rounding loses what is at its ends
-    const double end = isWhole ? std::min(part.upper, part.lower + kAndALittle * kTurn / m_speed) : part.upper;
-    std::optional<Interval> range;
-    bool isUnbounded = false;
-    visitPassages(channel, part.lower, end, [&](double, const Passage &passage) {
-        if (std::abs(passage.value) < kBeyondAll) {
-            include(range, passage.value);
-        } else {
-            isUnbounded = true;
-        }
-    });
-    if (!isUnbounded) {
-        for (const double t : {part.lower, part.upper}) {
-            if (const double atEnd = value(channel, t); std::isfinite(atEnd)) {
-                include(range, atEnd);
-            }
-        }
-        return range;
+    std::vector<Passage> &passages = m_passages[channel];
+    for (const CriticalPoint &point : points) {
+        const Kind turnedRound = point.kind == Kind::Begin ? Kind::End : Kind::Begin;
+        const Kind kind = isBackwards && point.kind != Kind::Extremum ? turnedRound : point.kind;
+        passages.push_back({wrapToTwoPi(isBackwards ? -point.theta2 : point.theta2),
+                            std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll),
+                            kind});
     }
-    constexpr std::size_t kLooks = 400;
-    constexpr std::size_t kOneInSoMany = 20; // to either side
-    std::vector<double> values = samplesAt(instantsAcross({part.lower, end}, kLooks)).values[channel];
-    std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    std::ranges::sort(values);
-    if (!values.empty()) {
-        const std::size_t left = values.size() / kOneInSoMany;
-        include(range, values[left]);
-        include(range, values[values.size() - 1 - left]);
+    if (isBackwards) {
+        std::ranges::reverse(passages); // at an exact toggle a channel ends and begins at the same angle
     }
-    return range;
+    std::ranges::stable_sort(passages, {}, &Passage::phase);
 }
 
-std::vector<CurvePoint> MotionCurves::line(std::size_t channel, const Samples &edges) const
+double MotionCurves::nearestTime(double t) const
 {
-    const std::vector<double> &values = edges.values[channel];
+    if (isExact()) {
+        return std::clamp(t, m_time.lower, m_time.upper);
+    }
+    return m_samples.time.empty() ? t : m_samples.time[nearestIndex(m_samples.time, t)];
+}
+
+double MotionCurves::value(std::size_t channel, double time) const
+{
+    if (isExact()) {
+        return sampleMotion(*m_motion, {time}).values[channel].front();
+    }
+    return m_samples.time.empty() ? kNoValue : m_samples.values[channel][nearestIndex(m_samples.time, time)];
+}
+
+/// The line through the samples and the critical points between them.
+std::vector<CurvePoint> MotionCurves::line(std::size_t channel, const MotionSamples &samples) const
+{
+    const std::vector<double> &time = samples.time;
+    const std::vector<double> &values = samples.values[channel];
+    const std::vector<Passage> &passages = m_passages[channel];
     std::vector<CurvePoint> points;
-    points.reserve(values.size());
-    std::size_t next = 0; // edge
-    const auto addEdgesUntil = [&](double t) {
-        for (; next < values.size() && edges.time[next] <= t; ++next) {
+    points.reserve(values.size() + passages.size());
+    std::size_t next = 0;
+    const auto addSamplesUntil = [&](double t) {
+        for (; next < values.size() && time[next] <= t; ++next) {
             if (std::isfinite(values[next])) {
-                points.push_back({edges.time[next], values[next]});
+                points.push_back({time[next], values[next]});
             } else {
-                addGap(points, edges.time[next]);
+                addGap(points, time[next]);
             }
         }
     };
-    visitPassages(channel, edges.time.front(), edges.time.back(), [&](double t, const Passage &passage) {
-        addEdgesUntil(t);
-        if (passage.kind == CriticalPoint::Kind::Begin) {
-            addGap(points, t);
+    constexpr double kLargestAngle = 1e12; // rad: beyond, a double does not tell where in its turn the crank is
+    const double phase = m_phase0 + m_speed * time.front();
+    if (!passages.empty() && std::max(std::abs(phase), std::abs(m_phase0 + m_speed * time.back())) <= kLargestAngle) {
+        double turnStart = kTurn * std::floor(phase / kTurn);
+        auto passage = std::ranges::upper_bound(passages, phase - turnStart, {}, &Passage::phase);
+        for (;; ++passage) {
+            if (passage == passages.end()) {
+                passage = passages.begin();
+                turnStart += kTurn;
+            }
+            const double t = std::max(time.front(), time.front() + (turnStart - phase + passage->phase) / m_speed);
+            if (!(t <= time.back())) {
+                break;
+            }
+            addSamplesUntil(t);
+            if (passage->kind == Kind::Begin) {
+                addGap(points, t);
+            }
+            points.push_back({t, passage->value});
+            if (passage->kind == Kind::End) {
+                addGap(points, t);
+            }
         }
-        points.push_back({t, passage.value});
-        if (passage.kind == CriticalPoint::Kind::End) {
-            addGap(points, t);
-        }
-    });
-    addEdgesUntil(edges.time.back());
+    }
+    addSamplesUntil(time.back());
     return points;
 }
 
-MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t columns) const
+MotionCurves::Curve MotionCurves::sampledCurve(std::size_t channel, const Interval &range, std::size_t columns) const
 {
-    Curves curves;
-    const Interval shown{std::max(range.lower, m_run.lower), std::min(range.upper, m_run.upper)};
+    constexpr Interval kAnyValue{-kBeyondAll, kBeyondAll};
+    const std::vector<CurvePoint> points = decimate(m_samples.time, m_samples.values[channel], range, columns);
+    return {points, extremes(clip(points, range, kAnyValue))};
+}
+
+void MotionCurves::computeExactCurves(const Interval &range, std::size_t columns)
+{
+    const Interval shown{std::max(range.lower, m_time.lower), std::min(range.upper, m_time.upper)};
+    m_curves = {};
     if (!(shown.lower <= shown.upper)) {
-        return curves;
+        return;
     }
     const double part = range.length() > 0.0 ? shown.length() / range.length() : 1.0;
     const auto pixels = static_cast<std::size_t>(std::ceil(std::max(1.0, part * static_cast<double>(columns))));
-    const bool holdWholeTurns = m_speed * shown.length() >= kTurn * static_cast<double>(pixels);
-    if (holdWholeTurns && std::ranges::none_of(m_bands, &std::vector<Interval>::empty)) {
-        for (std::size_t channel = 0; channel < kChannels; ++channel) {
-            curves[channel] = strokes(m_bands[channel], shown, pixels);
+    const bool isBand = m_speed * shown.length() >= kTurn * static_cast<double>(pixels);
+    constexpr std::size_t kPerTurn = 400;
+    constexpr double kWholeTurn = 1.001 * kTurn; // so that no rounding loses a critical point
+    const Interval sampled = isBand ? Interval{shown.lower, shown.lower + kWholeTurn / m_speed} : shown;
+    const std::size_t pieces = isBand ? kPerTurn : shown.length() > 0.0 ? 2 * pixels : 0;
+    const MotionSamples samples = sampleMotion(*m_motion, evenTime(sampled, pieces));
+    for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
+        std::vector<CurvePoint> points = line(channel, samples);
+        m_curves[channel].extremes = usualExtremes(points);
+        m_curves[channel].points = isBand ? strokes(points, shown, pixels) : std::move(points);
+    }
+}
+
+const MotionCurves::Curves &MotionCurves::curves(const Interval &range, std::size_t columns)
+{
+    if (m_range != range || m_columns != columns) {
+        m_range = range;
+        m_columns = columns;
+        if (isExact()) {
+            computeExactCurves(range, columns);
+        } else {
+            for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
+                m_curves[channel] = sampledCurve(channel, range, columns);
+            }
         }
-        return curves;
     }
-    const Samples edges = samplesAt(instantsAcross(shown, shown.length() > 0.0 ? 2 * pixels : 0));
-    for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        curves[channel] = line(channel, edges);
-    }
-    return curves;
+    return m_curves;
 }
 
 } // namespace slidercrank

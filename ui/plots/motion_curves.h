@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The six plotted channels of the exact motion as curves, true to the pixel: computed where the pixels are, with every
-// place at which the motion turns, begins or ends in between, and where a pixel holds a whole turn of the crank, as a
-// band between the extremes. No count of samples is in them. Values are in the unit of the author's files.
+// The six plotted channels of a motion as curves over ascending time. In closed form they are the motion itself, true
+// to the pixel whatever the sampling is: computed at the pixels, with every extremum and every limit of the motion in
+// between, and as a band between the extremes where a pixel holds a whole turn of the crank. By Newton-Raphson they are
+// the samples that it found. Channels count as in kPlottedChannels; values are in the units of files (mm, °, s).
 
 #include "core/closed_form/closed_form.h"
 #include "core/limits/critical_points.h"
 #include "ui/plots/curve_sampling.h"
-#include "ui/text/interval.h"
 
 #include <array>
 #include <optional>
@@ -17,61 +17,68 @@
 namespace slidercrank
 {
 
+struct Trajectory;
+
+struct MotionSamples {
+    std::vector<double> time; ///< s
+    std::array<std::vector<double>, kPlottedChannels.size()> values;
+};
+
+/// NaN where the motion does not exist.
+MotionSamples sampleMotion(const ClosedForm &motion, std::vector<double> time);
+
 class MotionCurves
 {
 public:
-    static constexpr std::size_t kChannels = kPlottedChannels.size();
-    using Curves = std::array<std::vector<CurvePoint>, kChannels>;
+    /// The exact motion during that time (s).
+    MotionCurves(const Mechanism &mechanism, const Interval &time);
 
-    /// Of that run (s).
-    MotionCurves(const Mechanism &mechanism, const Interval &run);
+    /// Samples in the order of time or in the reverse order.
+    explicit MotionCurves(const Trajectory &trajectory);
 
-    const Interval &run() const { return m_run; }
+    bool isExact() const { return m_motion.has_value(); }
 
-    /// What a plot of that range shows with so many pixel columns: every curve within half a pixel of the motion, and
-    /// the motion within half a pixel of its curve.
-    Curves curves(const Interval &range, std::size_t columns) const;
+    /// The time (s) nearest to t at which the curves have values.
+    double nearestTime(double t) const;
 
-    /// At that instant (s); NaN where it does not exist.
-    double value(std::size_t channel, double t) const;
+    /// The value at a time that nearestTime() returned; NaN where it does not exist.
+    double value(std::size_t channel, double time) const;
 
-    /// Of the run: its peaks, sampled or not. Where it grows beyond all bounds, as beside a rocker's limits, what it
-    /// does not exceed nine tenths of the time.
-    const std::optional<Interval> &extremes(std::size_t channel) const { return m_extremes[channel]; }
+    struct Curve {
+        std::vector<CurvePoint> points;
 
-    /// Of that part of it.
-    std::optional<Interval> extremes(std::size_t channel, const Interval &part) const;
+        /// Of the values within the range on show. Where they grow beyond all bounds, as beside the limits of an
+        /// oscillating crank, nine tenths of them.
+        std::optional<Interval> extremes;
+    };
+    using Curves = std::array<Curve, kPlottedChannels.size()>;
+
+    /// What a plot of that range shows with so many pixel columns. Valid until the next call.
+    const Curves &curves(const Interval &range, std::size_t columns);
 
 private:
-    /// A place of the course as the crank comes by in the course of time.
+    /// A critical point as the crank passes it in the course of time.
     struct Passage {
         double phase = 0.0; ///< rad, within [0, 2π), growing with time
         double value = 0.0;
         CriticalPoint::Kind kind = CriticalPoint::Kind::Extremum;
     };
-    using Passages = std::vector<Passage>;
 
-    /// Instants and what the motion is there.
-    struct Samples {
-        std::vector<double> time;
-        std::array<std::vector<double>, kChannels> values;
-    };
+    void addPassages(std::size_t channel, const CriticalPoints &points, bool isBackwards);
+    Curve sampledCurve(std::size_t channel, const Interval &range, std::size_t columns) const;
+    void computeExactCurves(const Interval &range, std::size_t columns);
+    std::vector<CurvePoint> line(std::size_t channel, const MotionSamples &samples) const;
 
-    Samples samplesAt(std::vector<double> instants) const;
-    double phaseAt(double t) const { return m_phase0 + m_speed * t; }
-    std::optional<Interval> extremesOf(std::size_t channel, const Interval &part) const;
-    std::vector<CurvePoint> line(std::size_t channel, const Samples &edges) const;
+    std::optional<ClosedForm> m_motion;
+    Interval m_time;
+    double m_speed = 0.0;  ///< |ω2|
+    double m_phase0 = 0.0; ///< rad, at t = 0
+    std::array<std::vector<Passage>, kPlottedChannels.size()> m_passages;
+    MotionSamples m_samples; ///< unless it is exact
 
-    template <class Visit>
-    void visitPassages(std::size_t channel, double from, double to, const Visit &visit) const;
-
-    ClosedForm m_motion;
-    Interval m_run;
-    double m_speed;  ///< |ω2|
-    double m_phase0; ///< at t = 0
-    std::array<Passages, kChannels> m_passages;
-    std::array<std::vector<Interval>, kChannels> m_bands; ///< all values of a whole turn; disjoint, ascending
-    std::array<std::optional<Interval>, kChannels> m_extremes;
+    Curves m_curves; ///< of the last call
+    std::optional<Interval> m_range;
+    std::size_t m_columns = 0;
 };
 
 } // namespace slidercrank

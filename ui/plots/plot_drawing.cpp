@@ -31,14 +31,6 @@ PlotDrawing::PlotDrawing()
     setAutoAddPlottableToLegend(false);
 }
 
-QCPGraph *PlotDrawing::addCurve(QCPAxis *keyAxis, QCPAxis *valueAxis)
-{
-    QCPGraph *curve = addGraph(keyAxis, valueAxis);
-    curve->setAdaptiveSampling(false); // it draws falling curves thicker than rising ones
-    curve->setSelectable(QCP::stNone);
-    return curve;
-}
-
 void PlotDrawing::layOut(const QSize &size)
 {
     setViewport(QRect(QPoint(), size));
@@ -53,7 +45,7 @@ void PlotDrawing::drawInto(QPixmap &pixmap)
     draw(&painter);
 }
 
-void PlotDrawing::paint(QPainter &painter, const QRect &area)
+void PlotDrawing::paint(QPainter &painter, const QSize &size)
 {
     // QCustomPlot draws with a painter of its own class only; what it draws is recorded and played to any painter.
     const QPaintEngine *engine = painter.paintEngine();
@@ -61,29 +53,23 @@ void PlotDrawing::paint(QPainter &painter, const QRect &area)
     QPicture recording;
     QCPPainter recorder(&recording);
     recorder.setMode(QCPPainter::pmVectorized, isVector);
-    toPainter(&recorder, area.width(), area.height());
+    toPainter(&recorder, size.width(), size.height());
     recorder.end();
-    painter.save();
-    painter.translate(area.topLeft());
     painter.drawPicture(0, 0, recording);
-    painter.restore();
 }
 
 void PlotDrawing::setStyle(const PlotFonts &fonts, const SeriesColours &colours)
 {
     setBackground(QBrush(colours.background));
-    constexpr float kFrameStrength = 0.55F;
-    const auto mixed = [](float text, float background) { return background + kFrameStrength * (text - background); };
-    const QColor frame = QColor::fromRgbF(mixed(colours.text.redF(), colours.background.redF()),
-                                          mixed(colours.text.greenF(), colours.background.greenF()),
-                                          mixed(colours.text.blueF(), colours.background.blueF()));
+    QColor frame = colours.text;
+    frame.setAlphaF(0.55F);
     for (QCPAxisRect *rect : axisRects()) {
         for (QCPAxis *axis : rect->axes()) {
             axis->setBasePen(QPen(frame, 1));
             axis->setTickPen(QPen(frame, 1));
-            axis->setSubTickPen(QPen(frame, 1));
             axis->setTickLabelColor(colours.text);
             axis->setTickLabelFont(fonts.tick);
+            axis->setSubTicks(false);
             axis->setLabelColor(colours.text);
             axis->setLabelFont(fonts.tick);
             axis->grid()->setPen(QPen(colours.grid, 1));
@@ -94,6 +80,31 @@ void PlotDrawing::setStyle(const PlotFonts &fonts, const SeriesColours &colours)
     legend->setTextColor(colours.text);
     legend->setBrush(Qt::NoBrush);
     legend->setBorderPen(Qt::NoPen);
+}
+
+QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, const QVector<QCPGraphData> &points)
+{
+    QCPGraph *curve = addGraph(axes->axis(QCPAxis::atBottom), axes->axis(QCPAxis::atLeft));
+    curve->setAdaptiveSampling(false); // it draws falling curves thicker than rising ones
+    curve->setSelectable(QCP::stNone);
+    curve->data()->set(points, true);
+    return curve;
+}
+
+QCPItemText *PlotDrawing::addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment,
+                                  QCPItemPosition::PositionType type)
+{
+    auto *item = new QCPItemText(this);
+    item->position->setAxisRect(axes);
+    item->position->setAxes(axes->axis(QCPAxis::atBottom), axes->axis(QCPAxis::atLeft));
+    item->position->setType(type);
+    item->position->setCoords(place);
+    item->setClipToAxisRect(false);
+    item->setPositionAlignment(alignment);
+    item->setText(text);
+    item->setFont(axes->axis(QCPAxis::atBottom)->tickLabelFont());
+    item->setColor(axes->axis(QCPAxis::atBottom)->tickLabelColor());
+    return item;
 }
 
 } // namespace slidercrank

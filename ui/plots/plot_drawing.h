@@ -33,13 +33,17 @@ public:
     /// Draws everything into the pixmap, with cached labels. Its size must be that of the layout.
     void drawInto(QPixmap &pixmap);
 
-    /// Draws everything, laid out for the area, with the background.
-    void paint(QPainter &painter, const QRect &area);
+    /// Draws everything, laid out for that size, with the background.
+    void paint(QPainter &painter, const QSize &size);
 
     /// Colours and fonts of the axes, the grid and the legend.
     void setStyle(const PlotFonts &fonts, const SeriesColours &colours);
 
-    QCPGraph *addCurve(QCPAxis *keyAxis = nullptr, QCPAxis *valueAxis = nullptr);
+    QCPGraph *addCurve(QCPAxisRect *axes, const QVector<QCPGraphData> &points);
+
+    /// At a place in the coordinates of the axes, or of that type.
+    QCPItemText *addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment,
+                         QCPItemPosition::PositionType type = QCPItemPosition::ptPlotCoords);
 };
 
 } // namespace slidercrank

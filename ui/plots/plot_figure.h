@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the nine plots show of a Result, as plain data for a given size in pixels: rows position, velocity,
-// acceleration; columns θ³, Rₓ⁴, error. Values are in the units of the reference files (mm, °, s), errors in these or
-// in percent.
+// The nine plots of a Result in one QCustomPlot: rows position, velocity, acceleration; columns θ³, Rₓ⁴, error; with
+// one legend and one time axis. Values are in the units of files (mm, °, s), errors in these or in percent. The axes of
+// the values fit what is seen of the time, except those whose range a person chose.
 
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"
-#include "ui/plots/compared_motion.h"
-#include "ui/plots/curve_sampling.h"
-#include "ui/plots/model_curves.h"
-#include "ui/text/axis_scale.h"
-#include "ui/text/theme.h"
-
-#include <QCoreApplication>
-#include <QLocale>
-#include <QSize>
-#include <QString>
-#include <QStringList>
+#include "ui/plots/motion_curves.h"
+#include "ui/plots/motion_errors.h"
+#include "ui/plots/plot_drawing.h"
 
 #include <array>
 #include <memory>
@@ -27,39 +19,30 @@
 namespace slidercrank
 {
 
-inline constexpr std::size_t kChannelsPerRow = 2;
-
-/// A colour of the palette in use; what is drawn knows no palette.
+/// A colour of the palette in use.
 using Ink = QColor SeriesColours::*;
-
-/// The horizontal axis is one of time (s). Its labels are seconds, or the crank's angle, which is linear in time.
-struct TimeAxis {
-    Interval range;
-    double zero = 0.0;    ///< s, where the label is 0
-    double perUnit = 1.0; ///< s
-    AxisScale scale = {}; ///< of the labels
-    QString title = {};   ///< "t [s]", "θ₂ [°]"
-};
 
 /// A curve of a plot, cut off at the axes.
 struct PlotCurve {
     QString name; ///< in the legend
     Ink ink = &SeriesColours::model;
     std::vector<CurvePoint> points = {};
+    double width = 2.0;                ///< px
+    QVector<double> dashes = {};       ///< px, lengths of dashes and gaps; empty: solid
     std::vector<CurvePoint> dots = {}; ///< samples that are to be seen one by one
     std::vector<double> marks = {};    ///< time stamps at which the value is undefined
-    std::vector<CurvePoint> band = {}; ///< upper edge of what the file's rounding alone may make
-    std::vector<double> dashes = {};   ///< px, lengths of dashes and gaps; empty: solid
-    double width = 2.0;                ///< px
+    std::vector<CurvePoint> band = {}; ///< upper edge of what the file's rounding alone may cause
 };
 
-struct PlotPicture {
-    QStringList titles; ///< the same, the longest first
-    QString note;       ///< why something is missing
+class ScaleTicker;
+
+struct Plot {
+    QCPAxisRect *axes = nullptr; ///< null: not shown
+    QSharedPointer<ScaleTicker> ticker;
     std::vector<PlotCurve> curves;
-    Interval values;
-    AxisScale valueScale;
-    bool hasValues = false;
+    std::optional<Interval> values; ///< on the axis; nothing when there are none
+    QString note;                   ///< why something is missing
+    QStringList titles;             ///< the same, the longest first
 };
 
 /// A time at which values are read: with a reference file, within its time, one of its own time stamps.
@@ -70,19 +53,18 @@ struct ReadTime {
 
 /// A value read off a curve.
 struct PlotReading {
-    double t = 0.0;     ///< s
-    double value = 0.0; ///< as the axis has it
-    double number = 0.0;
+    double value = 0.0;  ///< as the axis has it
+    double number = 0.0; ///< as it is written
     Ink ink = &SeriesColours::text;
 };
 
-/// What a Result looks like, and what part of it is in view. The value axes fit what is seen of the time, except those
-/// whose range a person chose.
-class PlotFigure
+class PlotFigure : public PlotDrawing
 {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::PlotFigure)
 
 public:
+    PlotFigure();
+
     void setResult(const std::shared_ptr<const Result> &result); ///< may be null
     const std::shared_ptr<const Result> &result() const { return m_result; }
 
@@ -94,54 +76,79 @@ public:
     void setPresentation(bool isPresentation) { m_isPresentation = isPresentation; }
     bool isPresentation() const { return m_isPresentation; }
 
-    /// Whether there are errors to show.
-    bool hasErrors() const;
+    bool hasErrors() const; ///< whether there are errors to show
 
-    PlotZoom zoom; ///< the time of all nine plots, the values of each
+    PlotZoom zoom; ///< the time of all plots, the values of each
 
     /// Limits the range to where there is something to see.
     void zoomTime(const Interval &range);
     void zoomValues(std::size_t plot, const Interval &range);
-    Interval timeRange() const { return zoom.time.value_or(wholeRange()); }
+    Interval timeRange() const { return zoom.time.value_or(sampledRange()); }
 
-    TimeAxis timeAxis(double pixels, double digitWidth) const;
-    PlotPicture picture(std::size_t plot, const QSize &axes);
+    /// Chooses which plots are shown and how. show() has to follow.
+    void setPlots(const std::vector<std::size_t> &plots, const PlotFonts &fonts, const SeriesColours &colours);
+    const std::vector<std::size_t> &plots() const { return m_shown; }
 
-    /// A time rounded to what a pointer can tell apart, so that what is read is true of the time written beside it.
-    double roundedTime(double t) const;
+    /// Text below the plots; may be empty.
+    void setFooter(const QString &text);
 
-    /// The time at which values are read next to t.
+    /// Lays out and fills all plots. A marked time (s) is a line in each of them.
+    void show(const QSize &size, const std::optional<double> &markedTime = {});
+
+    const Plot &plot(std::size_t index) const { return m_plots[index]; }
+    QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
+    QString description(std::size_t plot) const; ///< what it shows, in words
+    QRect legendPlace() const;
+
+    /// The time nearest to t at which values are read.
     ReadTime readTime(double t);
     std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time);
 
-    /// "t = 0.25 s", over the crank's angle "θ₂ = 90°".
+    /// "t = 0.25 s", over the crank angle "θ₂ = 90°".
     QString timeText(double t) const;
 
-    /// The same of a difference of times, without its name: "0.25 s", "90°".
+    /// A difference of times: "0.25 s", "90°".
     QString durationText(double seconds) const;
 
 private:
-    Interval wholeRange() const; ///< the sampled one
+    Interval sampledRange() const;
     bool isOverAngle() const;
-    ModelCurves &model();
-    std::vector<ModelCurves> &pinned();
-    const ComparedMotion *compared(std::size_t columns);
-    void addMotions(PlotPicture &picture, std::size_t channel, std::size_t columns);
-    void addErrors(PlotPicture &picture, std::size_t row, std::size_t columns);
-    QString missingErrors(std::size_t row, const PlotPicture &picture);
+    MotionCurves &model(); ///< prepares the pinned curves as well
+    const MotionErrors &errors();
+    void computeMotions(Plot &plot, std::size_t channel);
+    void computeErrors(Plot &plot, std::size_t row);
+    PlotCurve errorCurve(std::size_t channel);
+    QString missingErrors(std::size_t row, const Plot &plot);
     QString modelName() const;
     QString errorUnit(std::size_t channel) const;
+
+    void fill(const std::optional<double> &markedTime);
+    void setTimeScale();
+    void setValueScale(std::size_t index);
+    void addCurve(const Plot &plot, const PlotCurve &curve);
+    void addBand(const Plot &plot, const PlotCurve &curve);
+    void addTexts(const Plot &plot);
+    void addToLegend(QCPGraph *graph, const QString &name);
 
     std::shared_ptr<const Result> m_result;
     PlotSettings m_settings;
     bool m_isPresentation = false;
 
-    // Computed when somebody looks.
-    std::optional<ModelCurves> m_model;
-    std::vector<ModelCurves> m_pinned;
-    std::optional<ComparedMotion> m_compared;
-    std::optional<Interval> m_comparedRange; ///< of a comparison with a pinned motion, and its pixel columns
-    std::size_t m_comparedColumns = 0;
+    // Computed when they are needed.
+    std::optional<MotionCurves> m_model;
+    std::vector<MotionCurves> m_pinned;
+    std::optional<MotionErrors> m_errors;
+    std::size_t m_columns = 1; ///< of pixels in a plot
+
+    std::array<Plot, kPlotCount> m_plots;
+    std::vector<std::size_t> m_shown;
+    PlotFonts m_fonts;
+    SeriesColours m_colours;
+    QCPLayoutGrid *m_top;  ///< the legend, and free space
+    QCPLayoutGrid *m_grid; ///< the plots
+    QCPTextElement *m_footer;
+    std::array<QCPMarginGroup *, kPlotColumns> m_columnMargins{};
+    QSharedPointer<ScaleTicker> m_timeTicker;
 };
 
 } // namespace slidercrank

@@ -2,15 +2,13 @@
 #include "ui/plots/plot_grid.h"
 
 #include "ui/document/with.h"
-#include "ui/plots/figure_plot.h"
+#include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 
 #include <QAction>
 #include <QActionGroup>
-#include <QHelpEvent>
 #include <QLabel>
 #include <QPainter>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -20,32 +18,30 @@ namespace slidercrank
 
 PlotGrid::PlotGrid(QWidget *parent)
     : QWidget(parent)
+    , m_caption(new QLabel(this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
     setAccessibleName(tr("Plots of the motion"));
-    const std::array<QString, kPlotRows> errors{tr("Error of the positions"), tr("Error of the velocities"),
-                                                tr("Error of the accelerations")};
+    const std::array errors{tr("Error of the positions"), tr("Error of the velocities"),
+                            tr("Error of the accelerations")};
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
         m_panes[plot] = new PlotPane(m_picture, this);
         m_panes[plot]->setObjectName(plotName(plot));
-        const Channel channel = kPlottedChannels[isErrorPlot(plot) ? 0 : channelOf(plot)];
-        QString name = isErrorPlot(plot) ? errors[plot / kPlotColumns]
-                                         : QStringLiteral("%1 %2").arg(quantityOf(channel), symbolOf(channel));
-        name[0] = name[0].toUpper();
+        QString name = errors[plot / kPlotColumns];
+        if (!isErrorPlot(plot)) {
+            const Channel channel = kPlottedChannels[channelOf(plot)];
+            name = QStringLiteral("%1 %2").arg(quantityOf(channel), symbolOf(channel));
+            name[0] = name[0].toUpper();
+        }
         m_panes[plot]->setAccessibleName(name);
-        m_panes[plot]->installEventFilter(this);
     }
+    m_caption->setObjectName(QStringLiteral("no_reference_hint"));
+    m_caption->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // by keys there is a menu
+    connect(m_caption, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
     makeChoices();
-    m_hint = new QLabel(this);
-    m_hint->setObjectName(QStringLiteral("no_reference_hint"));
-    m_hint->setTextFormat(Qt::RichText);
-    m_hint->setText(tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here."));
-    m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // a label's focus is not seen; by keys there is a menu
-    connect(m_hint, &QLabel::linkActivated, this, [this] { emit openReferenceRequested(); });
     rebuild();
 }
-
-PlotGrid::~PlotGrid() = default;
 
 void PlotGrid::makeChoices()
 {
@@ -86,9 +82,8 @@ QStringList PlotGrid::plotNames()
 
 void PlotGrid::setResult(const std::shared_ptr<const Result> &result)
 {
-    const bool hadErrors = m_figure.hasErrors();
     m_figure.setResult(result);
-    if (m_figure.hasErrors() != hadErrors) {
+    if (plotsToShow() != m_figure.plots()) {
         rebuild();
     }
     requestRefresh();
@@ -146,167 +141,19 @@ void PlotGrid::maximize(const QString &name)
 
 void PlotGrid::setMeasuring(bool isMeasuring)
 {
-    if (isMeasuring != m_measured.has_value()) {
-        m_measured.reset();
-        if (isMeasuring) {
-            const Interval range = m_figure.timeRange();
-            const double third = range.length() / 3.0;
-            m_measured = {m_figure.readTime(m_figure.roundedTime(range.lower + third)).t,
-                          m_figure.readTime(m_figure.roundedTime(range.upper - third)).t};
-        }
+    if (isMeasuring && !m_measured) {
+        const Interval range = m_figure.timeRange();
+        const double third = range.length() / 3.0;
+        m_measured = {m_figure.readTime(range.lower + third).t, m_figure.readTime(range.upper - third).t};
     }
-    m_measuring->setChecked(isMeasuring);
-    moveCursors();
-    update();
+    setMeasured(isMeasuring ? m_measured : std::nullopt);
 }
 
 void PlotGrid::setMeasured(const std::optional<std::array<double, 2>> &times)
 {
-    setMeasuring(times.has_value());
     m_measured = times;
+    m_measuring->setChecked(times.has_value());
     moveCursors();
-}
-
-/// The maximized plot, all nine, or those of the motion where there are no errors.
-std::vector<std::size_t> PlotGrid::plotsOnShow() const
-{
-    if (m_maximized) {
-        return {*m_maximized};
-    }
-    std::vector<std::size_t> plots;
-    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-        if (!isErrorPlot(plot) || m_figure.hasErrors()) {
-            plots.push_back(plot);
-        }
-    }
-    return plots;
-}
-
-void PlotGrid::rebuild()
-{
-    const PlotFonts fonts(font());
-    const SeriesColours colours = seriesColours(palette());
-    m_drawing = std::make_unique<FigurePlot>(plotsOnShow(), fonts, colours);
-    for (PlotPane *pane : m_panes) {
-        pane->setStyle(fonts.tick, colours);
-    }
-    requestRefresh();
-}
-
-/// Several requests in one pass of the event loop make one refresh; a hidden widget waits until it is shown.
-void PlotGrid::requestRefresh()
-{
-    m_isStale = true;
-    if (!isVisible() || m_isRefreshQueued) {
-        return;
-    }
-    m_isRefreshQueued = true;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            m_isRefreshQueued = false;
-            if (m_isStale && isVisible()) {
-                refresh();
-            }
-        },
-        Qt::QueuedConnection);
-}
-
-void PlotGrid::refresh()
-{
-    m_isStale = false;
-    m_drawing->show(m_figure, size());
-    const double ratio = devicePixelRatioF();
-    if (m_picture.size() != size() * ratio || m_picture.devicePixelRatio() != ratio) {
-        m_picture = QPixmap(size() * ratio);
-        m_picture.setDevicePixelRatio(ratio);
-    }
-    m_drawing->drawInto(m_picture);
-    placePanes();
-    moveCursors();
-    update();
-}
-
-void PlotGrid::placePanes()
-{
-    const std::vector<std::size_t> &shown = m_drawing->plots();
-    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-        const bool isShown = std::ranges::find(shown, plot) != shown.end();
-        m_panes[plot]->setVisible(isShown);
-        if (isShown) {
-            m_panes[plot]->setGeometry(m_drawing->cell(plot));
-            m_panes[plot]->setAccessibleDescription(m_drawing->description(plot));
-            m_panes[plot]->update();
-        }
-    }
-    const QSize hint = m_hint->sizeHint();
-    constexpr int kGap = 12;
-    m_hint->setGeometry(width() - hint.width() - kGap, 0, hint.width(), m_drawing->legendHeight());
-    const std::shared_ptr<const Result> &result = m_figure.result();
-    const bool isAlone = result && !result->reference && result->kept.empty();
-    m_hint->setVisible(isAlone && !m_figure.isPresentation() && !m_maximized && m_drawing->legendEnd() < m_hint->x());
-}
-
-/// What is read at a time in a plot, px in its pane.
-PlotPane::Cursor PlotGrid::cursorAt(std::size_t plot, double time)
-{
-    constexpr int kDigits = 4;
-    const QCPAxisRect &axes = m_drawing->axes(plot);
-    const QCPAxis &timeAxis = *axes.axis(QCPAxis::atBottom);
-    const QPoint corner = m_drawing->cell(plot).topLeft();
-    const SeriesColours colours = seriesColours(palette());
-    PlotPane::Cursor cursor;
-    cursor.x = std::round(timeAxis.coordToPixel(time)) - corner.x();
-    for (const PlotReading &reading : m_figure.readings(plot, m_figure.readTime(time))) {
-        const QPointF at(timeAxis.coordToPixel(reading.t), axes.axis(QCPAxis::atLeft)->coordToPixel(reading.value));
-        if (QRectF(axes.rect()).adjusted(-1.0, -1.0, 1.0, 1.0).contains(at)) {
-            cursor.dots.push_back({at - corner, colours.*reading.ink, shortNumber(reading.number, kDigits)});
-        }
-    }
-    return cursor;
-}
-
-void PlotGrid::moveCursors()
-{
-    if (m_isStale) {
-        return; // refresh() moves them
-    }
-    for (const std::size_t plot : m_drawing->plots()) {
-        const Interval range = m_figure.timeRange();
-        std::vector<PlotPane::Cursor> cursors;
-        const auto add = [&](double time) -> PlotPane::Cursor * {
-            if (!m_drawing->hasValues(plot) || !range.contains(time)) {
-                return nullptr;
-            }
-            return &cursors.emplace_back(cursorAt(plot, time));
-        };
-        if (m_time) {
-            add(*m_time);
-        }
-        for (std::size_t i = 0; m_measured && i < m_measured->size(); ++i) {
-            if (PlotPane::Cursor *cursor = add((*m_measured)[i])) {
-                cursor->heading << QString::number(i + 1);
-            }
-        }
-        const ReadTime hovered = m_figure.readTime(m_hoverTime);
-        if (PlotPane::Cursor *cursor = m_hovered && !m_drag ? add(hovered.t) : nullptr) {
-            cursor->isLight = true;
-            const std::vector<PlotReading> readings = m_figure.readings(plot, hovered);
-            if (plot == *m_hovered) {
-                cursor->heading << m_figure.timeText(hovered.t);
-            }
-            if (plot == *m_hovered && plot == 0 && !readings.empty()) {
-                constexpr double kHalfTurn = 180.0;
-                constexpr int kDigits = 4;
-                cursor->heading << tr("textbook's θ₃ = %1°").arg(shortNumber(readings[0].number + kHalfTurn, kDigits));
-            }
-        }
-        const QRect axes = m_drawing->axes(plot).rect().translated(-m_drawing->cell(plot).topLeft());
-        m_panes[plot]->setCursors(cursors, axes);
-    }
-    if (m_measured) {
-        update(QRect(0, 0, width(), m_drawing->legendHeight()));
-    }
 }
 
 QString PlotGrid::measuredText() const
@@ -319,26 +166,157 @@ QString PlotGrid::measuredText() const
         .arg(m_figure.timeText(first), m_figure.timeText(second), m_figure.durationText(second - first));
 }
 
-/// Names that the legend may elide, and titles that may be shortened.
-bool PlotGrid::event(QEvent *event)
+/// The maximized plot, all nine, or those of the motion where there are no errors.
+std::vector<std::size_t> PlotGrid::plotsToShow() const
 {
-    if (event->type() != QEvent::ToolTip) {
-        return QWidget::event(event);
-    }
-    const QPoint global = static_cast<QHelpEvent *>(event)->globalPos();
-    const QPoint at = mapFromGlobal(global);
-    const std::shared_ptr<const Result> &result = m_figure.result();
-    QString text;
-    if (at.y() < m_drawing->legendHeight() && result && result->reference) {
-        text = result->reference->paths.join(u'\n');
-    }
-    for (const std::size_t plot : m_drawing->plots()) {
-        if (m_drawing->cell(plot).contains(at) && at.y() < m_drawing->axes(plot).top()) {
-            text = m_drawing->description(plot);
+    std::vector<std::size_t> plots;
+    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+        if (m_maximized ? plot == *m_maximized : !isErrorPlot(plot) || m_figure.hasErrors()) {
+            plots.push_back(plot);
         }
     }
-    QToolTip::showText(global, text, this);
-    return true;
+    return plots;
+}
+
+void PlotGrid::rebuild()
+{
+    const PlotFonts fonts(font());
+    const SeriesColours colours = seriesColours(palette());
+    m_figure.setPlots(plotsToShow(), fonts, colours);
+    for (PlotPane *pane : m_panes) {
+        pane->setStyle(fonts.tick, colours);
+    }
+    requestRefresh();
+}
+
+/// Several requests in one pass of the event loop make one refresh; a hidden widget waits until it is shown.
+void PlotGrid::requestRefresh()
+{
+    m_isStale = true;
+    if (isVisible() && !m_isRefreshQueued) {
+        m_isRefreshQueued = true;
+        const auto refreshNow = [this] {
+            m_isRefreshQueued = false;
+            if (isVisible()) {
+                refreshIfStale();
+            }
+        };
+        QMetaObject::invokeMethod(this, refreshNow, Qt::QueuedConnection);
+    }
+}
+
+void PlotGrid::refreshIfStale()
+{
+    if (m_isStale || m_picture.devicePixelRatio() != devicePixelRatioF()) { // it may be on another screen now
+        refresh();
+    }
+}
+
+void PlotGrid::refresh()
+{
+    m_isStale = false;
+    m_figure.show(size());
+    const double ratio = devicePixelRatioF();
+    if (m_picture.size() != size() * ratio || m_picture.devicePixelRatio() != ratio) {
+        m_picture = QPixmap(size() * ratio);
+        m_picture.setDevicePixelRatio(ratio);
+    }
+    m_figure.drawInto(m_picture);
+    placePanes();
+    moveCursors();
+    update();
+}
+
+void PlotGrid::placePanes()
+{
+    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+        const QCPAxisRect *axes = m_figure.plot(plot).axes;
+        m_panes[plot]->setVisible(axes != nullptr);
+        if (axes) {
+            m_panes[plot]->setGeometry(axes->outerRect());
+            m_panes[plot]->setAccessibleDescription(m_figure.description(plot));
+            m_panes[plot]->update();
+        }
+    }
+}
+
+/// The measured times, or how to compare with a file.
+void PlotGrid::updateCaption()
+{
+    const std::shared_ptr<const Result> &result = m_figure.result();
+    const bool isAlone = result && !result->reference && result->kept.empty() && !m_figure.isPresentation();
+    const QString hint = tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here.");
+    const QString text = m_measured ? measuredText() : isAlone && !m_maximized ? hint : QString();
+    if (text != m_caption->text()) {
+        m_caption->setText(text);
+    }
+    constexpr int kGap = 12;
+    const QRect legend = m_figure.legendPlace();
+    const int textWidth = m_caption->sizeHint().width();
+    m_caption->setGeometry(width() - textWidth - kGap, 0, textWidth, legend.height());
+    m_caption->setAutoFillBackground(true);
+    m_caption->setVisible(!text.isEmpty() && (m_measured || legend.right() < m_caption->x()));
+}
+
+/// What is read at a time in a plot.
+PlotPane::Cursor PlotGrid::cursorAt(std::size_t plot, double time)
+{
+    constexpr int kDigits = 4;
+    const QCPAxis &timeAxis = m_figure.axis(plot, QCPAxis::atBottom);
+    const QPoint corner = m_panes[plot]->pos();
+    const SeriesColours colours = seriesColours(palette());
+    const ReadTime read = m_figure.readTime(time);
+    PlotPane::Cursor cursor;
+    cursor.x = std::round(timeAxis.coordToPixel(time)) - corner.x();
+    for (const PlotReading &reading : m_figure.readings(plot, read)) {
+        const QPointF place(timeAxis.coordToPixel(read.t),
+                            m_figure.axis(plot, QCPAxis::atLeft).coordToPixel(reading.value));
+        if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
+            cursor.dots.push_back({place - corner, colours.*reading.ink, shortNumber(reading.number, kDigits)});
+        }
+    }
+    return cursor;
+}
+
+std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
+{
+    std::vector<PlotPane::Cursor> cursors;
+    const auto add = [&](double time) -> PlotPane::Cursor * {
+        const bool isSeen = m_figure.plot(plot).values && m_figure.timeRange().contains(time);
+        return isSeen ? &cursors.emplace_back(cursorAt(plot, time)) : nullptr;
+    };
+    if (m_time) {
+        add(*m_time);
+    }
+    for (std::size_t i = 0; m_measured && i < m_measured->size(); ++i) {
+        if (PlotPane::Cursor *cursor = add((*m_measured)[i])) {
+            cursor->heading << QString::number(i + 1);
+        }
+    }
+    const ReadTime hovered = m_figure.readTime(m_hoverTime);
+    if (PlotPane::Cursor *cursor = m_hovered && !m_drag ? add(hovered.t) : nullptr) {
+        cursor->isLight = true;
+        if (plot == *m_hovered) {
+            cursor->heading << m_figure.timeText(hovered.t);
+        }
+        if (plot == *m_hovered && plot == 0 && !cursor->dots.empty()) {
+            constexpr int kDigits = 4;
+            const double theta3 = m_figure.readings(plot, hovered).front().number;
+            cursor->heading << tr("textbook's θ₃ = %1°").arg(shortNumber(theta3 + 180.0, kDigits));
+        }
+    }
+    return cursors;
+}
+
+void PlotGrid::moveCursors()
+{
+    if (m_isStale) {
+        return; // refresh() moves them
+    }
+    for (const std::size_t plot : m_figure.plots()) {
+        m_panes[plot]->setCursors(cursors(plot), axes(plot).translated(-m_panes[plot]->pos()));
+    }
+    updateCaption();
 }
 
 void PlotGrid::changeEvent(QEvent *event)
@@ -351,42 +329,28 @@ void PlotGrid::changeEvent(QEvent *event)
 
 void PlotGrid::paintEvent(QPaintEvent *event)
 {
-    if (m_isStale || m_picture.devicePixelRatio() != devicePixelRatioF()) { // grab() of a hidden one, another screen
-        refresh();
-    }
+    refreshIfStale(); // grab() of a hidden one
     QPainter painter(this);
     painter.setClipRegion(event->region());
     painter.drawPixmap(0, 0, m_picture);
-    if (m_measured) {
-        constexpr int kGap = 12;
-        const SeriesColours colours = seriesColours(palette());
-        const QString text = measuredText();
-        painter.setFont(PlotFonts(font()).title);
-        QRect place(0, 0, painter.fontMetrics().horizontalAdvance(text), m_drawing->legendHeight());
-        place.moveRight(width() - kGap);
-        painter.fillRect(place.adjusted(-kGap, 0, kGap, 0), colours.background);
-        painter.setPen(colours.text);
-        painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, text);
-    }
 }
 
-void PlotGrid::resizeEvent(QResizeEvent *event)
+void PlotGrid::resizeEvent(QResizeEvent *)
 {
-    QWidget::resizeEvent(event);
     requestRefresh();
 }
 
-void PlotGrid::showEvent(QShowEvent *event)
+void PlotGrid::showEvent(QShowEvent *)
 {
-    QWidget::showEvent(event);
     requestRefresh();
 }
 
 void PlotGrid::paintFigure(QPainter &painter, const QSize &size, const QPalette &palette)
 {
     const std::optional<std::size_t> maximized = std::exchange(m_maximized, std::nullopt);
-    paint(painter, plotsOnShow(), size, palette);
+    const std::vector<std::size_t> plots = plotsToShow();
     m_maximized = maximized;
+    paint(painter, plots, size, palette);
 }
 
 void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
@@ -399,24 +363,12 @@ void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &si
 void PlotGrid::paint(QPainter &painter, const std::vector<std::size_t> &plots, const QSize &size,
                      const QPalette &palette)
 {
-    const SeriesColours colours = seriesColours(palette);
-    const PlotFonts fonts(font());
-    const int footer = m_figure.result() ? QFontMetrics(fonts.tick).height() + 4 : 0;
-    const QRect area(0, 0, size.width(), size.height() - footer);
-    FigurePlot drawing(plots, fonts, colours);
-    drawing.show(m_figure, area.size(), m_markedTime);
-    painter.fillRect(QRect(QPoint(), size), colours.background);
-    drawing.paint(painter, area);
-    if (footer > 0) {
-        const QRect place(12, area.height(), size.width() - 24, footer);
-        const QString text = mechanismText(m_figure.result()->mechanism);
-        painter.save();
-        painter.setFont(fonts.tick);
-        painter.setPen(colours.text);
-        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
-                         QFontMetrics(fonts.tick).elidedText(text, Qt::ElideRight, place.width()));
-        painter.restore();
-    }
+    m_figure.setPlots(plots, PlotFonts(font()), seriesColours(palette));
+    m_figure.setFooter(m_figure.result() ? mechanismText(m_figure.result()->mechanism) : QString());
+    m_figure.show(size, m_markedTime);
+    m_figure.paint(painter, size);
+    m_figure.setFooter({});
+    rebuild(); // for the screen again
 }
 
 } // namespace slidercrank

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The figure of the reference report: three rows (position, velocity, acceleration) by three columns (θ³, Rₓ⁴, error),
-// the model solid and the reference dashed, with one legend, one time range and one time cursor for all nine plots.
-// Without a reference there are no errors, and the other six have all the room.
+// The figure of the reference report on the screen: three rows (position, velocity, acceleration) by three columns (θ³,
+// Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Without a reference there are no
+// errors, and the other six fill the figure.
 //
 // A left drag zooms into the box that it draws: into the time alone where the box is flat, into the values alone where
-// it is narrow. Shift or the middle button moves what is on show. The value axes fit what is seen of the time, except
-// those whose range a person chose by a box or by the wheel on the axis.
+// it is narrow. Shift or the middle button pans. The wheel zooms the time, or over the axis of the values these.
 
-#include "ui/document/result.h"
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_pane.h"
 
-#include <QList>
 #include <QPixmap>
-#include <QStringList>
 #include <QWidget>
 
 #include <array>
@@ -28,15 +24,12 @@ class QLabel;
 namespace slidercrank
 {
 
-class FigurePlot;
-
 class PlotGrid : public QWidget
 {
     Q_OBJECT
 
 public:
     explicit PlotGrid(QWidget *parent = nullptr);
-    ~PlotGrid() override;
 
     /// The nine, row by row: "plot_theta3", "plot_R4_x", "plot_error_position", … The panes have these names.
     static QStringList plotNames();
@@ -93,47 +86,52 @@ signals:
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:
-    bool event(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
     void changeEvent(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
     void makeChoices();
-    std::vector<std::size_t> plotsOnShow() const;
-    void rebuild();        ///< other plots, fonts or colours
-    void requestRefresh(); ///< other data, ranges or sizes
+    std::vector<std::size_t> plotsToShow() const;
+    void rebuild();        ///< for other plots, fonts or colours
+    void requestRefresh(); ///< for other data, ranges or sizes
     void refresh();
+    void refreshIfStale();
     void placePanes();
     void moveCursors();
+    void updateCaption();
+    std::vector<PlotPane::Cursor> cursors(std::size_t plot);
     PlotPane::Cursor cursorAt(std::size_t plot, double time);
     void paint(QPainter &painter, const std::vector<std::size_t> &plots, const QSize &size, const QPalette &palette);
 
-    double timeAt(std::size_t plot, double x) const; ///< px in the pane → s
-    double valueAt(std::size_t plot, double y) const;
-    void press(std::size_t plot, const QMouseEvent &mouse);
-    void move(std::size_t plot, const QPoint &to);
-    void release(std::size_t plot, const QMouseEvent &mouse);
-    void turnWheel(std::size_t plot, const QWheelEvent &wheel);
-    bool pressKey(std::size_t plot, int key);
-    void pan(std::size_t plot, const QPoint &to);
+    QRect axes(std::size_t plot) const { return m_figure.plot(plot).axes->rect(); } ///< px
+    std::optional<std::size_t> plotAt(const QPointF &place) const;
+    QPointF coordinates(std::size_t plot, const QPointF &place) const; ///< px → time (s) and value
+    std::optional<std::size_t> measuringCursorAt(const QPoint &place) const;
     void endDrag();
+    void pan(const QPoint &to);
     QRect draggedBox() const;
     void zoomInto(std::size_t plot, const QRect &box);
-    std::optional<std::size_t> measuringCursorAt(std::size_t plot, const QPoint &position) const;
-    void showMenu(std::size_t plot, const QPoint &globalPosition);
-    void copyValues(std::size_t plot, const ReadTime &time);
+    void zoomTime(double about, double factor);
     void toggleMaximized(std::size_t plot);
+    void copyValues(std::size_t plot, const ReadTime &time);
 
     PlotFigure m_figure;
-    std::unique_ptr<FigurePlot> m_drawing;
     QPixmap m_picture;
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
     QAction *m_measuring = nullptr;
-    QLabel *m_hint = nullptr;
+    QLabel *m_caption; ///< right of the legend
     std::optional<std::size_t> m_maximized;
     std::optional<std::size_t> m_hovered; ///< the plot under the pointer
     double m_hoverTime = 0.0;             ///< s
@@ -148,12 +146,11 @@ private:
         enum class Kind { Box, Pan, MeasuringCursor };
         Kind kind = Kind::Box;
         std::size_t plot = 0;
-        Qt::MouseButton button = Qt::LeftButton;
+        std::size_t measuringCursor = 0;
         QPoint start;
         QPoint last;
         PlotZoom before; ///< to return to
         bool hasMoved = false;
-        std::size_t measuringCursor = 0; ///< the one held
     };
     std::optional<Drag> m_drag;
 };

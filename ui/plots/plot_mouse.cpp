@@ -2,7 +2,6 @@
 
 // What mouse and keys do to the plots.
 
-#include "ui/plots/figure_plot.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/written_number.h"
 
@@ -11,7 +10,6 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QMouseEvent>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -22,184 +20,172 @@ namespace slidercrank
 namespace
 {
 
-/// The range shrunk or widened about one of its points.
+/// The range made shorter or longer about one of its points.
 Interval scale(const Interval &range, double about, double factor)
 {
     return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
 }
 
-Interval rangeOf(const QCPAxis &axis)
-{
-    return {axis.range().lower, axis.range().upper};
-}
-
 } // namespace
 
-double PlotGrid::timeAt(std::size_t plot, double x) const
+std::optional<std::size_t> PlotGrid::plotAt(const QPointF &place) const
 {
-    return m_drawing->axes(plot).axis(QCPAxis::atBottom)->pixelToCoord(x + m_panes[plot]->x());
+    const auto found = std::ranges::find_if(
+        m_panes, [&](const PlotPane *pane) { return !pane->isHidden() && pane->geometry().contains(place.toPoint()); });
+    return found == m_panes.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - m_panes.begin()));
 }
 
-double PlotGrid::valueAt(std::size_t plot, double y) const
+QPointF PlotGrid::coordinates(std::size_t plot, const QPointF &place) const
 {
-    return m_drawing->axes(plot).axis(QCPAxis::atLeft)->pixelToCoord(y + m_panes[plot]->y());
+    return {m_figure.axis(plot, QCPAxis::atBottom).pixelToCoord(place.x()),
+            m_figure.axis(plot, QCPAxis::atLeft).pixelToCoord(place.y())};
 }
 
-bool PlotGrid::eventFilter(QObject *watched, QEvent *event)
+void PlotGrid::zoomTime(double about, double factor)
 {
-    const auto found = std::ranges::find(m_panes, watched);
-    if (found == m_panes.end()) {
-        return QWidget::eventFilter(watched, event);
-    }
-    const auto plot = static_cast<std::size_t>(found - m_panes.begin());
-    if (m_isStale && event->type() != QEvent::Paint && dynamic_cast<QInputEvent *>(event)) {
-        refresh(); // what is pointed at is where it is painted
-    }
-    switch (event->type()) {
-    case QEvent::Wheel: turnWheel(plot, *static_cast<QWheelEvent *>(event)); return true;
-    case QEvent::MouseButtonPress: press(plot, *static_cast<QMouseEvent *>(event)); return true;
-    case QEvent::MouseMove: move(plot, static_cast<QMouseEvent *>(event)->pos()); return true;
-    case QEvent::MouseButtonRelease: release(plot, *static_cast<QMouseEvent *>(event)); return true;
-    case QEvent::MouseButtonDblClick:
-        if (static_cast<QMouseEvent *>(event)->pos().y() < m_panes[plot]->axes().top()) {
-            toggleMaximized(plot); // on the title
-        } else {
-            showAll();
-        }
-        return true;
-    case QEvent::Hide:
-        if (m_drag && m_drag->plot == plot) {
-            endDrag();
-        }
-        return false;
-    case QEvent::Leave:
-        m_hovered.reset();
-        moveCursors();
-        return false;
-    case QEvent::KeyPress: return pressKey(plot, static_cast<QKeyEvent *>(event)->key());
-    case QEvent::ContextMenu: showMenu(plot, static_cast<QContextMenuEvent *>(event)->globalPos()); return true;
-    default: return QWidget::eventFilter(watched, event);
-    }
-}
-
-void PlotGrid::turnWheel(std::size_t plot, const QWheelEvent &wheel)
-{
-    if (m_drag) {
-        return; // what is framed or held is not to move away
-    }
-    constexpr double kNotch = 120.0;
-    constexpr double kFactor = 0.85;
-    const double factor = std::pow(kFactor, wheel.angleDelta().y() / kNotch);
-    const QPointF at = wheel.position();
-    if (at.x() >= m_panes[plot]->axes().left()) {
-        m_figure.zoomTime(scale(m_figure.timeRange(), timeAt(plot, at.x()), factor));
-    } else if (m_drawing->hasValues(plot)) {
-        const Interval values = rangeOf(*m_drawing->axes(plot).axis(QCPAxis::atLeft));
-        m_figure.zoomValues(plot, scale(values, valueAt(plot, at.y()), factor));
-    }
+    m_figure.zoomTime(scale(m_figure.timeRange(), about, factor));
     requestRefresh();
 }
 
-/// The measuring cursor, 0 or 1, at a position in a pane.
-std::optional<std::size_t> PlotGrid::measuringCursorAt(std::size_t plot, const QPoint &position) const
+void PlotGrid::wheelEvent(QWheelEvent *event)
 {
-    constexpr double kReach = 5.0; // px
-    std::optional<std::size_t> nearest;
-    double least = kReach;
-    for (std::size_t i = 0; m_measured && i < m_measured->size(); ++i) {
-        const double x = m_drawing->axes(plot).axis(QCPAxis::atBottom)->coordToPixel((*m_measured)[i]);
-        const double distance = std::abs(x - m_panes[plot]->x() - position.x());
-        if (distance <= least && m_panes[plot]->axes().contains(position)) {
-            least = distance;
-            nearest = i;
-        }
-    }
-    return nearest;
-}
-
-void PlotGrid::press(std::size_t plot, const QMouseEvent &mouse)
-{
-    const bool isLeft = mouse.button() == Qt::LeftButton;
-    if (!(isLeft || mouse.button() == Qt::MiddleButton) || (m_drag && m_drag->button != mouse.button())) {
+    refreshIfStale(); // what is pointed at is where it is painted
+    const std::optional<std::size_t> plot = plotAt(event->position());
+    if (!plot || m_drag) {
         return;
     }
-    if (m_drag) { // its release went elsewhere
-        endDrag();
+    constexpr double kNotch = 120.0;
+    const double factor = std::pow(0.85, event->angleDelta().y() / kNotch);
+    const QPointF about = coordinates(*plot, event->position());
+    if (event->position().x() >= axes(*plot).left()) {
+        zoomTime(about.x(), factor);
+    } else if (m_figure.plot(*plot).values) {
+        m_figure.zoomValues(*plot, scale(*m_figure.plot(*plot).values, about.y(), factor));
+        requestRefresh();
     }
-    Drag drag{.plot = plot, .button = mouse.button(), .start = mouse.pos(), .last = mouse.pos(), .before = zoom()};
-    if (!isLeft || mouse.modifiers().testFlag(Qt::ShiftModifier)) {
-        drag.kind = Drag::Kind::Pan;
-    } else if (const std::optional<std::size_t> cursor = measuringCursorAt(plot, mouse.pos())) {
-        drag.kind = Drag::Kind::MeasuringCursor;
-        drag.measuringCursor = *cursor;
-    }
-    m_drag = drag;
 }
 
-void PlotGrid::move(std::size_t plot, const QPoint &to)
+/// The measuring cursor, 0 or 1, under the pointer.
+std::optional<std::size_t> PlotGrid::measuringCursorAt(const QPoint &place) const
 {
-    PlotPane &pane = *m_panes[plot];
-    const double time = m_figure.roundedTime(timeAt(plot, to.x()));
+    const std::optional<std::size_t> plot = plotAt(place);
+    std::optional<std::size_t> found;
+    double nearest = 5.0; // px, at most
+    for (std::size_t i = 0; m_measured && plot && axes(*plot).contains(place) && i < m_measured->size(); ++i) {
+        const double x = m_figure.axis(*plot, QCPAxis::atBottom).coordToPixel((*m_measured)[i]);
+        if (std::abs(x - place.x()) <= nearest) {
+            nearest = std::abs(x - place.x());
+            found = i;
+        }
+    }
+    return found;
+}
+
+void PlotGrid::mousePressEvent(QMouseEvent *event)
+{
+    refreshIfStale();
+    const bool isLeft = event->button() == Qt::LeftButton;
+    const std::optional<std::size_t> plot = plotAt(event->pos());
+    if (!plot || !(isLeft || event->button() == Qt::MiddleButton)) {
+        return;
+    }
+    if (m_drag) { // with another button, or its release went elsewhere
+        endDrag();
+    }
+    const std::optional<std::size_t> cursor = measuringCursorAt(event->pos());
+    const bool isPan = !isLeft || event->modifiers().testFlag(Qt::ShiftModifier);
+    const Drag::Kind kind = isPan ? Drag::Kind::Pan : cursor ? Drag::Kind::MeasuringCursor : Drag::Kind::Box;
+    m_drag = Drag{kind, *plot, cursor.value_or(0), event->pos(), event->pos(), zoom()};
+}
+
+void PlotGrid::mouseMoveEvent(QMouseEvent *event)
+{
+    refreshIfStale();
+    const QPoint place = event->pos();
     if (!m_drag) {
-        const bool isOverCursor = measuringCursorAt(plot, to).has_value();
-        pane.setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
-        m_hovered = !isOverCursor && pane.axes().contains(to) ? std::optional(plot) : std::nullopt;
-        m_hoverTime = time;
+        const std::optional<std::size_t> plot = plotAt(place);
+        const bool isOverCursor = measuringCursorAt(place).has_value();
+        setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
+        m_hovered = plot && !isOverCursor && axes(*plot).contains(place) ? plot : std::nullopt;
+        if (m_hovered) {
+            m_hoverTime = coordinates(*plot, place).x();
+        }
         moveCursors();
         return;
     }
-    if (!m_drag->hasMoved && (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance()) {
+    if (!m_drag->hasMoved && (place - m_drag->start).manhattanLength() >= QApplication::startDragDistance()) {
         m_drag->hasMoved = true;
-        pane.grabKeyboard(); // for Escape
-        pane.setCursor(m_drag->kind == Drag::Kind::Pan ? Qt::ClosedHandCursor : pane.cursor());
+        grabKeyboard(); // for Escape
+        setCursor(m_drag->kind == Drag::Kind::Pan ? QCursor(Qt::ClosedHandCursor) : cursor());
     }
     if (m_drag->kind == Drag::Kind::MeasuringCursor && m_measured) {
-        (*m_measured)[m_drag->measuringCursor] = m_figure.readTime(time).t;
-    }
-    if (m_drag->kind == Drag::Kind::Pan && m_drag->hasMoved) {
-        pan(plot, to);
+        (*m_measured)[m_drag->measuringCursor] = m_figure.readTime(coordinates(m_drag->plot, place).x()).t;
     }
     if (m_drag->hasMoved) {
-        m_drag->last = to;
+        if (m_drag->kind == Drag::Kind::Pan) {
+            pan(place);
+        }
+        m_drag->last = place;
+        PlotPane &pane = *m_panes[m_drag->plot];
+        pane.setFrame(m_drag->kind == Drag::Kind::Box ? draggedBox().translated(-pane.pos()) : QRect());
     }
-    pane.setFrame(m_drag->kind == Drag::Kind::Box && m_drag->hasMoved ? draggedBox() : QRect());
     moveCursors();
 }
 
-void PlotGrid::release(std::size_t plot, const QMouseEvent &mouse)
+void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (!m_drag || mouse.button() != m_drag->button) {
+    if (!m_drag || event->button() == Qt::RightButton) {
         return;
     }
-    const bool isOfBox = m_drag->kind == Drag::Kind::Box;
-    const bool isClick = isOfBox && !m_drag->hasMoved;
-    const QRect box = isOfBox && m_drag->hasMoved ? draggedBox() : QRect();
+    const Drag drag = *m_drag;
+    const QRect box = drag.hasMoved && drag.kind == Drag::Kind::Box ? draggedBox() : QRect();
     endDrag();
     if (!box.isNull()) {
-        zoomInto(plot, box);
-    } else if (isClick && m_panes[plot]->axes().contains(mouse.pos())) {
-        emit timeRequested(m_figure.readTime(timeAt(plot, mouse.pos().x())).t);
+        zoomInto(drag.plot, box);
+    } else if (drag.kind == Drag::Kind::Box && !drag.hasMoved && axes(drag.plot).contains(event->pos())) {
+        emit timeRequested(m_figure.readTime(coordinates(drag.plot, event->pos()).x()).t);
     }
+}
+
+void PlotGrid::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    const std::optional<std::size_t> plot = plotAt(event->pos());
+    if (plot && event->pos().y() < axes(*plot).top()) {
+        toggleMaximized(*plot); // on the title
+    } else if (plot) {
+        showAll();
+    }
+}
+
+void PlotGrid::hideEvent(QHideEvent *)
+{
+    if (m_drag) {
+        endDrag();
+    }
+}
+
+void PlotGrid::leaveEvent(QEvent *)
+{
+    m_hovered.reset();
+    moveCursors();
 }
 
 void PlotGrid::endDrag()
 {
-    PlotPane &pane = *m_panes[m_drag->plot];
+    m_panes[m_drag->plot]->setFrame({});
     m_drag.reset();
-    pane.releaseKeyboard();
-    pane.setCursor(Qt::ArrowCursor);
-    pane.setFrame({});
+    releaseKeyboard();
+    setCursor(Qt::ArrowCursor);
     moveCursors();
 }
 
-void PlotGrid::pan(std::size_t plot, const QPoint &to)
+void PlotGrid::pan(const QPoint &to)
 {
-    const double dt = timeAt(plot, m_drag->last.x()) - timeAt(plot, to.x());
-    const double dv = valueAt(plot, m_drag->last.y()) - valueAt(plot, to.y());
+    const QPointF way = coordinates(m_drag->plot, m_drag->last) - coordinates(m_drag->plot, to);
     const Interval time = m_figure.timeRange();
-    m_figure.zoomTime({time.lower + dt, time.upper + dt});
-    if (std::optional<Interval> &values = m_figure.zoom.values[plot]) {
-        values = Interval{values->lower + dv, values->upper + dv};
+    m_figure.zoomTime({time.lower + way.x(), time.upper + way.x()});
+    if (std::optional<Interval> &values = m_figure.zoom.values[m_drag->plot]) {
+        values = Interval{values->lower + way.y(), values->upper + way.y()};
     }
     refresh(); // the next move starts from what is shown then
 }
@@ -208,76 +194,76 @@ void PlotGrid::pan(std::size_t plot, const QPoint &to)
 QRect PlotGrid::draggedBox() const
 {
     constexpr int kLeast = 8; // px
-    const QRect axes = m_panes[m_drag->plot]->axes();
-    const QPoint start(std::clamp(m_drag->start.x(), axes.left(), axes.right()),
-                       std::clamp(m_drag->start.y(), axes.top(), axes.bottom()));
-    const QPoint end(std::clamp(m_drag->last.x(), axes.left(), axes.right()),
-                     std::clamp(m_drag->last.y(), axes.top(), axes.bottom()));
-    const bool isNarrow = std::abs(end.x() - start.x()) < kLeast;
-    const bool isFlat = std::abs(end.y() - start.y()) < kLeast;
+    const QRect axes = this->axes(m_drag->plot);
+    const auto within = [&axes](const QPoint &place) {
+        return QPoint(std::clamp(place.x(), axes.left(), axes.right()),
+                      std::clamp(place.y(), axes.top(), axes.bottom()));
+    };
+    const QPoint start = within(m_drag->start);
+    const QPoint end = within(m_drag->last);
+    const QRect box(QPoint(std::min(start.x(), end.x()), std::min(start.y(), end.y())),
+                    QPoint(std::max(start.x(), end.x()), std::max(start.y(), end.y())));
+    const bool isNarrow = box.width() <= kLeast;
+    const bool isFlat = box.height() <= kLeast;
     if (isNarrow && isFlat) {
         return {};
     }
-    QRect box(QPoint(std::min(start.x(), end.x()), std::min(start.y(), end.y())),
-              QPoint(std::max(start.x(), end.x()), std::max(start.y(), end.y())));
-    if (isNarrow) {
-        box = QRect(axes.left(), box.top(), axes.width(), box.height());
-    }
-    return isFlat ? QRect(box.left(), axes.top(), box.width(), axes.height()) : box;
+    return isNarrow ? QRect(axes.left(), box.top(), axes.width(), box.height())
+           : isFlat ? QRect(box.left(), axes.top(), box.width(), axes.height())
+                    : box;
 }
 
 void PlotGrid::zoomInto(std::size_t plot, const QRect &box)
 {
-    const QRect axes = m_panes[plot]->axes();
-    if (box.width() < axes.width()) {
-        m_figure.zoomTime({timeAt(plot, box.left()), timeAt(plot, box.right())});
+    const QPointF first = coordinates(plot, box.bottomLeft());
+    const QPointF last = coordinates(plot, box.topRight());
+    if (box.width() < axes(plot).width()) {
+        m_figure.zoomTime({first.x(), last.x()});
     }
-    if (box.height() < axes.height() && m_drawing->hasValues(plot)) {
-        m_figure.zoomValues(plot, {valueAt(plot, box.bottom()), valueAt(plot, box.top())});
+    if (box.height() < axes(plot).height() && m_figure.plot(plot).values) {
+        m_figure.zoomValues(plot, {first.y(), last.y()});
     }
     requestRefresh();
 }
 
 /// Keys of the plot that has the focus, or over which a button is held. + and − zoom about the time on show; 1 and 2
 /// bring the measuring cursors to it.
-bool PlotGrid::pressKey(std::size_t plot, int key)
+void PlotGrid::keyPressEvent(QKeyEvent *event)
 {
-    switch (key) {
+    const Interval shown = m_figure.timeRange();
+    const double about = m_time && shown.contains(*m_time) ? *m_time : 0.5 * (shown.lower + shown.upper);
+    const auto focused = std::ranges::find(m_panes, focusWidget());
+    switch (event->key()) {
     case Qt::Key_Return:
-    case Qt::Key_Enter: toggleMaximized(plot); return true;
+    case Qt::Key_Enter:
+        if (focused != m_panes.end()) {
+            toggleMaximized(static_cast<std::size_t>(focused - m_panes.begin()));
+        }
+        return;
     case Qt::Key_Escape:
         if (m_drag) {
             const PlotZoom before = m_drag->before;
             endDrag();
-            setZoom(before);
-            return true;
+            return setZoom(before);
         }
         if (m_maximized) {
-            maximize({});
-            return true;
+            return maximize({});
         }
-        return false;
+        break;
     case Qt::Key_Plus:
-    case Qt::Key_Equal:
-    case Qt::Key_Minus: {
-        constexpr double kFactor = 0.7;
-        const Interval shown = m_figure.timeRange();
-        const double about = m_time && shown.contains(*m_time) ? *m_time : 0.5 * (shown.lower + shown.upper);
-        m_figure.zoomTime(scale(shown, about, key == Qt::Key_Minus ? 1.0 / kFactor : kFactor));
-        requestRefresh();
-        return true;
-    }
-    case Qt::Key_0: showAll(); return true;
+    case Qt::Key_Equal: return zoomTime(about, 0.7);
+    case Qt::Key_Minus: return zoomTime(about, 1.0 / 0.7);
+    case Qt::Key_0: return showAll();
     case Qt::Key_1:
     case Qt::Key_2:
-        if (!m_measured || !m_time) {
-            return false;
+        if (m_measured && m_time) {
+            (*m_measured)[event->key() == Qt::Key_1 ? 0 : 1] = m_figure.readTime(*m_time).t;
+            return moveCursors();
         }
-        (*m_measured)[key == Qt::Key_1 ? 0 : 1] = m_figure.readTime(*m_time).t;
-        moveCursors();
-        return true;
-    default: return false;
+        break;
+    default: break;
     }
+    QWidget::keyPressEvent(event);
 }
 
 void PlotGrid::toggleMaximized(std::size_t plot)
@@ -296,22 +282,27 @@ void PlotGrid::copyValues(std::size_t plot, const ReadTime &time)
     QGuiApplication::clipboard()->setText(cells.join(u'\t'));
 }
 
-void PlotGrid::showMenu(std::size_t plot, const QPoint &globalPosition)
+void PlotGrid::contextMenuEvent(QContextMenuEvent *event)
 {
+    const std::optional<std::size_t> found = plotAt(event->pos());
+    if (!found) {
+        return;
+    }
+    const std::size_t plot = *found;
     const ReadTime time = m_figure.readTime(m_hovered ? m_hoverTime : m_time.value_or(0.0));
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(m_maximized ? tr("Show all plots agai&n") : tr("&Maximize this plot"), this,
                     [this, plot] { toggleMaximized(plot); });
-    menu->addAction(tr("Show the &whole run"), this, &PlotGrid::showAll);
+    menu->addAction(tr("Reset plot &zoom"), this, &PlotGrid::showAll);
     menu->addSeparator();
     menu->addAction(tr("Copy the &values here"), this, [this, plot, time] { copyValues(plot, time); });
     menu->addAction(tr("&Copy this plot"), this, [this, plot] { emit copyPlotRequested(plotName(plot)); });
     menu->addAction(tr("&Export this plot…"), this, [this, plot] { emit exportPlotRequested(plotName(plot)); });
-    menu->addAction(tr("&Keep this motion"), this, &PlotGrid::keepRequested);
+    menu->addAction(tr("&Pin this motion"), this, &PlotGrid::keepRequested);
     menu->addSeparator();
     menu->addActions(m_choices);
-    menu->popup(globalPosition);
+    menu->popup(event->globalPos());
 }
 
 } // namespace slidercrank

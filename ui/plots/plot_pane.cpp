@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr double kRadius = 3.5; // px, of a dot
-constexpr double kGap = 6.0;    // px, between a cursor and what is written beside it
 
 } // namespace
 
@@ -29,21 +28,30 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
 
 void PlotPane::setStyle(const QFont &font, const SeriesColours &colours)
 {
-    m_font = font;
+    setFont(font);
     m_colours = colours;
     update();
 }
 
 void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
 {
-    QRegion changed = region();
+    update(m_painted);
     m_axes = axes;
     m_cursors = cursors;
     m_labels.clear();
+    m_painted = QRegion();
+    const auto add = [this](const QRectF &part) { m_painted += part.toAlignedRect().adjusted(-1, -1, 1, 1); };
     for (const Cursor &cursor : m_cursors) {
-        m_labels.push_back(labels(cursor));
+        addLabels(cursor);
+        add(QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height()));
+        for (const Dot &dot : cursor.dots) {
+            add(QRectF(dot.place, QSizeF()).adjusted(-kRadius, -kRadius, kRadius, kRadius));
+        }
     }
-    update(changed + region());
+    for (const Label &label : m_labels) {
+        add(label.place);
+    }
+    update(m_painted);
 }
 
 void PlotPane::setFrame(const QRect &frame)
@@ -54,89 +62,43 @@ void PlotPane::setFrame(const QRect &frame)
     }
 }
 
-/// Beside the line on the side with more room; values at the height of their dots, as far as they leave one another
-/// room, below the heading.
-std::vector<PlotPane::Label> PlotPane::labels(const Cursor &cursor) const
+/// Beside the line on the side with more space; values at the height of their dots, as far as they do not overlap one
+/// another and the heading.
+void PlotPane::addLabels(const Cursor &cursor)
 {
-    const QFontMetricsF metrics(m_font);
-    const double height = metrics.height();
-    std::vector<Label> labels;
+    constexpr double kGap = 6.0; // px, between the line and the text
+    const QFontMetricsF metrics(font());
     double top = m_axes.top();
     const auto add = [&](const QString &text, const QColor &colour, double y) {
         const double width = metrics.horizontalAdvance(text);
         const bool fits = cursor.x + kGap + width <= m_axes.right();
         const double x = fits ? cursor.x + kGap : std::max(1.0, cursor.x - kGap - width);
-        labels.push_back({QRectF(x, y, width, height), colour, text});
-        top = y + height;
+        m_labels.push_back({QRectF(x, std::max(top, y), width, metrics.height()), colour, text});
+        top = m_labels.back().place.bottom();
     };
     for (const QString &line : cursor.heading) {
         add(line, m_colours.text, top);
     }
     std::vector<Dot> dots = cursor.dots;
-    std::ranges::stable_sort(dots, {}, [](const Dot &dot) { return dot.at.y(); });
-    const std::size_t first = labels.size();
+    std::ranges::stable_sort(dots, {}, [](const Dot &dot) { return dot.place.y(); });
     for (const Dot &dot : dots) {
-        add(dot.text, dot.colour, std::max(top, dot.at.y() - 0.5 * height));
+        add(dot.text, dot.colour, dot.place.y() - 0.5 * metrics.height());
     }
     double bottom = m_axes.bottom();
-    for (std::size_t i = labels.size(); i-- > first;) { // up again, where they reach below the axes
-        bottom = std::min(bottom, labels[i].place.bottom());
-        labels[i].place.moveBottom(bottom);
-        bottom -= height;
+    for (auto label = m_labels.rbegin(); label != m_labels.rbegin() + static_cast<std::ptrdiff_t>(dots.size());
+         ++label) {
+        label->place.moveBottom(std::min(bottom, label->place.bottom())); // up again, where they reach below the axes
+        bottom = label->place.top();
     }
-    return labels;
-}
-
-QRegion PlotPane::region() const
-{
-    QRegion region;
-    for (std::size_t i = 0; i < m_cursors.size(); ++i) {
-        const int x = static_cast<int>(m_cursors[i].x);
-        region += QRect(x - 1, m_axes.top(), 3, m_axes.height());
-        for (const Dot &dot : m_cursors[i].dots) {
-            region += QRectF(dot.at.x() - kRadius, dot.at.y() - kRadius, 2.0 * kRadius, 2.0 * kRadius)
-                          .toAlignedRect()
-                          .adjusted(-1, -1, 1, 1);
-        }
-        for (const Label &label : m_labels[i]) {
-            region += label.place.toAlignedRect().adjusted(-1, -1, 1, 1);
-        }
-    }
-    return region;
 }
 
 QString PlotPane::text() const
 {
     QStringList lines;
-    for (const std::vector<Label> &labels : m_labels) {
-        for (const Label &label : labels) {
-            lines << label.text;
-        }
+    for (const Label &label : m_labels) {
+        lines << label.text;
     }
     return lines.join(u'\n');
-}
-
-std::vector<QRectF> PlotPane::labelPlaces() const
-{
-    std::vector<QRectF> places;
-    for (const std::vector<Label> &labels : m_labels) {
-        for (const Label &label : labels) {
-            places.push_back(label.place);
-        }
-    }
-    return places;
-}
-
-void PlotPane::focusInEvent(QFocusEvent *event)
-{
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void PlotPane::focusOutEvent(QFocusEvent *event)
-{
-    QWidget::focusOutEvent(event);
-    update();
 }
 
 void PlotPane::paintEvent(QPaintEvent *event)
@@ -147,9 +109,7 @@ void PlotPane::paintEvent(QPaintEvent *event)
         painter.drawPixmap(QRectF(part), m_picture,
                            QRectF(part.translated(pos()).topLeft() * ratio, part.size() * ratio));
     }
-    painter.setFont(m_font);
-    for (std::size_t i = 0; i < m_cursors.size(); ++i) {
-        const Cursor &cursor = m_cursors[i];
+    for (const Cursor &cursor : m_cursors) {
         QColor line = m_colours.cursor;
         line.setAlphaF(cursor.isLight ? 0.45F : 1.0F);
         painter.fillRect(QRect(static_cast<int>(cursor.x), m_axes.top(), 1, m_axes.height()), line);
@@ -157,30 +117,28 @@ void PlotPane::paintEvent(QPaintEvent *event)
         for (const Dot &dot : cursor.dots) {
             painter.setPen(QPen(m_colours.background, 1.0)); // tells it from its curve
             painter.setBrush(dot.colour);
-            painter.drawEllipse(dot.at, kRadius, kRadius);
+            painter.drawEllipse(dot.place, kRadius, kRadius);
         }
         painter.setRenderHint(QPainter::Antialiasing, false);
-        QColor behind = m_colours.background;
-        behind.setAlphaF(0.8F);
-        for (const Label &label : m_labels[i]) {
-            painter.fillRect(label.place, behind);
-            painter.setPen(label.colour);
-            painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.text);
-        }
     }
-    const QColor highlight = palette().color(QPalette::Highlight);
+    QColor behind = m_colours.background;
+    behind.setAlphaF(0.8F);
+    for (const Label &label : m_labels) {
+        painter.fillRect(label.place, behind);
+        painter.setPen(label.colour);
+        painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.text);
+    }
+    QColor highlight = palette().color(QPalette::Highlight);
     painter.setBrush(Qt::NoBrush);
-    if (!m_frame.isNull()) {
-        QColor within = highlight;
-        within.setAlphaF(0.15F);
-        painter.setPen(QPen(highlight, 1));
-        painter.setBrush(within);
-        painter.drawRect(m_frame.adjusted(0, 0, -1, -1));
-        painter.setBrush(Qt::NoBrush);
-    }
+    painter.setPen(QPen(highlight, 2));
     if (hasFocus()) {
-        painter.setPen(QPen(highlight, 2));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+    if (!m_frame.isNull()) {
+        painter.setPen(highlight);
+        highlight.setAlphaF(0.15F);
+        painter.setBrush(highlight);
+        painter.drawRect(m_frame.adjusted(0, 0, -1, -1));
     }
 }
 

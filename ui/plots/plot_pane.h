@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One plot on the screen: its part of the figure's picture, and over it what moves: lines at the time on show and under
+// One plot on the screen: its part of the figure's picture, and over it what moves: lines at the current time and under
 // the pointer, dots on the curves with their values, the frame that a drag draws. Nothing is replotted for these; only
 // the strips that changed are painted.
 
@@ -10,7 +10,6 @@
 #include <QPixmap>
 #include <QWidget>
 
-#include <memory>
 #include <vector>
 
 namespace slidercrank
@@ -22,7 +21,7 @@ class PlotPane : public QWidget
 
 public:
     struct Dot {
-        QPointF at; ///< px, in the pane
+        QPointF place; ///< px, in the pane
         QColor colour;
         QString text;
     };
@@ -35,6 +34,13 @@ public:
         std::vector<Dot> dots;
     };
 
+    /// Text beside a cursor.
+    struct Label {
+        QRectF place; ///< px, in the pane
+        QColor colour;
+        QString text;
+    };
+
     /// `picture` is that of the whole figure and outlives the pane.
     PlotPane(const QPixmap &picture, QWidget *figure);
 
@@ -43,33 +49,23 @@ public:
     void setFrame(const QRect &frame); ///< null: none
 
     const std::vector<Cursor> &cursors() const { return m_cursors; }
+    const std::vector<Label> &labels() const { return m_labels; }
     const QRect &frame() const { return m_frame; }
     const QRect &axes() const { return m_axes; } ///< px, in the pane
-
-    /// All that is written beside the cursors, a line each, and where, px in the pane.
-    QString text() const;
-    std::vector<QRectF> labelPlaces() const;
+    QString text() const;                        ///< of all labels, a line each
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void focusInEvent(QFocusEvent *event) override;
-    void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    struct Label {
-        QRectF place;
-        QColor colour;
-        QString text;
-    };
-    std::vector<Label> labels(const Cursor &cursor) const;
-    QRegion region() const;
+    void addLabels(const Cursor &cursor);
 
     const QPixmap &m_picture;
     std::vector<Cursor> m_cursors;
-    std::vector<std::vector<Label>> m_labels; ///< of each cursor
+    std::vector<Label> m_labels;
+    QRegion m_painted; ///< by cursors and labels
     QRect m_axes;
     QRect m_frame;
-    QFont m_font;
     SeriesColours m_colours;
 };
 

@@ -86,10 +86,9 @@ private slots:
             Chart chart;
             chart.setContent(content(legend));
             const QStringList texts = textsOf(chart, {500, 300});
-            for (const char *wanted : {"iteration", "residual", "rough start", "tolerance"}) {
+            for (const char *wanted : {"iteration", "residual", "rough start", "tolerance", "10", "-6"}) {
                 QVERIFY2(texts.contains(QLatin1String(wanted)), wanted);
             }
-            QVERIFY(texts.join(QString()).contains(QStringLiteral("10⁻⁶")));
             QVERIFY(!textsOf(chart, {90, 60}).contains(QStringLiteral("rough start")));
         }
     }

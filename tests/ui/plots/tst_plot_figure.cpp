@@ -2,80 +2,48 @@
 #include "ui/plots/plot_figure.h"
 
 #include "core/closed_form/closed_form.h"
-#include "ui/document/session.h"
+#include "tests/ui/plots/plot_results.h"
 
 #include <QTest>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <numbers>
 
 using namespace slidercrank;
 
 namespace
 {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
-constexpr QSize kAxes(300, 150);
+constexpr std::size_t kPositionErrors = 2;
 
-Parameters withCoupler(double b)
+PlotFigure &figureOf(const Shown &shown)
 {
-    Parameters parameters;
-    parameters.b = b;
-    return parameters;
+    static std::unique_ptr<PlotFigure> figure;
+    figure = std::make_unique<PlotFigure>();
+    figure->setResult(resultOf(shown));
+    return *figure;
 }
 
-/// The motion of another mechanism at 51 time stamps, as if a file had been read: all channels or the first ones.
-std::shared_ptr<Reference> referenceOf(const Parameters &parameters, std::size_t channels = kPlottedChannels.size())
+const Plot &plotOf(PlotFigure &figure, std::size_t plot)
 {
-    Session session;
-    session.setSampling({0.0, 1.0, 50});
-    session.setParameters(parameters);
-    const Trajectory &trajectory = session.result()->trajectory;
-    auto reference = std::make_shared<Reference>();
-    reference->name = QStringLiteral("simulation.csv");
-    reference->data.time = trajectory.time;
-    for (std::size_t i = 0; i < channels; ++i) {
-        reference->data.series.push_back({kPlottedChannels[i], trajectory[kPlottedChannels[i]], {}});
-    }
-    return reference;
+    figure.setPlots({plot}, PlotFonts(QFont()), seriesColours(paletteFor(Theme::Light)));
+    figure.show({360, 200});
+    return figure.plot(plot);
 }
 
-struct Shown {
-    Parameters model = withCoupler(60.0);
-    std::shared_ptr<const Reference> reference = {};
-    std::vector<Parameters> pinned = {};
-    Sampling sampling = {};
-    Method method = Method::ClosedForm;
-};
-
-PlotFigure figureOf(const Shown &shown)
+std::ptrdiff_t gapsIn(const std::vector<CurvePoint> &points)
 {
-    SolverSettings solver;
-    solver.method = shown.method;
-    PlotFigure figure;
-    figure.setResult(compute({Mechanism(shown.model), shown.sampling, solver, shown.reference, shown.pinned}, {}));
-    return figure;
-}
-
-std::size_t plotAt(std::size_t row, std::size_t column)
-{
-    return row * kPlotColumns + column;
-}
-
-std::size_t gapsIn(const std::vector<CurvePoint> &points)
-{
-    return static_cast<std::size_t>(
-        std::ranges::count_if(points, [](const CurvePoint &point) { return std::isnan(point.value); }));
+    return std::ranges::count_if(points, [](const CurvePoint &point) { return std::isnan(point.value); });
 }
 
 PlotSettings settingsWith(ErrorMeasure measure, bool isLogarithmic = false)
 {
-    PlotSettings settings;
-    settings.error = measure;
-    settings.logarithmicError = isLogarithmic;
-    return settings;
+    return {.error = measure, .logarithmicError = isLogarithmic};
+}
+
+bool isNear(double value, double expected, double part)
+{
+    return std::abs(value - expected) <= part * std::max(1e-9, std::abs(expected));
 }
 
 } // namespace
@@ -87,14 +55,10 @@ class TestPlotFigure : public QObject
 private slots:
     void errorsAreInPercentOfThePeakUnlessChosenOtherwise()
     {
-        // The textbook's formulas at t = 0: θ³ = asin(25/b), Rₓ⁴ = 20 + √(b² − 25²). Peaks: θ³ = asin(45/b) at 270°;
-        // Rₓ⁴ where crank and coupler are in line, √((20 + b)² − 25²).
-        const auto start = [](double b) {
-            return std::array{std::asin(25.0 / b) * kDegree, 20.0 + std::sqrt(b * b - 625.0)};
-        };
-        const std::array model = start(60.0);
-        const std::array reference = start(65.0);
-        const std::array peak{std::asin(45.0 / 65.0) * kDegree, std::sqrt(85.0 * 85.0 - 625.0)};
+        const std::array model = positionsAt(0.0, 60.0);
+        const std::array reference = positionsAt(0.0, 65.0);
+        // θ³ is largest at 270°, Rₓ⁴ where crank and coupler are in line
+        const std::array peak{positionsAt(0.75, 65.0)[0], std::sqrt(85.0 * 85.0 - 625.0)};
         struct Row {
             PlotSettings settings;
             std::function<double(std::size_t)> expected;
@@ -109,21 +73,17 @@ private slots:
             {settingsWith(ErrorMeasure::Percent, true), [&](std::size_t i) { return std::log10(pointwise(i)); }},
             {settingsWith(ErrorMeasure::OfPeak, true), [&](std::size_t i) { return std::log10(ofPeak(i)); }}};
         for (const Row &row : rows) {
-            for (const bool isPinned : {false, true}) {
-                PlotFigure figure = figureOf(isPinned ? Shown{.pinned = {withCoupler(65.0)}}
-                                                      : Shown{.reference = referenceOf(withCoupler(65.0))});
+            for (const Shown &shown : {Shown{.pinned = {withCoupler(65.0)}}, Shown{.reference = referenceOf(65.0)}}) {
+                PlotFigure &figure = figureOf(shown);
                 figure.setSettings(row.settings);
-                const PlotPicture picture = figure.picture(plotAt(0, kErrorColumn), kAxes);
-                const std::vector<PlotReading> readings =
-                    figure.readings(plotAt(0, kErrorColumn), figure.readTime(0.0));
-                QCOMPARE(readings.size(), kChannelsPerRow);
-                for (std::size_t i = 0; i < kChannelsPerRow; ++i) {
-                    const double expected = row.expected(i);
-                    constexpr double kPeakIsSampled = 2e-3; // of 51 samples none is just at the peak
-                    QVERIFY(std::abs(readings[i].value - expected) <= kPeakIsSampled * std::abs(expected));
-                    QVERIFY(picture.values.contains(readings[i].value));
-                    const double drawn = picture.curves[i].points.front().value;
-                    QVERIFY(std::abs(drawn - expected) <= kPeakIsSampled * std::abs(expected));
+                const Plot &plot = plotOf(figure, kPositionErrors);
+                const std::vector<PlotReading> readings = figure.readings(kPositionErrors, figure.readTime(0.0));
+                QCOMPARE(readings.size(), std::size_t(2));
+                for (std::size_t i = 0; i < 2; ++i) {
+                    constexpr double kPeakIsSampled = 2e-3; // of 41 samples none is just at the peak
+                    QVERIFY(isNear(readings[i].value, row.expected(i), kPeakIsSampled));
+                    QVERIFY(isNear(plot.curves[i].points.front().value, row.expected(i), kPeakIsSampled));
+                    QVERIFY(plot.values->contains(readings[i].value));
                 }
             }
         }
@@ -131,75 +91,78 @@ private slots:
 
     void anUndefinedErrorIsAGapWithAMark()
     {
-        const std::shared_ptr<Reference> reference = referenceOf(withCoupler(65.0));
-        constexpr std::size_t kZero = 20;
-        constexpr std::size_t kNearlyZero = 30;
-        reference->data.series[0].values[kZero] = 0.0;
-        reference->data.series[0].values[kNearlyZero] = 1e-15; // beside a peak of 40: a zero within rounding
-        PlotFigure figure = figureOf({.reference = reference});
+        const std::shared_ptr<Reference> reference = referenceOf(65.0);
+        reference->data.series[0].values[20] = 0.0;
+        reference->data.series[0].values[30] = 1e-15; // beside a peak of 40: a zero within rounding
+        PlotFigure &figure = figureOf({.reference = reference});
         figure.setSettings(settingsWith(ErrorMeasure::Percent));
-        const PlotPicture picture = figure.picture(plotAt(0, kErrorColumn), kAxes);
-        const std::vector<double> &time = reference->data.time;
-        QCOMPARE(picture.curves[0].marks, (std::vector{time[kZero], time[kNearlyZero]}));
-        QCOMPARE(gapsIn(picture.curves[0].points), std::size_t(2));
-        QCOMPARE(gapsIn(picture.curves[1].points), std::size_t(0));
-        QVERIFY(picture.values.upper < 1000.0);
-        figure.setSettings(PlotSettings());
-        QCOMPARE(gapsIn(figure.picture(plotAt(0, kErrorColumn), kAxes).curves[0].points), std::size_t(0));
+        const Plot &plot = plotOf(figure, kPositionErrors);
+        QCOMPARE(plot.curves[0].marks, (std::vector{reference->data.time[20], reference->data.time[30]}));
+        QCOMPARE(gapsIn(plot.curves[0].points), 2);
+        QCOMPARE(gapsIn(plot.curves[1].points), 0);
+        QVERIFY(plot.values->upper < 1000.0);
+        figure.setSettings({});
+        QCOMPARE(gapsIn(plotOf(figure, kPositionErrors).curves[0].points), 0);
 
         std::ranges::fill(reference->data.series[0].values, 0.0);
         reference->data.series.resize(1);
-        PlotFigure zeros = figureOf({.reference = reference});
+        PlotFigure &zeros = figureOf({.reference = reference});
         zeros.setSettings(settingsWith(ErrorMeasure::Percent));
-        QCOMPARE(zeros.picture(plotAt(0, kErrorColumn), kAxes).note, QStringLiteral("undefined: the reference is 0"));
-        QCOMPARE(zeros.picture(plotAt(1, kErrorColumn), kAxes).note, QStringLiteral("not in the file"));
+        QCOMPARE(plotOf(zeros, kPositionErrors).note, QStringLiteral("undefined: the reference is 0"));
+        QCOMPARE(plotOf(zeros, 5).note, QStringLiteral("not in the file"));
+    }
+
+    void theBandIsHalfARoundingStepOfTheFile()
+    {
+        const std::shared_ptr<Reference> reference = referenceOf(65.0);
+        reference->data.series[1].rounding = {Rounding::Rule::Decimals, 1};
+        PlotFigure &figure = figureOf({.reference = reference});
+        figure.setSettings(settingsWith(ErrorMeasure::Absolute));
+        const Plot &plot = plotOf(figure, kPositionErrors);
+        QVERIFY(plot.curves[0].band.empty() || plot.curves[0].band.front().value < 1e-9);
+        QVERIFY(isNear(plot.curves[1].band.front().value, 0.05, 1e-6));
+        figure.setSettings({.error = ErrorMeasure::Absolute, .roundingBand = false});
+        QVERIFY(plotOf(figure, kPositionErrors).curves[1].band.empty());
     }
 
     void everyPlotSaysThatTheMechanismCannotBeAssembled()
     {
-        const QString missing = QStringLiteral("the mechanism cannot be assembled");
         for (const ErrorMeasure measure : {ErrorMeasure::OfPeak, ErrorMeasure::Percent, ErrorMeasure::Absolute}) {
-            for (const Shown &shown : {Shown{withCoupler(1.0)}, Shown{withCoupler(1.0), referenceOf(Parameters())},
+            for (const Shown &shown : {Shown{withCoupler(1.0)}, Shown{withCoupler(1.0), referenceOf(65.0)},
                                        Shown{withCoupler(1.0), nullptr, {Parameters()}}}) {
-                PlotFigure figure = figureOf(shown);
+                PlotFigure &figure = figureOf(shown);
                 figure.setSettings(settingsWith(measure));
                 for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
                     if (!isErrorPlot(plot) || figure.hasErrors()) {
-                        QCOMPARE(figure.picture(plot, kAxes).note, missing);
+                        QCOMPARE(plotOf(figure, plot).note, QStringLiteral("the mechanism cannot be assembled"));
                     }
                 }
             }
         }
-        QCOMPARE(figureOf({.pinned = {withCoupler(60.0)}}).picture(plotAt(0, kErrorColumn), kAxes).note,
+        QCOMPARE(plotOf(figureOf({.pinned = {withCoupler(60.0)}}), kPositionErrors).note,
                  QStringLiteral("no difference"));
-        PlotFigure whole = figureOf({.reference = referenceOf(Parameters())});
-        for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-            QVERIFY(whole.picture(plot, kAxes).note.isEmpty());
-        }
+        QVERIFY(plotOf(figureOf({.reference = referenceOf(65.0)}), kPositionErrors).note.isEmpty());
     }
 
     void aFileWithoutAChannelLeavesThatPlotToTheModel()
     {
-        PlotFigure figure = figureOf({.reference = referenceOf(withCoupler(65.0), 1)});
-        QVERIFY(!figure.picture(0, kAxes).curves.back().points.empty());
-        const PlotPicture slider = figure.picture(1, kAxes);
-        QCOMPARE(slider.note, QStringLiteral("not in the file"));
-        QVERIFY(!slider.curves.front().points.empty() && slider.curves.back().points.empty());
+        PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 1)});
+        QCOMPARE(plotOf(figure, 0).curves.size(), std::size_t(2));
+        QCOMPARE(plotOf(figure, 1).note, QStringLiteral("not in the file"));
+        QCOMPARE(figure.plot(1).curves.size(), std::size_t(1));
         const std::vector<PlotReading> readings = figure.readings(1, figure.readTime(0.0));
         QCOMPARE(readings.size(), std::size_t(1));
-        QVERIFY(std::abs(readings[0].number - 20.0 - std::sqrt(60.0 * 60.0 - 625.0)) < 1e-9);
+        QVERIFY(isNear(readings[0].number, positionsAt(0.0, 60.0)[1], 1e-9));
     }
 
-    void rocksWithGapsAtMostAsManyPointsAsPixels()
+    void oscillatesWithGapsAndAtMostAsManyPointsAsPixels()
     {
         for (const int steps : {200, 20000}) {
             for (const Method method : {Method::ClosedForm, Method::Newton}) {
-                PlotFigure figure =
-                    figureOf({.model = withCoupler(30.0), .sampling = {0.0, 1.0, steps}, .method = method});
-                const std::vector<CurvePoint> points = figure.picture(0, kAxes).curves.front().points;
-                QVERIFY(gapsIn(points) >= 1 && gapsIn(points) < points.size() / 2);
-                QVERIFY(points.size() <= 2 * static_cast<std::size_t>(kAxes.width()) + 8);
-                QVERIFY(points.size() >= 20);
+                const std::vector<CurvePoint> points =
+                    plotOf(figureOf({withCoupler(30.0), nullptr, {}, {0.0, 1.0, steps}, method}), 0).curves[0].points;
+                QVERIFY(gapsIn(points) >= 1 && gapsIn(points) < static_cast<std::ptrdiff_t>(points.size()) / 2);
+                QVERIFY(points.size() >= 20 && points.size() <= 728);
             }
         }
     }
@@ -207,75 +170,71 @@ private slots:
     void timeMayRunBackwards()
     {
         for (const Method method : {Method::ClosedForm, Method::Newton}) {
-            PlotFigure backwards = figureOf({.sampling = {1.0, -1.0, 400}, .method = method});
-            PlotFigure forwards = figureOf({.sampling = {0.0, 1.0, 400}, .method = method});
+            PlotFigure &figure = figureOf({.sampling = {1.0, -1.0, 400}, .method = method});
             for (const double t : {0.1, 0.35, 0.8}) {
-                for (std::size_t plot : {0, 1, 3, 4, 6, 7}) {
-                    const double one = backwards.readings(plot, backwards.readTime(t)).front().value;
-                    const double other = forwards.readings(plot, forwards.readTime(t)).front().value;
-                    QVERIFY(std::abs(one - other) <= 1e-6 * std::max(1.0, std::abs(other)));
+                const ReadTime time = figure.readTime(t);
+                for (std::size_t plot : {0, 1}) {
+                    QVERIFY(isNear(figure.readings(plot, time)[0].value, positionsAt(t, 60.0)[plot], 1e-6));
                 }
             }
-            QVERIFY(std::ranges::is_sorted(backwards.picture(0, kAxes).curves[0].points, {}, &CurvePoint::t));
+            QVERIFY(std::ranges::is_sorted(plotOf(figure, 0).curves[0].points, {}, &CurvePoint::t));
         }
     }
 
     void valuesFitTheTimeOnShow()
     {
         for (const int steps : {0, 400, 8}) { // of Newton-Raphson; 0: closed form
-            PlotFigure figure = figureOf({.reference = referenceOf(withCoupler(65.0)),
-                                          .sampling = {0.0, 1.0, std::max(steps, 1)},
-                                          .method = steps > 0 ? Method::Newton : Method::ClosedForm});
-            const Interval whole = figure.picture(1, kAxes).values;
+            PlotFigure &figure = figureOf({.reference = referenceOf(65.0),
+                                           .sampling = {0.0, 1.0, std::max(steps, 1)},
+                                           .method = steps > 0 ? Method::Newton : Method::ClosedForm});
+            const Interval whole = *plotOf(figure, 1).values;
             for (const Interval &time : {Interval{0.3, 0.4}, Interval{0.55, 0.62}, Interval{0.81, 0.83}}) {
                 double least = 1e9;
                 double most = -1e9;
-                for (int i = 0; i <= 1000; ++i) { // Rₓ⁴ = a cos θ₂ + √(b² − (c − a sin θ₂)²)
-                    const double angle = 2.0 * std::numbers::pi * (time.lower + time.length() * i / 1000.0);
+                for (int i = 0; i <= 1000; ++i) {
                     for (const double b : {60.0, 65.0}) {
-                        const double height = 25.0 - 20.0 * std::sin(angle);
-                        const double value = 20.0 * std::cos(angle) + std::sqrt(b * b - height * height);
+                        const double value = positionsAt(time.lower + time.length() * i / 1000.0, b)[1];
                         least = std::min(least, value);
                         most = std::max(most, value);
                     }
                 }
                 figure.zoomTime(time);
-                const Interval seen = figure.picture(1, kAxes).values;
+                const Interval seen = *plotOf(figure, 1).values;
                 const double chord = steps == 8 ? 4.0 : 0.1; // mm between eight samples' lines and the motion
                 QVERIFY(seen.lower <= least + chord && seen.upper >= most - chord);
                 QVERIFY(seen.length() < 1.5 * (most - least) + 4.0 * chord && seen.length() < 0.8 * whole.length());
             }
             figure.zoomValues(1, {10.0, 20.0}); // chosen values stay, whatever the time on show
             figure.zoomTime({0.5, 0.6});
-            QCOMPARE(figure.picture(1, kAxes).values, (Interval{10.0, 20.0}));
+            QCOMPARE(*plotOf(figure, 1).values, (Interval{10.0, 20.0}));
         }
     }
 
     void titlesNameAndExplainTheSymbolsWhichGoFirst()
     {
-        PlotFigure figure = figureOf({});
-        const QStringList velocity = figure.picture(3, kAxes).titles;
-        QCOMPARE(velocity,
+        PlotFigure &figure = figureOf({});
+        QCOMPARE(plotOf(figure, 3).titles,
                  (QStringList{"coupler angular velocity ω³ = dθ³/dt [°/s]", "coupler angular velocity ω³ [°/s]",
                               "coupler angular velocity [°/s]", "velocity [°/s]"}));
-        QVERIFY(figure.picture(7, kAxes).titles.first().startsWith(QStringLiteral("slider acceleration a⁴ = dv⁴/dt")));
-        QCOMPARE(figure.picture(0, kAxes).titles.first(), QStringLiteral("coupler angle θ³ [°]"));
+        QVERIFY(plotOf(figure, 7).titles.first().startsWith(QStringLiteral("slider acceleration a⁴ = dv⁴/dt")));
+        QCOMPARE(plotOf(figure, 0).titles.first(), QStringLiteral("coupler angle θ³ [°]"));
     }
 
     void whatIsReadWithAFileIsReadAtItsTimeStamps()
     {
-        const std::shared_ptr<Reference> reference = referenceOf(withCoupler(65.0));
+        const std::shared_ptr<Reference> reference = referenceOf(65.0);
         for (const Method method : {Method::ClosedForm, Method::Newton}) {
-            PlotFigure figure = figureOf({.reference = reference, .method = method});
+            PlotFigure &figure = figureOf({.reference = reference, .method = method});
             figure.setSettings(settingsWith(ErrorMeasure::Absolute));
             const ReadTime time = figure.readTime(0.3333);
-            QCOMPARE(time.t, reference->data.time[17]);
-            for (std::size_t row = 0; row < kPlotRows; ++row) {
-                const std::vector<PlotReading> errors = figure.readings(plotAt(row, kErrorColumn), time);
-                for (std::size_t column = 0; column < kErrorColumn; ++column) {
-                    const std::vector<PlotReading> values = figure.readings(plotAt(row, column), time);
+            QCOMPARE(time.t, reference->data.time[13]);
+            for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+                if (!isErrorPlot(plot)) {
+                    const std::vector<PlotReading> values = figure.readings(plot, time);
+                    const std::vector<PlotReading> errors =
+                        figure.readings(plot / kPlotColumns * kPlotColumns + kErrorColumn, time);
                     QCOMPARE(values.size(), std::size_t(2));
-                    QCOMPARE(errors[column].number, std::abs(values[0].number - values[1].number));
+                    QCOMPARE(errors[plot % kPlotColumns].number, std::abs(values[0].number - values[1].number));
                 }
             }
             QVERIFY(!figureOf({.reference = reference, .sampling = {0.0, 2.0, 200}}).readTime(1.7).row);
@@ -284,34 +243,31 @@ private slots:
 
     void overTheCrankAngleEverythingIsReadInDegrees()
     {
-        Parameters parameters = withCoupler(60.0);
+        Parameters parameters;
         parameters.omega2 = -2.0 * std::numbers::pi;
         parameters.theta20 = 0.5 * std::numbers::pi;
-        PlotFigure figure = figureOf({parameters});
+        PlotFigure &figure = figureOf({parameters});
         QCOMPARE(figure.timeText(0.25), QStringLiteral("t = 0.25 s"));
         QCOMPARE(figure.durationText(0.5), QStringLiteral("0.5 s"));
-        PlotSettings settings;
-        settings.abscissa = Abscissa::CrankAngle;
-        figure.setSettings(settings);
+        QCOMPARE(plotOf(figure, 0).axes->axis(QCPAxis::atBottom)->label(), QStringLiteral("t [s]"));
+        figure.setSettings({.abscissa = Abscissa::CrankAngle});
         QCOMPARE(figure.timeText(0.5), QStringLiteral("θ₂ = -90°"));
         QCOMPARE(figure.durationText(0.5), QStringLiteral("-180°"));
-        const TimeAxis axis = figure.timeAxis(600.0, 6.0);
-        QCOMPARE(axis.zero, 0.25); // θ₂ is 0 a quarter of a second after it was 90°
-        QVERIFY(std::abs(axis.perUnit + 1.0 / 360.0) < 1e-12);
-        QCOMPARE(axis.title, QStringLiteral("θ₂ [°]"));
+        const QCPAxis &axis = *plotOf(figure, 0).axes->axis(QCPAxis::atBottom);
+        QCOMPARE(axis.label(), QStringLiteral("θ₂ [°]"));
+        const auto zero = axis.tickVectorLabels().indexOf(QStringLiteral("0")); // a quarter of a second after 90°
+        QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
     }
 
     void inPresentationModeMotionsAreEqualAndNamedByWhatDiffers()
     {
-        PlotFigure figure = figureOf({.model = withCoupler(146.0), .pinned = {withCoupler(65.0), withCoupler(80.0)}});
-        const auto curves = [&] { return figure.picture(1, kAxes).curves; };
-        QVERIFY(curves()[0].width < curves().back().width);
-        QVERIFY(figure.hasErrors());
+        PlotFigure &figure = figureOf({.model = withCoupler(146.0), .pinned = {withCoupler(65.0), withCoupler(80.0)}});
+        QVERIFY(plotOf(figure, 1).curves.front().width < figure.plot(1).curves.back().width && figure.hasErrors());
         figure.setPresentation(true);
         QVERIFY(!figure.hasErrors());
         QStringList names;
-        for (const PlotCurve &curve : curves()) {
-            QCOMPARE(curve.width, curves().back().width);
+        for (const PlotCurve &curve : plotOf(figure, 1).curves) {
+            QCOMPARE(curve.width, figure.plot(1).curves.back().width);
             names << curve.name;
         }
         QCOMPARE(names, (QStringList{"b = 65 mm", "b = 80 mm", "b = 146 mm"}));
@@ -327,45 +283,44 @@ private slots:
         for (const auto &[duration, time, b] :
              {Row{1.0, {0.0, 1.0}, 80.0}, Row{1.0, {0.23, 0.26}, 80.0}, Row{1000.0, {0.0, 1000.0}, 80.0},
               Row{1000.0, {700.0, 700.5}, 80.0}, Row{1.0, {0.0, 1.0}, 40.0}}) {
-            PlotFigure figure = figureOf({.pinned = {withCoupler(b)}, .sampling = {0.0, duration, 7}});
-            PlotFigure swapped =
-                figureOf({.model = withCoupler(b), .pinned = {withCoupler(60.0)}, .sampling = {0.0, duration, 7}});
-            figure.zoomTime(time);
+            const Sampling sampling{0.0, duration, 7};
+            std::array<std::vector<CurvePoint>, kPlotCount> expected;
+            PlotFigure &swapped = figureOf({withCoupler(b), nullptr, {withCoupler(60.0)}, sampling});
             swapped.zoomTime(time);
+            for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+                expected[plot] = plotOf(swapped, plot).curves.back().points;
+            }
+            PlotFigure &figure = figureOf({withCoupler(60.0), nullptr, {withCoupler(b)}, sampling});
+            figure.zoomTime(time);
             for (const std::size_t plot : {0, 1, 3, 4, 6, 7}) {
-                const std::vector<CurvePoint> points = figure.picture(plot, kAxes).curves.front().points;
-                const std::vector<CurvePoint> wanted = swapped.picture(plot, kAxes).curves.back().points;
-                QVERIFY(!points.empty() && std::ranges::equal(points, wanted, [](const auto &p, const auto &q) {
+                const std::vector<CurvePoint> &points = plotOf(figure, plot).curves.front().points;
+                QVERIFY(!points.empty() && std::ranges::equal(points, expected[plot], [](const auto &p, const auto &q) {
                     return p.t == q.t && (p.value == q.value || (std::isnan(p.value) && std::isnan(q.value)));
                 }));
             }
-            const ClosedForm motions[]{ClosedForm(Mechanism(withCoupler(60.0))), ClosedForm(Mechanism(withCoupler(b)))};
-            const PlotPicture errors = figure.picture(plotAt(0, kErrorColumn), kAxes);
+            const Plot &errors = plotOf(figure, kPositionErrors);
             const double peak = figure.result()->difference->channels[1].peak;
             for (const CurvePoint &point : errors.curves[1].points) {
-                const double expected =
-                    100.0 / peak * std::abs(motions[0].motionAt(point.t).R4x - motions[1].motionAt(point.t).R4x);
-                QVERIFY(std::isnan(point.value) || std::abs(point.value - expected) <= 1e-6 * errors.values.upper);
+                const double wanted =
+                    100.0 / peak * std::abs(positionsAt(point.t, 60.0)[1] - positionsAt(point.t, b)[1]);
+                QVERIFY(std::isnan(point.value) || std::abs(point.value - wanted) <= 1e-6 * errors.values->upper);
             }
         }
     }
 
     void tooFewSamplesAreSaidWithTheNumberThatWouldDo()
     {
-        Parameters parameters = withCoupler(65.0);
+        Parameters parameters;
         parameters.omega2 = 2.0 * std::numbers::pi * 50.0;
-        const auto nameAt = [&](Method method, int steps) {
-            return figureOf({.model = parameters, .sampling = {0.0, 1.0, steps}, .method = method})
-                .picture(0, kAxes)
-                .curves.front()
-                .name;
-        };
-        QCOMPARE(nameAt(Method::Newton, 200),
-                 QStringLiteral("4 samples a turn are too few for a curve: 1,000 steps would do."));
-        QCOMPARE(nameAt(Method::Newton, 1000), QStringLiteral("model"));
-        QCOMPARE(nameAt(Method::ClosedForm, 2), QStringLiteral("model"));
+        for (const auto &[method, steps, name] :
+             {std::tuple(Method::Newton, 200, "4 samples a turn are too few for a curve: 1,000 steps would do."),
+              {Method::Newton, 1000, "model"},
+              {Method::ClosedForm, 2, "model"}}) {
+            PlotFigure &figure = figureOf({parameters, nullptr, {}, {0.0, 1.0, steps}, method});
+            QCOMPARE(plotOf(figure, 0).curves.front().name, QString::fromUtf8(name));
+        }
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlotFigure)
+QTEST_MAIN(TestPlotFigure)
 #include "tst_plot_figure.moc"

@@ -3,7 +3,6 @@
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/waiting.h"
 #include "ui/document/result.h"
-#include "ui/plots/figure_plot.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/theme.h"
 
@@ -199,27 +198,27 @@ struct BareFigure {
 
     void show(const std::shared_ptr<const Result> &result, const PlotZoom &zoom = {})
     {
+        figure.setPlots({0, 1, 3, 4, 6, 7}, PlotFonts(QFont()), colours);
         figure.setResult(result);
         figure.zoom = zoom;
-        plot.show(figure, size);
-        for (const std::size_t index : plot.plots()) {
-            for (QCPAxis *axis : plot.axes(index).axes()) {
+        figure.show(size);
+        for (const std::size_t index : figure.plots()) {
+            for (QCPAxis *axis : axes(index).axes()) {
                 axis->grid()->setVisible(false);
                 axis->setBasePen(Qt::NoPen);
                 axis->setTickPen(Qt::NoPen);
             }
         }
         QPixmap pixmap(size);
-        plot.drawInto(pixmap);
+        figure.drawInto(pixmap);
         picture = pixmap.toImage();
     }
 
-    const QCPAxisRect &axes(std::size_t index) const { return plot.axes(index); }
+    const QCPAxisRect &axes(std::size_t index) const { return *figure.plot(index).axes; }
 
     const QSize size{720, 480};
     SeriesColours colours = seriesColours(paletteFor(Theme::Light));
     PlotFigure figure;
-    FigurePlot plot{{0, 1, 3, 4, 6, 7}, PlotFonts(QFont()), colours};
     QImage picture;
 };
 
@@ -245,7 +244,7 @@ QString faultOf(const BareFigure &shown, const Result &result, std::size_t plot)
     const QRect axes = shown.axes(plot).rect();
     const Strength strength(shown.colours.background, shown.colours.model);
     const Truth truth(result, channelOf(plot), shown.axes(plot));
-    if (!shown.plot.hasValues(plot)) {
+    if (!shown.figure.plot(plot).values) {
         return truth.isEmpty() ? QString() : QStringLiteral("it is said not to exist");
     }
     constexpr double kPainted = 0.3;
@@ -317,7 +316,7 @@ private slots:
             }
             const std::shared_ptr<const Result> result = resultOf(p, run);
             shown.show(result, zoom);
-            for (const std::size_t plot : shown.plot.plots()) {
+            for (const std::size_t plot : shown.figure.plots()) {
                 const QString fault = faultOf(shown, *result, plot);
                 QVERIFY2(fault.isEmpty(),
                          qPrintable(QStringLiteral("%1, %2: %3; a %4 b %5 c %6 ω %7 θ %8 %9, run %10 + "
@@ -345,7 +344,7 @@ private slots:
             p.omega2 = kTurnAngle * turnsPerMinute / 60.0;
             const BareFigure shown(resultOf(p, {}));
             const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
-            for (const std::size_t plot : shown.plot.plots()) {
+            for (const std::size_t plot : shown.figure.plots()) {
                 const auto peak = std::ranges::find(peaks, kPlottedChannels[channelOf(plot)], &Peak::channel);
                 if (peak == peaks.end()) {
                     continue; // positions have no peak
@@ -377,9 +376,7 @@ private slots:
         Parameters p;
         p.omega2 = kTurnAngle * 50.0;
         const auto curveOf = [&](int steps) {
-            PlotFigure figure;
-            figure.setResult(resultOf(p, {0.0, 1.0, steps}, Method::Newton));
-            return figure.picture(0, {300, 150}).curves.front();
+            return BareFigure(resultOf(p, {0.0, 1.0, steps}, Method::Newton)).figure.plot(0).curves.front();
         };
         const std::shared_ptr<const Result> result = resultOf(p, {0.0, 1.0, 200}, Method::Newton);
         const PlotCurve few = curveOf(200);

@@ -78,9 +78,9 @@ private:
 
     static QRect edgeOf(const QWidget &widget, Qt::Edge edge)
     {
-        constexpr int kEdge = 22; // px, as high as numbers are and half as wide
+        constexpr int kEdge = 22; // px, as high as numbers are and a third as wide
         return edge == Qt::BottomEdge ? QRect(0, widget.height() - kEdge, widget.width(), kEdge)
-                                      : QRect(0, 0, 2 * kEdge, widget.height());
+                                      : QRect(0, 0, 3 * kEdge, widget.height());
     }
 
     void judge(const QImage &picture)

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Motions for the tests of the plots, and the textbook's formulas for them.
+
+#include "ui/document/result.h"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace slidercrank
+{
+
+inline Parameters withCoupler(double b)
+{
+    Parameters parameters;
+    parameters.b = b;
+    return parameters;
+}
+
+struct Shown {
+    Parameters model = withCoupler(60.0);
+    std::shared_ptr<const Reference> reference = {};
+    std::vector<Parameters> pinned = {};
+    Sampling sampling = {};
+    Method method = Method::ClosedForm;
+};
+
+inline std::shared_ptr<const Result> resultOf(const Shown &shown)
+{
+    SolverSettings solver;
+    solver.method = shown.method;
+    return compute({Mechanism(shown.model), shown.sampling, solver, shown.reference, shown.pinned}, {});
+}
+
+/// The motion of another mechanism at 41 time stamps, as if a file had been read: all channels or the first ones.
+inline std::shared_ptr<Reference> referenceOf(double b, std::size_t channels = kPlottedChannels.size())
+{
+    const std::shared_ptr<const Result> result = resultOf({.model = withCoupler(b), .sampling = {0.0, 1.0, 40}});
+    auto reference = std::make_shared<Reference>();
+    reference->name = QStringLiteral("simulation.csv");
+    reference->data.time = result->trajectory.time;
+    for (std::size_t i = 0; i < channels; ++i) {
+        reference->data.series.push_back({kPlottedChannels[i], result->trajectory[kPlottedChannels[i]], {}});
+    }
+    return reference;
+}
+
+/// θ³ (°) and Rₓ⁴ (mm) of a = 20, c = 25: asin((c − a sin θ₂)/b), a cos θ₂ + √(b² − (c − a sin θ₂)²).
+inline std::array<double, 2> positionsAt(double turns, double b)
+{
+    const double theta2 = 2.0 * std::numbers::pi * turns;
+    const double height = 25.0 - 20.0 * std::sin(theta2);
+    return {std::asin(height / b) * kDegreesPerRadian, 20.0 * std::cos(theta2) + std::sqrt(b * b - height * height)};
+}
+
+} // namespace slidercrank

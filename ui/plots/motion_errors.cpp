@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/motion_errors.h"
+
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// At least two time stamps a pixel, more where the crank turns fast; not evenly spaced, so that they do not meet every
+/// turn at the same place where they are few.
+std::vector<double> timeStamps(const Interval &range, double turns, std::size_t columns)
+{
+    constexpr double kPerTurn = 32.0;
+    constexpr double kMostPerPixel = 32.0;
+    const auto pixels = static_cast<double>(columns);
+    const double pieces = std::ceil(std::clamp(kPerTurn * turns, 2.0 * pixels, kMostPerPixel * pixels));
+    std::vector<double> stamps{range.lower};
+    for (double i = 1.0; i < pieces; ++i) {
+        const double shift = i * std::numbers::phi;
+        stamps.push_back(range.lower + range.length() * (i + shift - std::floor(shift)) / pieces);
+    }
+    stamps.push_back(range.upper);
+    return stamps;
+}
+
+} // namespace
+
+MotionErrors::MotionErrors(const Result &result, const PlotSettings &settings, const Interval &range,
+                           std::size_t columns)
+    : m_settings(settings)
+{
+    const Reference *file = result.reference.get();
+    MotionSamples model;
+    if (!file) {
+        const Mechanism pinned(result.kept.back());
+        const double speed = std::max(std::abs(result.mechanism.omega2()), std::abs(pinned.omega2()));
+        m_pinned = sampleMotion(ClosedForm(pinned), timeStamps(range, speed * range.length() / kTurn, columns));
+        model = sampleMotion(ClosedForm(result.mechanism), m_pinned.time);
+    }
+    m_time = file ? file->data.time : m_pinned.time;
+    for (const ChannelComparison &comparison : file ? result.comparison : result.difference->channels) {
+        const auto place = std::ranges::find(kPlottedChannels, comparison.channel);
+        if (place == kPlottedChannels.end()) {
+            continue;
+        }
+        const auto channel = static_cast<std::size_t>(place - kPlottedChannels.begin());
+        Errors &errors = m_errors[channel];
+        errors.series = file ? file->data.find(*place) : nullptr;
+        errors.peak = comparison.peak;
+        errors.isUnbounded = !std::isfinite(errors.peak) || !std::isfinite(comparison.maxAbs.value_or(0.0));
+        errors.reference = file ? errors.series->values : m_pinned.values[channel];
+        compute(channel, file ? result.atReference[*place] : model.values[channel]);
+    }
+}
+
+void MotionErrors::compute(std::size_t channel, std::span<const double> model)
+{
+    Errors &errors = m_errors[channel];
+    for (std::size_t i = 0; i < errors.reference.size(); ++i) {
+        errors.values.push_back(error(channel, model[i], errors.reference[i]));
+        if (m_settings.error == ErrorMeasure::Percent && std::isnan(errors.values.back()) && std::isfinite(model[i]) &&
+            std::isfinite(errors.reference[i])) {
+            errors.undefined.push_back(m_time[i]);
+        }
+    }
+}
+
+double MotionErrors::error(std::size_t channel, double model, double reference) const
+{
+    constexpr double kPercent = 100.0;
+    const Errors &errors = m_errors[channel];
+    double error = std::abs(model - reference);
+    if (m_settings.error == ErrorMeasure::Percent) {
+        constexpr double kZero = 1e-12; // of the peak: what rounding leaves of a zero
+        const double halfStep = errors.series ? 0.5 * errors.series->rounding.stepAt(reference) : 0.0;
+        const double zero = std::max(std::isfinite(errors.peak) ? kZero * errors.peak : 0.0, halfStep);
+        error = std::abs(reference) <= zero ? kNoValue : kPercent * error / std::abs(reference);
+    } else if (m_settings.error == ErrorMeasure::OfPeak) {
+        // 0 of a peak of 0 is no error; anything else of it has no percentage.
+        error = !std::isfinite(errors.peak) ? kNoValue : error == 0.0 ? 0.0 : kPercent * error / errors.peak;
+    }
+    return m_settings.logarithmicError ? std::log10(error) : error;
+}
+
+} // namespace slidercrank

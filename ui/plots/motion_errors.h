@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The error of the model against the file, at the file's time stamps, or without a file against the motion that was
+// pinned last, for each of the plotted channels. Values are in the units of files (mm, °, s).
+
+#include "ui/document/result.h"
+#include "ui/document/view_settings.h"
+#include "ui/plots/motion_curves.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace slidercrank
+{
+
+class MotionErrors
+{
+public:
+    /// `result` must outlive the object and have a reference or a difference. A pinned motion is compared at time
+    /// stamps for a plot of that range with so many pixel columns.
+    MotionErrors(const Result &result, const PlotSettings &settings, const Interval &range, std::size_t columns);
+
+    struct Errors {
+        const ReferenceSeries *series = nullptr; ///< of the file
+        double peak = 0.0;                       ///< largest magnitude of the reference; may be infinite
+        bool isUnbounded = false;                ///< no largest error
+        std::span<const double> reference;       ///< empty: not in the file
+        std::vector<double> values;              ///< in the chosen measure; not finite where undefined
+        std::vector<double> undefined;           ///< time stamps at which the reference is zero
+    };
+    std::span<const double> time() const { return m_time; }
+    const Errors &operator[](std::size_t channel) const { return m_errors[channel]; } ///< as in kPlottedChannels
+
+    /// The error in the chosen measure, a decimal logarithm where these are chosen; NaN where it is undefined.
+    double error(std::size_t channel, double model, double reference) const;
+
+private:
+    void compute(std::size_t channel, std::span<const double> model);
+
+    PlotSettings m_settings;
+    std::span<const double> m_time;
+    std::array<Errors, kPlottedChannels.size()> m_errors;
+    MotionSamples m_pinned;
+};
+
+} // namespace slidercrank
