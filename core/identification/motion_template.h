@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The textbook's motion of an offset slider-crank (R. L. Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15) on any
-// number type: double, or one that carries derivatives by the parameters.
+// The textbook's motion on numbers that carry derivatives by the parameters.
 
-#include "core/mechanism/channel.h"
+#include "core/closed_form/textbook_motion.h"
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
-
-#include <array>
-#include <cmath>
-#include <numbers>
 
 namespace slidercrank
 {
@@ -30,60 +25,6 @@ inline double plainValue(const Dual &x)
 }
 
 template <class T>
-struct MotionTemplate {
-    T theta2, omega2, c;
-    std::array<T, 3> pinX, pinY, theta3, sliderX; ///< by order; A is the crank pin
-
-    /// parameters: a, b, c (mm) and ω2 (rad/s); θ2 in rad; side: 1 open, -1 crossed. False if it cannot be assembled.
-    bool compute(const std::array<T, 5> &parameters, const T &crankAngle, double side)
-    {
-        using std::atan2, std::cos, std::sin, std::sqrt;
-        const T &a = parameters[0];
-        const T &b = parameters[1];
-        c = parameters[2];
-        omega2 = parameters[3];
-        theta2 = crankAngle;
-        pinX[0] = a * cos(theta2);
-        pinY[0] = a * sin(theta2);
-        for (std::size_t k = 1; k < 3; ++k) {
-            pinX[k] = -(omega2 * pinY[k - 1]);
-            pinY[k] = omega2 * pinX[k - 1];
-        }
-        const T height = c - pinY[0];
-        const T square = (b - height) * (b + height);
-        if (!(plainValue(square) > 0.0)) {
-            return false;
-        }
-        const T reach = side * sqrt(square);                  // b cos θ3
-        theta3[0] = atan2(T(side * height), T(side * reach)); // continuous within a turn of either assembly
-        theta3[0] += side < 0.0 ? std::numbers::pi : 0.0;
-        theta3[1] = -pinY[1] / reach;
-        theta3[2] = (height * theta3[1] * theta3[1] - pinY[2]) / reach;
-        sliderX[0] = pinX[0] + reach;
-        sliderX[1] = pinX[1] - height * theta3[1];
-        sliderX[2] = pinX[2] + pinY[1] * theta3[1] - height * theta3[2];
-        return true;
-    }
-
-    T valueAt(Channel channel) const
-    {
-        const auto k = static_cast<std::size_t>(channel.order);
-        switch (channel.coordinate) {
-        case Theta2: return k == 0 ? theta2 : k == 1 ? omega2 : T(0.0);
-        case Theta3: return theta3[k];
-        case R4x: return sliderX[k];
-        case R4y: return k == 0 ? c : T(0.0);
-        case R3x: return T(0.5 * (pinX[k] + sliderX[k]));
-        case R3y: return k == 0 ? T(0.5 * (pinY[k] + c)) : T(0.5 * pinY[k]);
-        case R2x: return T(0.5 * pinX[k]);
-        case R2y: return T(0.5 * pinY[k]);
-        case R1x:
-        case R1y:
-        case Theta1:
-        case Theta4: break;
-        }
-        return T(0.0);
-    }
-};
+using MotionTemplate = TextbookMotion<T>;
 
 } // namespace slidercrank

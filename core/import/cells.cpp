@@ -17,6 +17,11 @@ namespace
 
 constexpr std::string_view kMinusSign = "\u2212";
 
+bool isSign(std::string_view text)
+{
+    return text.starts_with('-') || text.starts_with('+');
+}
+
 /// Powers of ten that a double holds exactly.
 constexpr std::array<double, 23> kExactPowers = [] {
     std::array<double, 23> powers{};
@@ -28,21 +33,18 @@ constexpr std::array<double, 23> kExactPowers = [] {
     return powers;
 }();
 
-/// Reads the exponent behind the digits, if there is one; false where something else follows.
+/// Reads the exponent, "e-12" or none; false where the text is something else.
 bool readExponent(std::string_view text, int &exponent)
 {
     constexpr int kLargest = 100'000; // far beyond any double, and no sum of such overflows
     if (text.empty()) {
         return true;
     }
-    const bool isPositive = text.size() > 1 && text[1] == '+';
-    text.remove_prefix(isPositive ? 2 : 1);
+    text.remove_prefix(text.substr(1).starts_with('+') && !text.substr(2).starts_with('-') ? 2 : 1);
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-    if (fault == std::errc::result_out_of_range) {
-        exponent = text[0] == '-' ? -kLargest : kLargest;
-    }
-    exponent = std::clamp(exponent, -kLargest, kLargest);
-    return fault != std::errc::invalid_argument && end == text.data() + text.size() && !(isPositive && text[0] == '-');
+    const int limit = text.starts_with('-') ? -kLargest : kLargest;
+    exponent = fault == std::errc::result_out_of_range ? limit : std::clamp(exponent, -kLargest, kLargest);
+    return fault != std::errc::invalid_argument && end == text.data() + text.size();
 }
 
 /// `text`: an optional minus sign, digits with at most one decimal sign, an optional exponent; all in one pass.
@@ -106,38 +108,20 @@ CellNumber parsePlain(std::string_view text, char decimal)
     return number;
 }
 
-/// Whether the text is digits in groups of three: "1.234", "12.345.678".
-bool isGrouped(std::string_view text, char separator)
-{
-    const std::size_t first = text.find(separator);
-    if (first == text.npos || first == 0 || first > 3 || (text.size() - first) % 4 != 0) {
-        return false;
-    }
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool isSeparator = i >= first && (i - first) % 4 == 0;
-        if (isSeparator ? text[i] != separator : !isDigit(text[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// The number with "-" as its minus sign, no plus sign and no separators of thousands; empty where it is none.
 std::string withoutSeparators(std::string_view text, char decimal, char separator)
 {
-    std::string plain;
-    if (text.starts_with(kMinusSign)) {
-        plain = "-";
-        text.remove_prefix(kMinusSign.size());
-    } else if (text.starts_with('-') || text.starts_with('+')) {
-        plain = text[0] == '-' ? "-" : "";
-        text.remove_prefix(1);
-    }
+    const std::size_t sign = text.starts_with(kMinusSign) ? kMinusSign.size() : isSign(text) ? 1 : 0;
+    std::string plain = sign > 0 && text[0] != '+' ? "-" : "";
+    text.remove_prefix(sign);
     const std::string_view whole = text.substr(0, text.find(decimal));
     const auto separators = std::ranges::count(whole, separator);
-    const bool isClear =
-        separators == 0 || ((whole.size() < text.size() || separators > 1) && isGrouped(whole, separator));
-    if (!isClear || text.starts_with('-') || text.starts_with('+')) {
+    bool isGrouped = whole.size() % 4 != 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        isGrouped = isGrouped && ((whole.size() - i) % 4 == 0 ? whole[i] == separator : isDigit(whole[i]));
+    }
+    const bool isClear = separators == 0 || (isGrouped && (whole.size() < text.size() || separators > 1));
+    if (!isClear || isSign(text)) {
         return {};
     }
     std::ranges::remove_copy(whole, std::back_inserter(plain), separator);
@@ -218,23 +202,20 @@ Cells splitCells(std::string_view line, char delimiter)
 Cells splitBetweenBlanks(std::string_view line, std::size_t least)
 {
     Cells cells;
-    line = trimmed(line);
-    std::size_t begin = 0;
+    std::size_t blanks = 0;
     int depth = 0;
-    for (std::size_t at = 0; at <= line.size(); ++at) {
-        const std::size_t end = std::min(line.find_first_not_of(" \t", at), line.size());
-        if (at < line.size() && (depth > 0 || end - at < least)) {
-            depth += line[at] == '(' || line[at] == '[' ? 1 : line[at] == ')' || line[at] == ']' ? -1 : 0;
+    for (const char &c : trimmed(line)) {
+        if (isBlank(c)) {
+            ++blanks;
             continue;
         }
-        const std::string_view cell = line.substr(begin, at - begin);
-        if (!cells.empty() && (cell.starts_with('(') || cell.starts_with('['))) {
-            cells.back() = {cells.back().data(), cell.data() + cell.size()};
-        } else {
-            cells.push_back(cell);
+        const bool opens = c == '(' || c == '[';
+        if (cells.empty() || (blanks >= least && depth == 0 && !opens)) {
+            cells.push_back({&c, 0});
         }
-        begin = end;
-        at = end == line.size() ? end : end - 1;
+        cells.back() = {cells.back().data(), &c + 1};
+        depth += opens ? 1 : c == ')' || c == ']' ? -1 : 0;
+        blanks = 0;
     }
     return cells;
 }

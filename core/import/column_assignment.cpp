@@ -90,10 +90,27 @@ bool areSameInstants(const Column &x, const Rounding &ofX, const Column &y, cons
     });
 }
 
-std::optional<double> unitsPerSecond(const std::string &text)
+/// By what a column of that role has to be divided; nothing where the unit does not suit.
+std::optional<double> divisorFor(ColumnRole role, const std::string &unit)
 {
-    const std::optional<Unit> unit = text.empty() ? kSecond : parseUnit(text);
-    return unit && unit->dimension == Dimension::Time ? std::optional(unit->factor) : std::nullopt;
+    const std::optional<Unit> time = unit.empty() ? kSecond : parseUnit(unit);
+    return role == ColumnRole::CrankAngle               ? unitsPerDegree(unit)
+           : time && time->dimension == Dimension::Time ? std::optional(time->factor)
+                                                        : std::nullopt;
+}
+
+/// The factor to the author's unit; 1 without a unit, nothing where the unit does not suit.
+std::optional<double> factorTo(Channel channel, const std::string &unitText)
+{
+    const Unit own{isAngle(channel.coordinate) ? Dimension::Angle : Dimension::Length, static_cast<int>(channel.order)};
+    const std::optional<Unit> unit = unitText.empty() ? own : parseUnit(unitText);
+    const bool suits = unit && unit->dimension == own.dimension && unit->order == own.order;
+    return suits ? std::optional(unit->factor) : std::nullopt;
+}
+
+bool isSame(const Column &x, const Column &y)
+{
+    return std::ranges::equal(x, y, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
 }
 
 enum class Evidence { QuantityAlone, Words, ChannelName };
@@ -111,69 +128,70 @@ struct Claim {
 class Assignment
 {
 public:
-    explicit Assignment(JoinedTable &table);
+    explicit Assignment(RawTable &table);
 
-    std::optional<ReadError> takeChoices(std::span<const ColumnChoice> choices);
-    std::optional<ReadError> takeAbscissas();
-    std::optional<ReadError> assignChannels();
-    std::optional<ReadError> findGap() const;
+    void takeChoices(std::span<const ColumnChoice> choices);
+    void takeAbscissas();
+    void assignChannels();
+    void requireAbscissaAndChannel(std::size_t file) const;
 
 private:
     FileColumn &use(std::size_t i) const { return m_table.layout.columns[i]; }
     const Heading &heading(std::size_t i) const { return m_table.headings[i]; }
-    Column scaled(const Claim &claim) const;
+    const Column &abscissa() const { return m_table.columns[*m_table.abscissa]; }
+    Column scaled(std::size_t i, double factor) const;
     bool isUndecided(std::size_t i) const
     {
         return use(i).role == ColumnRole::Ignored && use(i).reason == ColumnReason::UnknownName;
     }
-    void set(std::size_t i, ColumnRole role, ColumnReason reason, std::optional<std::size_t> other = {}) const
+    void ignore(std::size_t i, ColumnReason reason, std::optional<std::size_t> other = {}) const
     {
-        use(i).role = role;
         use(i).reason = reason;
         use(i).otherColumn = other;
     }
     void setChannel(const Claim &claim) const;
     std::optional<std::size_t> columnOf(Channel channel) const;
     bool hasAbscissa(std::size_t file) const;
-    std::optional<ReadError> takeAbscissa(std::size_t i, ColumnRole role, ColumnReason reason, const std::string &unit);
-    std::optional<ReadError> guessAbscissa(std::size_t file);
-    std::variant<Claim, ReadError, ColumnReason> claimOf(std::size_t i) const;
+    void takeAbscissa(std::size_t i, ColumnRole role, ColumnReason reason, const std::string &unit);
+    void guessAbscissa(std::size_t file);
+    std::optional<Claim> claimOf(std::size_t i) const;
     void moveToCrank(std::vector<Claim> &claims) const;
-    std::optional<ReadError> decide(std::vector<Claim> claims) const;
+    void dropOtherDerivatives(std::vector<Claim> &claims) const;
+    void decide(std::vector<Claim> claims) const;
     ReadError twice(Channel channel, std::size_t first, std::size_t second, Fault fault) const;
-    ReadError whyNoChannel(std::size_t file) const;
 
-    JoinedTable &m_table;
+    RawTable &m_table;
     std::size_t m_count;
 };
 
 /// Says why columns without a meaning are ignored, where more can be said than that their name is unknown.
-Assignment::Assignment(JoinedTable &table)
+Assignment::Assignment(RawTable &table)
     : m_table(table)
     , m_count(table.headings.size())
 {
     m_table.factors.assign(m_count, 1.0);
     for (std::size_t i = 0; i < m_count; ++i) {
-        if (heading(i).printed.empty()) {
-            use(i).reason = ColumnReason::NoName;
-        } else if (heading(i).component) {
-            set(i, ColumnRole::Ignored, ColumnReason::Magnitude,
-                *heading(i).component + m_table.firstColumns[use(i).file]);
-        } else if (heading(i).meaning.kind == Kind::RowNumber) {
-            use(i).reason = ColumnReason::RowNumber;
-        } else if (heading(i).meaning.kind == Kind::Nothing && endsInQuantity(heading(i))) {
-            use(i).reason = ColumnReason::UnknownBody;
+        const Heading &own = heading(i);
+        if (own.printed.empty()) {
+            ignore(i, ColumnReason::NoName);
+        } else if (own.component) {
+            ignore(i, ColumnReason::Magnitude, *own.component + m_table.fileOf(i).firstColumn);
+        } else if (own.meaning.kind == Kind::RowNumber) {
+            ignore(i, ColumnReason::RowNumber);
+        } else if (own.meaning.kind == Kind::Nothing && endsInQuantity(own)) {
+            ignore(i, ColumnReason::UnknownBody);
         }
     }
 }
 
 std::optional<std::size_t> Assignment::columnOf(Channel channel) const
 {
-    const auto found = std::ranges::find_if(m_table.layout.columns, [&](const FileColumn &column) {
-        return column.role == ColumnRole::Channel && column.channel == channel;
-    });
-    const auto index = static_cast<std::size_t>(found - m_table.layout.columns.begin());
-    return index < m_count ? std::optional(index) : std::nullopt;
+    for (std::size_t i = 0; i < m_count; ++i) {
+        if (use(i).role == ColumnRole::Channel && use(i).channel == channel) {
+            return i;
+        }
+    }
+    return std::nullopt;
 }
 
 bool Assignment::hasAbscissa(std::size_t file) const
@@ -184,61 +202,61 @@ bool Assignment::hasAbscissa(std::size_t file) const
     });
 }
 
-Column Assignment::scaled(const Claim &claim) const
+Column Assignment::scaled(std::size_t i, double factor) const
 {
-    Column values = m_table.columns[claim.column];
-    std::ranges::transform(values, values.begin(), [&](double value) { return value * claim.factor; });
+    Column values = m_table.columns[i];
+    std::ranges::transform(values, values.begin(), [&](double value) { return value * factor; });
     return values;
 }
 
 void Assignment::setChannel(const Claim &claim) const
 {
-    set(claim.column, ColumnRole::Channel, claim.reason, claim.otherColumn);
+    use(claim.column).role = ColumnRole::Channel;
     use(claim.column).channel = claim.channel;
+    ignore(claim.column, claim.reason, claim.otherColumn);
     m_table.factors[claim.column] = claim.factor;
     if (claim.factor != 1.0) {
-        m_table.columns[claim.column] = scaled(claim);
+        m_table.columns[claim.column] = scaled(claim.column, claim.factor);
     }
 }
 
 /// Takes the column as the time or the crank angle. There may be others that hold the same, in other files or for
 /// other signals: of all of them the one with most digits counts.
-std::optional<ReadError> Assignment::takeAbscissa(std::size_t i, ColumnRole role, ColumnReason reason,
-                                                  const std::string &unit)
+void Assignment::takeAbscissa(std::size_t i, ColumnRole role, ColumnReason reason, const std::string &unit)
 {
-    const bool isTime = role == ColumnRole::Time;
-    const std::optional<double> perUnit = isTime ? unitsPerSecond(unit) : unitsPerDegree(unit);
-    if (!perUnit) {
-        return m_table.faultIn(i,
-                               isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
+    const std::optional<double> divisor = divisorFor(role, unit);
+    if (!divisor) {
+        throw faultIn(m_table, i,
+                      role == ColumnRole::Time ? ReadFault{Fault::UnknownTimeUnit}
+                                               : ReadFault{Fault::UnknownUnit, {Theta2, Order::Position}});
     }
     Column &values = m_table.columns[i];
-    std::ranges::transform(values, values.begin(), [&](double value) { return value / *perUnit; });
-    m_table.factors[i] = 1.0 / *perUnit;
+    std::ranges::transform(values, values.begin(), [&](double value) { return value / *divisor; });
+    m_table.factors[i] = 1.0 / *divisor;
     if (!m_table.abscissa) {
         m_table.abscissa = i;
-        set(i, role, reason);
-        return std::nullopt;
+        use(i).role = role;
+        ignore(i, reason);
+        return;
     }
     const std::size_t first = *m_table.abscissa;
     const Rounding own = m_table.roundings[i].inferOfInstants(m_table.factors[i]);
     const Rounding ofFirst = m_table.roundings[first].inferOfInstants(m_table.factors[first]);
     const std::size_t file = use(first).file;
-    if (!areSameInstants(m_table.columns[first], ofFirst, values, own)) {
-        return file == use(i).file
-                   ? m_table.faultIn(i, {Fault::TimeTwice})
-                   : ReadError{0, 0, {}, {Fault::OtherInstants, {}, m_table.layout.files[file]}, {}, use(i).file, file};
+    if (!areSameInstants(abscissa(), ofFirst, values, own)) {
+        throw file == use(i).file
+            ? faultIn(m_table, i, {Fault::TimeTwice})
+            : ReadError{0, 0, {}, {Fault::OtherInstants, {}, m_table.layout.files[file]}, {}, use(i).file, file};
     }
     if (own.finestStep() > 0.0 && own.finestStep() < ofFirst.finestStep()) {
         std::swap(m_table.columns[first], values);
         std::swap(m_table.roundings[first], m_table.roundings[i]);
         std::swap(m_table.factors[first], m_table.factors[i]);
     }
-    set(i, ColumnRole::Ignored, ColumnReason::SameInstants, first);
-    return std::nullopt;
+    ignore(i, ColumnReason::SameInstants, first);
 }
 
-std::optional<ReadError> Assignment::takeChoices(std::span<const ColumnChoice> choices)
+void Assignment::takeChoices(std::span<const ColumnChoice> choices)
 {
     for (const ColumnChoice &choice : choices) {
         const std::size_t i = choice.column;
@@ -247,156 +265,166 @@ std::optional<ReadError> Assignment::takeChoices(std::span<const ColumnChoice> c
         }
         const std::string &unit = choice.unit.empty() ? heading(i).unit : choice.unit;
         if (choice.role == ColumnRole::Ignored) {
-            set(i, choice.role, ColumnReason::Chosen);
-        } else if (choice.role == ColumnRole::Channel) {
-            const std::optional<double> factor = factorTo(choice.channel, unit);
-            if (!factor) {
-                return m_table.faultIn(i, {Fault::UnknownUnit, choice.channel});
+            ignore(i, ColumnReason::Chosen);
+        } else if (choice.role != ColumnRole::Channel) {
+            if (hasAbscissa(use(i).file)) {
+                throw faultIn(m_table, i, {Fault::TimeChosenTwice});
             }
-            if (const std::optional<std::size_t> other = columnOf(choice.channel)) {
-                return twice(choice.channel, *other, i, Fault::ChannelChosenTwice);
-            }
+            takeAbscissa(i, choice.role, ColumnReason::Chosen, unit);
+        } else if (const std::optional<std::size_t> other = columnOf(choice.channel)) {
+            throw twice(choice.channel, *other, i, Fault::ChannelChosenTwice);
+        } else if (const std::optional<double> factor = factorTo(choice.channel, unit)) {
             setChannel({i, choice.channel, Evidence::ChannelName, ColumnReason::Chosen, {}, *factor});
-        } else if (hasAbscissa(use(i).file)) {
-            return m_table.faultIn(i, {Fault::TimeChosenTwice});
-        } else if (std::optional<ReadError> error = takeAbscissa(i, choice.role, ColumnReason::Chosen, unit)) {
-            return error;
+        } else {
+            throw faultIn(m_table, i, {Fault::UnknownUnit, choice.channel});
         }
     }
-    return std::nullopt;
 }
 
-/// Takes, for a file where no column is named as the time, the one that is headed as that of another file; else the
-/// first without a meaning that only rises; else the crank angle; else an angle in front of the other columns that goes
-/// one way throughout, as in "theta, x, v".
-std::optional<ReadError> Assignment::guessAbscissa(std::size_t file)
+/// Takes, where no column is named as the time, the one that is headed as that of another file. In the first file it is
+/// the first column without a meaning that only rises, else the crank angle, else an angle in front of the other
+/// columns that goes one way throughout, as in "theta, x, v".
+void Assignment::guessAbscissa(std::size_t file)
 {
-    bool isFirst = true;
-    const auto isLike = [&](std::size_t i) {
-        return m_table.abscissa && heading(i).printed == heading(*m_table.abscissa).printed;
-    };
-    const auto mayBeTime = [&](std::size_t i) {
-        return isUndecided(i) && heading(i).meaning.kind == Kind::Nothing && unitsPerSecond(heading(i).unit) &&
-               onlyRises(m_table.columns[i]);
-    };
-    const auto isNamedAngle = [&](std::size_t i) {
-        return heading(i).isCrankAngle() && unitsPerDegree(heading(i).unit);
-    };
-    const auto isLeadingAngle = [&](std::size_t i) {
-        const NameMeaning &meaning = heading(i).meaning;
-        const bool isNext = isFirst;
-        isFirst = isFirst && (use(i).reason == ColumnReason::NoName || use(i).reason == ColumnReason::RowNumber);
-        return isNext && meaning.kind == Kind::Quantity && meaning.channel == Channel{Theta3, Order::Position} &&
-               unitsPerDegree(heading(i).unit) &&
-               !turnsBackAt(goingOn(scaled({i, {}, {}, {}, {}, 1.0 / *unitsPerDegree(heading(i).unit)})));
-    };
-    struct Candidate {
-        std::function<bool(std::size_t)> suits;
-        ColumnRole role;
-        ColumnReason reason;
-    };
-    const ColumnRole role = m_table.abscissa ? use(*m_table.abscissa).role : ColumnRole::Ignored;
-    for (const Candidate &candidate : {Candidate{isLike, role, ColumnReason::KnownName},
-                                       Candidate{mayBeTime, ColumnRole::Time, ColumnReason::RisingValues},
-                                       Candidate{isNamedAngle, ColumnRole::CrankAngle, ColumnReason::AngleForTime},
-                                       Candidate{isLeadingAngle, ColumnRole::CrankAngle, ColumnReason::AngleForTime}}) {
-        for (std::size_t i = 0; i < m_count && (role == ColumnRole::Ignored || role == candidate.role); ++i) {
-            if (use(i).file == file && use(i).reason != ColumnReason::Chosen && candidate.suits(i)) {
-                return takeAbscissa(i, candidate.role, candidate.reason, heading(i).unit);
-            }
+    const auto find = [&](const auto &suits) {
+        std::size_t i = 0;
+        while (i < m_count && (use(i).file != file || use(i).reason == ColumnReason::Chosen || !suits(i))) {
+            ++i;
         }
+        return i;
+    };
+    const auto isAngle = [&](std::size_t i) { return divisorFor(ColumnRole::CrankAngle, heading(i).unit).has_value(); };
+    const std::size_t angle = find([&](std::size_t i) { return heading(i).isCrankAngle() && isAngle(i); });
+    if (m_table.abscissa) {
+        const ColumnRole role = use(*m_table.abscissa).role;
+        const std::string &name = heading(*m_table.abscissa).printed;
+        const std::size_t same = find([&](std::size_t i) { return heading(i).printed == name; });
+        const std::size_t found = same == m_count && role == ColumnRole::CrankAngle ? angle : same;
+        if (found < m_count) {
+            takeAbscissa(found, role, ColumnReason::KnownName, heading(found).unit);
+        }
+        return;
     }
-    return std::nullopt;
+    const std::size_t time = find([&](std::size_t i) {
+        return isUndecided(i) && heading(i).meaning.kind == Kind::Nothing &&
+               divisorFor(ColumnRole::Time, heading(i).unit) && onlyRises(m_table.columns[i]);
+    });
+    if (time < m_count) {
+        return takeAbscissa(time, ColumnRole::Time, ColumnReason::RisingValues, heading(time).unit);
+    }
+    const std::size_t leading = find([&](std::size_t i) {
+        return use(i).reason != ColumnReason::NoName && use(i).reason != ColumnReason::RowNumber;
+    });
+    const auto goesOneWay = [&](std::size_t i) {
+        const NameMeaning &meaning = heading(i).meaning;
+        return meaning.kind == Kind::Quantity && meaning.channel == Channel{Theta3, Order::Position} && isAngle(i) &&
+               !turnsBackAt(goingOn(scaled(i, 1.0 / *unitsPerDegree(heading(i).unit))));
+    };
+    const std::size_t found = angle == m_count && leading < m_count && goesOneWay(leading) ? leading : angle;
+    if (found < m_count) {
+        takeAbscissa(found, ColumnRole::CrankAngle, ColumnReason::AngleForTime, heading(found).unit);
+    }
 }
 
-std::optional<ReadError> Assignment::takeAbscissas()
+void Assignment::takeAbscissas()
 {
     const std::optional<std::size_t> chosen = m_table.abscissa;
     for (std::size_t file = 0; file < m_table.files.size(); ++file) {
         if (m_table.files[file].lines.size() != m_table.files[0].lines.size()) {
-            return ReadError{0, 0, {}, {Fault::OtherInstants, {}, m_table.layout.files[0]}, {}, file, 0};
+            throw ReadError{0, 0, {}, {Fault::OtherInstants, {}, m_table.layout.files[0]}, {}, file, 0};
         }
-        std::optional<ReadError> error;
-        for (std::size_t i = 0; i < m_count && !error; ++i) {
+        for (std::size_t i = 0; i < m_count; ++i) {
             if (use(i).file != file || heading(i).meaning.kind != Kind::Time || !isUndecided(i)) {
                 continue;
             }
             if (chosen && use(*chosen).file == file) {
-                set(i, ColumnRole::Ignored, ColumnReason::LikeOther, chosen);
+                ignore(i, ColumnReason::LikeOther, chosen);
             } else if (!m_table.abscissa || use(*m_table.abscissa).role == ColumnRole::Time) {
-                error = takeAbscissa(i, ColumnRole::Time, ColumnReason::KnownName, heading(i).unit);
+                takeAbscissa(i, ColumnRole::Time, ColumnReason::KnownName, heading(i).unit);
             }
         }
-        if (!error && !hasAbscissa(file)) {
-            error = guessAbscissa(file);
-        }
-        if (error) {
-            return error;
+        if (!hasAbscissa(file)) {
+            guessAbscissa(file);
         }
     }
-    return std::nullopt;
 }
 
-/// What the column could be by its name and unit, or why it cannot be anything.
-std::variant<Claim, ReadError, ColumnReason> Assignment::claimOf(std::size_t i) const
+/// What the column could be by its name and unit; nothing, and the reason set, where it cannot be anything.
+std::optional<Claim> Assignment::claimOf(std::size_t i) const
 {
-    const Heading &heading = m_table.headings[i];
-    const NameMeaning &meaning = heading.meaning;
-    Claim claim{i, meaning.channel, meaning.isExact ? Evidence::ChannelName : Evidence::Words};
-    if (meaning.kind == Kind::Quantity) {
-        if (rangeOf(m_table.columns[i]).count == 0 && rangeOf(m_table.columns[*m_table.abscissa]).count > 0) {
-            return ColumnReason::NoNumber;
-        }
-        const bool isInventor = !meaning.owner.empty() && !meaning.isModelica;
-        if (!meaning.dimension && isInventor) {
-            return heading.unit.empty() ? ColumnReason::AngleOrLength : ColumnReason::UnknownUnit;
-        }
-        claim.evidence = Evidence::QuantityAlone;
-        claim.reason = !isInventor            ? ColumnReason::QuantityInName
-                       : heading.unit.empty() ? ColumnReason::OtherOfJoint
-                                              : ColumnReason::LetterAndUnit;
+    const Heading &own = heading(i);
+    const NameMeaning &meaning = own.meaning;
+    const bool isQuantity = meaning.kind == Kind::Quantity;
+    if (!isUndecided(i) || (meaning.kind != Kind::Channel && !(isQuantity && m_table.abscissa))) {
+        return std::nullopt;
     }
-    claim.reason = heading.hasUnitOfModelica ? ColumnReason::ModelicaName
-                   : heading.isFromFileName  ? ColumnReason::FileName
-                                             : claim.reason;
-    const std::optional<double> factor = factorTo(claim.channel, heading.unit);
+    const bool isInventor = isQuantity && !meaning.owner.empty() && !meaning.isModelica;
+    const std::optional<double> factor = factorTo(meaning.channel, own.unit);
     if (!factor && meaning.isExact) {
-        return m_table.faultIn(i, {Fault::UnknownUnit, claim.channel});
+        throw faultIn(m_table, i, {Fault::UnknownUnit, meaning.channel});
     }
-    if (!factor) {
-        return ColumnReason::UnknownUnit;
+    if (isQuantity && rangeOf(m_table.columns[i]).count == 0 && rangeOf(abscissa()).count > 0) {
+        ignore(i, ColumnReason::NoNumber);
+    } else if (isInventor && !meaning.dimension && own.unit.empty()) {
+        ignore(i, ColumnReason::AngleOrLength);
+    } else if (!factor || (isInventor && !meaning.dimension)) {
+        ignore(i, ColumnReason::UnknownUnit);
+    } else {
+        const ColumnReason reason = own.hasUnitOfModelica ? ColumnReason::ModelicaName
+                                    : own.isFromFileName  ? ColumnReason::FileName
+                                    : !isQuantity         ? ColumnReason::KnownName
+                                    : !isInventor         ? ColumnReason::QuantityInName
+                                    : own.unit.empty()    ? ColumnReason::OtherOfJoint
+                                                          : ColumnReason::LetterAndUnit;
+        const Evidence evidence = isQuantity        ? Evidence::QuantityAlone
+                                  : meaning.isExact ? Evidence::ChannelName
+                                                    : Evidence::Words;
+        return Claim{i, meaning.channel, evidence, reason, {}, *factor};
     }
-    claim.factor = *factor;
-    return claim;
+    return std::nullopt;
 }
 
 /// An angle that grows at an even rate, or beyond one turn, is the crank's, and so are the derivatives of such a one.
 void Assignment::moveToCrank(std::vector<Claim> &claims) const
 {
     constexpr double kTurn = 360.0;
-    const Column &time = m_table.columns[*m_table.abscissa];
-    std::optional<std::size_t> base; // among the claims, of the order before
+    const Claim *base = nullptr; // the angle of the crank, or what is of one order more
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-        std::optional<std::size_t> found;
-        for (std::size_t k = 0; k < claims.size(); ++k) {
-            Claim &claim = claims[k];
+        const Claim *found = nullptr;
+        for (Claim &claim : claims) {
             if (claim.evidence != Evidence::QuantityAlone || claim.channel != Channel{Theta3, order}) {
                 continue;
             }
-            const Column values = scaled(claim);
-            const bool isPosition = order == Order::Position;
-            const bool isOfCrank = isPosition ? isEven(time, values) || rangeOf(values).width() > kTurn
-                                              : base && isDerivative(time, scaled(claims[*base]), values);
-            if (isOfCrank) {
+            const Column values = scaled(claim.column, claim.factor);
+            const bool hasEvenRate = order == Order::Position && isEven(abscissa(), values);
+            const bool isBeyond = order == Order::Position && rangeOf(values).width() > kTurn;
+            if (hasEvenRate || isBeyond ||
+                (base && isDerivative(abscissa(), scaled(base->column, base->factor), values))) {
                 claim.channel.coordinate = Theta2;
-                claim.reason =
-                    isPosition && isEven(time, values) ? ColumnReason::EvenRate : ColumnReason::BeyondOneTurn;
-                claim.otherColumn = isPosition ? std::nullopt : std::optional(claims[*base].column);
-                found = k;
+                claim.reason = hasEvenRate ? ColumnReason::EvenRate : ColumnReason::BeyondOneTurn;
+                claim.otherColumn = base ? std::optional(base->column) : std::nullopt;
+                found = &claim;
             }
         }
         base = found;
     }
+}
+
+/// Of quantities without a body, derivatives have to be those of the column that is of one order less.
+void Assignment::dropOtherDerivatives(std::vector<Claim> &claims) const
+{
+    const Channel channel = claims.front().channel;
+    const bool isDerived = channel.order != Order::Position && use(*m_table.abscissa).role == ColumnRole::Time;
+    const auto before = static_cast<Order>(static_cast<int>(channel.order) - 1);
+    const std::optional<std::size_t> base = isDerived ? columnOf({channel.coordinate, before}) : std::nullopt;
+    std::erase_if(claims, [&](const Claim &claim) {
+        const bool isOther = base && claim.evidence == Evidence::QuantityAlone &&
+                             !isDerivative(abscissa(), m_table.columns[*base], scaled(claim.column, claim.factor));
+        if (isOther) {
+            ignore(claim.column, ColumnReason::NotDerivative, base);
+        }
+        return isOther;
+    });
 }
 
 /// The error of two columns that are both the channel; `fault` if they stand in one file.
@@ -404,173 +432,111 @@ ReadError Assignment::twice(Channel channel, std::size_t first, std::size_t seco
 {
     const auto [file, later] = std::minmax(use(first).file, use(second).file);
     return file == later
-               ? m_table.faultIn(second, {fault, channel})
+               ? faultIn(m_table, second, {fault, channel})
                : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, m_table.layout.files[file]}, {}, later, file};
 }
 
-/// Gives the channel to the one claim with the best evidence. Of quantities without a body, derivatives have to be
-/// those of the column that is one order less.
-std::optional<ReadError> Assignment::decide(std::vector<Claim> claims) const
+/// Gives the channel to the one claim with the best evidence.
+void Assignment::decide(std::vector<Claim> claims) const
 {
-    const Channel channel = claims.front().channel;
-    const std::optional<std::size_t> base =
-        channel.order == Order::Position
-            ? std::nullopt
-            : columnOf({channel.coordinate, static_cast<Order>(static_cast<int>(channel.order) - 1)});
-    if (base && use(*m_table.abscissa).role == ColumnRole::Time) { // by angle, nobody knows per how many seconds
-        std::erase_if(claims, [&](const Claim &claim) {
-            const bool isOther =
-                claim.evidence == Evidence::QuantityAlone &&
-                !isDerivative(m_table.columns[*m_table.abscissa], m_table.columns[*base], scaled(claim));
-            if (isOther) {
-                set(claim.column, ColumnRole::Ignored, ColumnReason::NotDerivative, base);
-            }
-            return isOther;
-        });
-    }
-    if (claims.empty()) {
-        return std::nullopt;
-    }
     std::ranges::stable_sort(claims, std::ranges::greater(), &Claim::evidence);
-    const Claim &first = claims.front();
-    const std::optional<std::size_t> chosen = columnOf(channel);
-    const bool isRivalled = claims.size() > 1 && claims[1].evidence == first.evidence;
-    if (isRivalled && first.evidence == Evidence::ChannelName && !chosen) {
-        return twice(channel, first.column, claims[1].column, Fault::ChannelTwice);
+    const Claim &best = claims.front();
+    const std::optional<std::size_t> chosen = columnOf(best.channel);
+    const bool isRivalled = claims.size() > 1 && claims[1].evidence == best.evidence;
+    if (isRivalled && best.evidence == Evidence::ChannelName && !chosen) {
+        throw twice(best.channel, best.column, claims[1].column, Fault::ChannelTwice);
     }
-    const bool isOne = std::ranges::all_of(claims, [&](const Claim &claim) {
-        const auto isSame = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-        return claim.evidence != first.evidence ||
-               (heading(claim.column).unit == heading(first.column).unit &&
-                std::ranges::equal(m_table.columns[claim.column], m_table.columns[first.column], isSame));
-    });
+    bool isOne = !chosen;
     for (const Claim &claim : claims) {
-        const std::size_t rival = claims[isRivalled ? 1 : 0].column;
-        set(claim.column, ColumnRole::Ignored, ColumnReason::LikeOther,
-            chosen.value_or(claim.column == first.column ? rival : first.column));
-        use(claim.column).channel = channel;
+        isOne = isOne && (claim.evidence != best.evidence ||
+                          (heading(claim.column).unit == heading(best.column).unit &&
+                           isSame(m_table.columns[claim.column], m_table.columns[best.column])));
+        const std::size_t rival = claim.column == best.column ? claims[isRivalled ? 1 : 0].column : best.column;
+        ignore(claim.column, ColumnReason::LikeOther, chosen.value_or(rival));
+        use(claim.column).channel = best.channel;
     }
-    if (isOne && !chosen) {
-        setChannel(first);
+    if (isOne) {
+        setChannel(best);
     }
-    return std::nullopt;
 }
 
-std::optional<ReadError> Assignment::assignChannels()
+void Assignment::assignChannels()
 {
     std::vector<Claim> claims;
     for (std::size_t i = 0; i < m_count; ++i) {
-        const Kind kind = heading(i).meaning.kind;
-        const bool mayBe = kind == Kind::Channel || (kind == Kind::Quantity && m_table.abscissa);
-        if (!isUndecided(i) || !mayBe) {
-            continue;
-        }
-        auto claim = claimOf(i);
-        if (ReadError *const error = std::get_if<ReadError>(&claim)) {
-            return std::move(*error);
-        }
-        if (const Claim *const found = std::get_if<Claim>(&claim)) {
-            claims.push_back(*found);
-        } else {
-            use(i).reason = std::get<ColumnReason>(claim);
+        if (const std::optional<Claim> claim = claimOf(i)) {
+            claims.push_back(*claim);
         }
     }
-    if (m_table.abscissa && !m_table.columns[*m_table.abscissa].empty()) {
+    if (m_table.abscissa && !abscissa().empty()) {
         moveToCrank(claims);
     }
     for (std::size_t index = 0; index < kChannelCount; ++index) { // positions before their derivatives
         std::vector<Claim> rivals;
-        std::ranges::copy_if(claims, std::back_inserter(rivals),
-                             [&](const Claim &claim) { return indexOf(claim.channel) == index; });
-        if (std::optional<ReadError> error = rivals.empty() ? std::nullopt : decide(std::move(rivals))) {
-            return error;
+        const auto isOfChannel = [&](const Claim &claim) { return indexOf(claim.channel) == index; };
+        std::ranges::copy_if(claims, std::back_inserter(rivals), isOfChannel);
+        if (!rivals.empty() && m_table.abscissa) {
+            dropOtherDerivatives(rivals);
+        }
+        if (!rivals.empty()) {
+            decide(std::move(rivals));
         }
     }
-    return std::nullopt;
 }
 
-/// Why no channel is among the columns of a file that has a time.
-ReadError Assignment::whyNoChannel(std::size_t file) const
+/// Throws where the file lacks one of them.
+void Assignment::requireAbscissaAndChannel(std::size_t file) const
 {
-    const RawTable &own = m_table.files[file];
-    ReadError error{own.layout.headerLine, 0, own.headerText, {Fault::NoChannel}, {}, file};
+    const TableFile &own = m_table.files[file];
+    ReadError error{
+        own.headerLine, 0, own.headerText, {hasAbscissa(file) ? Fault::NoChannel : Fault::NoTime}, {}, file};
+    const std::size_t first = m_table.abscissa ? use(*m_table.abscissa).file : file;
+    const bool isByAngle = m_table.abscissa && use(*m_table.abscissa).role == ColumnRole::CrankAngle;
+    bool hasChannel = false;
     for (std::size_t i = m_count; i-- > 0;) {
         const FileColumn &column = use(i);
         if (column.file != file) {
             continue;
         }
-        if (column.reason == ColumnReason::LikeOther && use(*column.otherColumn).file != file) {
-            return twice(column.channel, i, *column.otherColumn, Fault::ChannelTwice);
-        }
-        if (leavesOpen(column.reason) || column.reason == ColumnReason::UnknownUnit ||
-            column.reason == ColumnReason::NotDerivative) {
+        hasChannel = hasChannel || column.role == ColumnRole::Channel;
+        const bool isOtherAbscissa = isByAngle ? heading(i).meaning.kind == Kind::Time : heading(i).isCrankAngle();
+        if (!hasAbscissa(file) && first != file && isOtherAbscissa) {
+            error = {0, 0, {}, {Fault::CountsOtherwise, {}, m_table.layout.files[first]}, {}, file, first};
+        } else if (error.fault.kind == Fault::NoTime) {
+            continue;
+        } else if (column.reason == ColumnReason::LikeOther && use(*column.otherColumn).file != file) {
+            error = twice(column.channel, i, *column.otherColumn, Fault::ChannelTwice);
+        } else if (leavesOpen(column.reason) || column.reason == ColumnReason::UnknownUnit ||
+                   column.reason == ColumnReason::NotDerivative) {
             error.fault = {Fault::NoCertainChannel, {}, excerpt(column.heading), column.reason};
         }
     }
-    return error;
-}
-
-/// Why a file lacks what is needed of it.
-std::optional<ReadError> Assignment::findGap() const
-{
-    for (std::size_t file = 0; file < m_table.files.size(); ++file) {
-        const RawTable &own = m_table.files[file];
-        const auto isUsed = [&](const FileColumn &column) {
-            return column.file == file && column.role == ColumnRole::Channel;
-        };
-        const bool hasChannel = std::ranges::any_of(m_table.layout.columns, isUsed);
-        if (hasAbscissa(file) && hasChannel) {
-            continue;
-        }
-        if (own.layout.headerLine == 0) {
-            const std::string &first = m_table.layout.rows[0][m_table.firstColumns[file]];
-            return ReadError{own.firstDataLine, 1, first, {Fault::NamesMissing}, {}, file};
-        }
-        if (hasAbscissa(file)) {
-            return whyNoChannel(file);
-        }
-        bool countsOtherwise = false;
-        for (std::size_t i = 0; i < m_count && m_table.abscissa; ++i) {
-            const bool isAngle = use(*m_table.abscissa).role == ColumnRole::CrankAngle;
-            countsOtherwise |=
-                use(i).file == file && (isAngle ? heading(i).meaning.kind == Kind::Time : heading(i).isCrankAngle());
-        }
-        const std::size_t other = m_table.abscissa ? use(*m_table.abscissa).file : file;
-        return countsOtherwise
-                   ? ReadError{0, 0, {}, {Fault::CountsOtherwise, {}, m_table.layout.files[other]}, {}, file, other}
-                   : ReadError{own.layout.headerLine, 0, own.headerText, {Fault::NoTime}, {}, file};
+    if (hasAbscissa(file) && hasChannel) {
+        return;
     }
-    return std::nullopt;
+    throw own.headerLine > 0 ? error : ReadError{own.firstDataLine,     1,  m_table.layout.rows[0][own.firstColumn],
+                                                 {Fault::NamesMissing}, {}, file};
 }
 
 } // namespace
 
-ReadError JoinedTable::faultIn(std::size_t column, ReadFault fault) const
+ReadError faultIn(const RawTable &table, std::size_t column, ReadFault fault)
 {
-    const std::size_t file = layout.columns[column].file;
-    return {files[file].layout.headerLine,
-            column - firstColumns[file] + 1,
-            excerpt(headings[column].printed),
-            std::move(fault),
-            {},
-            file};
+    const TableFile &file = table.fileOf(column);
+    const std::string text = excerpt(table.headings[column].printed);
+    return {
+        file.headerLine, column - file.firstColumn + 1, text, std::move(fault), {}, table.layout.columns[column].file};
 }
 
-std::optional<double> factorTo(Channel channel, const std::string &unitText)
-{
-    const Unit own{isAngle(channel.coordinate) ? Dimension::Angle : Dimension::Length, static_cast<int>(channel.order)};
-    const std::optional<Unit> unit = unitText.empty() ? own : parseUnit(unitText);
-    const bool suits = unit && unit->dimension == own.dimension && unit->order == own.order;
-    return suits ? std::optional(unit->factor) : std::nullopt;
-}
-
-std::optional<ReadError> assignColumns(JoinedTable &table, std::span<const ColumnChoice> choices)
+void assignColumns(RawTable &table, std::span<const ColumnChoice> choices)
 {
     Assignment assignment(table);
-    std::optional<ReadError> error = assignment.takeChoices(choices);
-    error = error ? error : assignment.takeAbscissas();
-    error = error ? error : assignment.assignChannels();
-    return error ? error : assignment.findGap();
+    assignment.takeChoices(choices);
+    assignment.takeAbscissas();
+    assignment.assignChannels();
+    for (std::size_t file = 0; file < table.files.size(); ++file) {
+        assignment.requireAbscissaAndChannel(file);
+    }
 }
 
 } // namespace slidercrank

@@ -88,24 +88,25 @@ TextEncoding findEncoding(std::string_view bytes)
                                                                                 : TextEncoding::Windows1252;
 }
 
-/// Another format of text, by the first characters of the file.
-std::optional<ReadFault::Kind> findFormat(std::string_view text)
+/// The first character other than a space behind that place; 0 where there is none.
+char characterBehind(std::string_view text, std::size_t at)
 {
-    const auto withoutSpace = [](std::string_view rest) {
-        return rest.substr(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
-    };
-    text = withoutSpace(text);
-    const std::string_view behind = withoutSpace(text.substr(std::min<std::size_t>(text.size(), 1)));
-    if (behind.empty()) {
-        return std::nullopt;
-    }
-    const char next = lowerCase(behind[0]);
-    if (text[0] == '<' && ((next >= 'a' && next <= 'z') || next == '!' || next == '?')) {
-        return ReadFault::Kind::Markup;
-    }
-    const bool isJson =
-        text[0] == '{' ? next == '"' : text[0] == '[' && (next == '{' || next == '['); // "[s]" is a unit
-    return isJson ? std::optional(ReadFault::Kind::Json) : std::nullopt;
+    const std::size_t found = text.find_first_not_of(" \t\r\n", at);
+    return found == text.npos ? '\0' : lowerCase(text[found]);
+}
+
+/// Other formats begin like this: "[s]" is a unit, though, and "<" alone may begin any bytes.
+std::optional<ReadFault::Kind> findFormat(std::string_view bytes, std::string_view text)
+{
+    using enum ReadFault::Kind;
+    const char first = characterBehind(text, 0);
+    const char next = first == '\0' ? first : characterBehind(text, text.find(first) + 1);
+    const bool isMarkup = first == '<' && ((next >= 'a' && next <= 'z') || next == '!' || next == '?');
+    const bool isJson = (first == '{' && next == '"') || (first == '[' && (next == '{' || next == '['));
+    return bytes.starts_with("%PDF") ? std::optional(Pdf)
+           : isMarkup                ? std::optional(Markup)
+           : isJson                  ? std::optional(Json)
+                                     : std::nullopt;
 }
 
 /// Where the first byte stands that no text has; none in text. A few control characters are tolerated.
@@ -132,15 +133,10 @@ std::string_view FileText::in(std::string_view bytes) const
     return bytes.substr(byteOrderMark ? kUtf8Mark.size() : 0);
 }
 
-std::variant<FileText, ReadError> decodeText(std::string_view bytes)
+FileText decodeText(std::string_view bytes)
 {
-    using enum ReadFault::Kind;
-    const auto refused = [](ReadFault::Kind kind, std::size_t line = 0) { return ReadError{line, 0, {}, {kind}}; };
     if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0") || bytes.starts_with("\x1F\x8B")) {
-        return refused(Spreadsheet);
-    }
-    if (bytes.starts_with("%PDF")) {
-        return refused(Pdf);
+        throw ReadError{.fault = {ReadFault::Kind::Spreadsheet}};
     }
     FileText text{findEncoding(bytes), bytes.starts_with(kUtf8Mark), {}};
     const bool isLittleEndian = text.encoding == TextEncoding::Utf16LittleEndian;
@@ -151,20 +147,26 @@ std::variant<FileText, ReadError> decodeText(std::string_view bytes)
         text.converted = fromWindows1252(bytes);
     }
     const std::string_view all = text.in(bytes);
-    if (const std::size_t binary = findBinary(all); binary != all.npos) {
-        return refused(NotText, 1 + static_cast<std::size_t>(std::ranges::count(all.substr(0, binary), '\n')));
+    const std::size_t binary = findBinary(all);
+    const std::optional<ReadFault::Kind> format = findFormat(bytes, all);
+    if (binary != all.npos && format != ReadFault::Kind::Pdf) {
+        const auto lines = static_cast<std::size_t>(std::ranges::count(all.substr(0, binary), '\n'));
+        throw ReadError{.line = lines + 1, .fault = {ReadFault::Kind::NotText}};
     }
-    if (const std::optional<ReadFault::Kind> format = findFormat(all)) {
-        return refused(*format);
+    if (format) {
+        throw ReadError{.fault = {*format}};
     }
     return text;
 }
 
 std::optional<ReadError> findForeignFormat(std::string_view beginning)
 {
-    std::variant<FileText, ReadError> outcome = decodeText(beginning);
-    ReadError *const error = std::get_if<ReadError>(&outcome);
-    return error ? std::optional(std::move(*error)) : std::nullopt;
+    try {
+        decodeText(beginning);
+    } catch (ReadError &error) {
+        return std::move(error);
+    }
+    return std::nullopt;
 }
 
 } // namespace slidercrank

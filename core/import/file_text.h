@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// First stage of reading: the bytes of a file → text in UTF-8, or why they are no text of a table.
+// First stage of reading: the bytes of a file → text in UTF-8. Throws ReadError where they are no text of a table.
 
 #include "core/import/reference_data.h"
 
 #include <string>
 #include <string_view>
-#include <variant>
 
 namespace slidercrank
 {
@@ -23,6 +22,6 @@ struct FileText {
 
 /// The encoding is told by the byte order mark; else UTF-16 by its zero bytes; else it is UTF-8, unless more of the
 /// bytes beyond ASCII are invalid than valid: then Windows-1252, which holds Latin-1.
-std::variant<FileText, ReadError> decodeText(std::string_view bytes);
+FileText decodeText(std::string_view bytes);
 
 } // namespace slidercrank

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace slidercrank
 {
@@ -17,13 +16,14 @@ namespace
 constexpr double kUnreadable = std::numeric_limits<double>::infinity();
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
-/// Fills the rows of a table, line by line.
+/// Fills the rows of a file, line by line.
 class RowReader
 {
 public:
     RowReader(const TableForm &form, RawTable &table)
         : m_form(form)
         , m_table(table)
+        , m_file(table.files.back())
         , m_badCounts(form.headings.size() + 1)
     {
     }
@@ -32,43 +32,46 @@ public:
 
 private:
     void readCell(std::string_view cell, std::size_t column);
-    void report(std::size_t column, std::string_view text, RowFault fault, bool spoilsRow);
+    void report(const BadCell &bad);
+
+    std::vector<double> &column(std::size_t i) const { return m_table.columns[m_file.firstColumn + i]; }
 
     const TableForm &m_form;
     RawTable &m_table;
+    TableFile &m_file;
     std::vector<std::size_t> m_badCounts; ///< by column; the last one is that of whole rows
 };
 
-void RowReader::report(std::size_t column, std::string_view text, RowFault fault, bool spoilsRow)
+void RowReader::report(const BadCell &bad)
 {
-    std::size_t &count = m_badCounts[spoilsRow ? m_badCounts.size() - 1 : column];
+    std::size_t &count = bad.spoilsRow ? m_badCounts.back() : m_badCounts[bad.column];
     if (count++ <= kMostSkippedRows) {
-        m_table.badCells.push_back({m_table.lines.size() - 1, column, excerpt(text), fault, spoilsRow});
+        m_file.badCells.push_back(bad);
     }
 }
 
-void RowReader::readCell(std::string_view cell, std::size_t column)
+void RowReader::readCell(std::string_view cell, std::size_t i)
 {
-    const std::string_view unit = m_form.cellUnits[column];
+    const std::string_view unit = m_form.cellUnits[i];
     const bool hasUnit = !unit.empty() && cell.ends_with(unit);
     const CellNumber number =
         parseNumber(hasUnit ? trimmed(cell.substr(0, cell.size() - unit.size())) : cell, m_form.layout.decimalSign);
-    m_table.columns[column].push_back(number.fault ? kUnreadable : number.value);
+    column(i).push_back(number.fault ? kUnreadable : number.value);
     if (number.fault) {
-        report(column, cell, *number.fault, false);
+        report({m_file.lines.size() - 1, i, excerpt(cell), *number.fault});
     } else if (number.value == number.value) {
-        m_table.roundings[column].observe(number.places, number.value);
+        m_table.roundings[m_file.firstColumn + i].observe(number.places, number.value);
     }
 }
 
 void RowReader::read(std::string_view line, std::size_t number)
 {
     const std::size_t width = m_form.headings.size();
-    std::optional<BadCell> spoiled;
-    const auto spoil = [&](std::size_t column, std::string_view text, RowFault fault) {
-        spoiled = spoiled ? spoiled : BadCell{0, column, std::string(text), fault};
+    BadCell spoiled;
+    const auto spoil = [&](std::size_t at, std::string_view text, RowFault fault) {
+        spoiled = spoiled.spoilsRow ? spoiled : BadCell{m_file.lines.size() - 1, at, excerpt(text), fault, true};
     };
-    m_table.lines.push_back(number);
+    m_file.lines.push_back(number);
     std::size_t cells = 0;
     for (std::string_view rest = line; rest.data() != nullptr; ++cells) {
         const Cell cell = takeCell(rest, m_form.layout.delimiter);
@@ -84,14 +87,12 @@ void RowReader::read(std::string_view line, std::size_t number)
     if (cells < m_form.fewestCells) {
         spoil(cells - 1, {}, RowFault::TooFewCells);
     }
-    for (std::size_t column = cells; column < width; ++column) {
-        m_table.columns[column].push_back(kGap);
+    for (std::size_t i = 0; i < width; ++i) {
+        column(i).resize(m_file.lines.size(), kGap);
+        column(i).back() = spoiled.spoilsRow ? kUnreadable : column(i).back();
     }
-    if (spoiled) {
-        for (std::vector<double> &column : m_table.columns) {
-            column.back() = kUnreadable;
-        }
-        report(spoiled->column, spoiled->text, spoiled->fault, true);
+    if (spoiled.spoilsRow) {
+        report(spoiled);
     }
 }
 
@@ -104,24 +105,59 @@ std::size_t estimateRows(std::string_view data)
     return static_cast<std::size_t>(1.05 * static_cast<double>(ends) * share) + 2;
 }
 
+/// Names the column of a plot that is alone in its file by the name of the file, where its heading says nothing.
+void nameByFile(std::vector<Heading> &headings, const std::string &file)
+{
+    for (std::size_t i = 0; headings.size() == 2 && i < 2; ++i) {
+        Heading &heading = headings[i];
+        if (headings[1 - i].meaning.kind != NameMeaning::Kind::Time || !saysNothing(heading)) {
+            continue;
+        }
+        Heading byFile = parseHeading(file.substr(0, file.find_last_of('.')));
+        byFile.printed = heading.printed;
+        byFile.unit = heading.unit.empty() ? byFile.unit : heading.unit;
+        byFile.meaning = meaningOf(byFile);
+        byFile.isFromFileName = true;
+        if (byFile.meaning.kind >= NameMeaning::Kind::Channel) {
+            heading = std::move(byFile);
+        }
+    }
+}
+
+/// Appends the form of a file to the table.
+void append(TableForm &form, const std::string &name, RawTable &table)
+{
+    nameByFile(form.headings, name);
+    const std::size_t before = table.headings.size();
+    table.files.push_back({before, form.layout.headerLine, form.firstDataLine, form.headerText});
+    if (table.files.size() == 1) {
+        table.layout = form.layout;
+        table.layout.rows.clear();
+    }
+    table.layout.files.push_back(name);
+    table.layout.rows.resize(std::max(table.layout.rows.size(), form.layout.rows.size()));
+    for (std::size_t row = 0; row < form.layout.rows.size(); ++row) {
+        table.layout.rows[row].resize(before);
+        std::ranges::copy(form.layout.rows[row], std::back_inserter(table.layout.rows[row]));
+    }
+    const std::size_t rows = estimateRows(form.data);
+    for (const Heading &heading : form.headings) {
+        table.layout.columns.push_back(
+            {.heading = heading.printed, .unit = heading.unit, .file = table.files.size() - 1});
+        table.headings.push_back(heading);
+        table.columns.emplace_back().reserve(rows);
+    }
+    table.roundings.resize(table.headings.size());
+    table.files.back().lines.reserve(rows);
+}
+
 } // namespace
 
-std::variant<RawTable, ReadError> readTable(std::string_view text, const std::stop_token &stop,
-                                            const std::function<void(std::size_t done)> &progress)
+void readTable(std::string_view text, const FileBytes &file, const std::stop_token &stop,
+               const std::function<void(std::size_t done)> &progress, RawTable &table)
 {
-    std::variant<TableForm, ReadError> outcome = findTable(text);
-    if (ReadError *const error = std::get_if<ReadError>(&outcome)) {
-        return std::move(*error);
-    }
-    TableForm &form = std::get<TableForm>(outcome);
-    RawTable table;
-    table.columns.resize(form.headings.size());
-    table.roundings.resize(form.headings.size());
-    const std::size_t rows = estimateRows(form.data);
-    table.lines.reserve(rows);
-    for (std::vector<double> &column : table.columns) {
-        column.reserve(rows);
-    }
+    TableForm form = findTable(text);
+    append(form, file.name, table);
     RowReader reader(form, table);
     constexpr std::size_t kReportEvery = std::size_t{1} << 18U; // bytes
     std::size_t reported = text.size();
@@ -129,25 +165,16 @@ std::variant<RawTable, ReadError> readTable(std::string_view text, const std::st
     for (std::string_view rest = form.data; !rest.empty(); ++number) {
         if (reported - rest.size() >= kReportEvery) {
             reported = rest.size();
+            progress(text.size() - rest.size());
             if (stop.stop_requested()) {
-                return ReadError{0, 0, {}, {ReadFault::Kind::Stopped}};
-            }
-            if (progress) {
-                progress(text.size() - rest.size());
+                throw ReadError{.fault = {ReadFault::Kind::Stopped}};
             }
         }
         if (const std::string_view line = takeLine(rest); !isBlankLine(line)) {
             reader.read(line, number);
         }
     }
-    if (progress) {
-        progress(text.size());
-    }
-    table.layout = std::move(form.layout);
-    table.headings = std::move(form.headings);
-    table.headerText = std::move(form.headerText);
-    table.firstDataLine = form.firstDataLine;
-    return table;
+    progress(text.size());
 }
 
 } // namespace slidercrank

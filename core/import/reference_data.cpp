@@ -59,65 +59,6 @@ std::string printedNumber(double value)
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-/// Names the column of a plot that is alone in its file by the name of the file, where its heading says nothing.
-void nameByFile(RawTable &table, const std::string &file)
-{
-    for (std::size_t i = 0; table.headings.size() == 2 && i < 2; ++i) {
-        Heading &heading = table.headings[i];
-        if (table.headings[1 - i].meaning.kind != NameMeaning::Kind::Time || !saysNothing(heading)) {
-            continue;
-        }
-        Heading byFile = parseHeading(file.substr(0, file.find_last_of('.')));
-        byFile.printed = heading.printed;
-        byFile.unit = heading.unit.empty() ? byFile.unit : heading.unit;
-        byFile.meaning = meaningOf(byFile);
-        byFile.isFromFileName = true;
-        const bool isChannel = byFile.meaning.kind == NameMeaning::Kind::Channel;
-        if (byFile.meaning.kind == NameMeaning::Kind::Quantity ||
-            (isChannel && factorTo(byFile.meaning.channel, byFile.unit))) {
-            heading = std::move(byFile);
-            table.layout.columns[i].unit = heading.unit;
-        }
-    }
-}
-
-/// Puts the columns of all files side by side. Files of which only the beginning is known are cut to the shortest.
-JoinedTable join(std::vector<RawTable> tables, std::span<const FileBytes> files)
-{
-    JoinedTable joined;
-    const auto countRows = [](const RawTable &table) { return table.lines.size(); };
-    const std::size_t shortest = countRows(*std::ranges::min_element(tables, {}, countRows));
-    const bool areBeginnings = std::ranges::any_of(files, &FileBytes::isBeginning);
-    for (std::size_t file = 0; file < tables.size(); ++file) {
-        RawTable &table = tables[file];
-        nameByFile(table, files[file].name);
-        const std::size_t before = joined.headings.size();
-        joined.firstColumns.push_back(before);
-        if (file == 0) {
-            joined.layout = table.layout;
-            joined.layout.columns.clear();
-            joined.layout.rows.clear();
-        }
-        joined.layout.files.push_back(files[file].name);
-        joined.layout.rows.resize(std::max(joined.layout.rows.size(), table.layout.rows.size()));
-        for (std::size_t row = 0; row < table.layout.rows.size(); ++row) {
-            joined.layout.rows[row].resize(before);
-            std::ranges::move(table.layout.rows[row], std::back_inserter(joined.layout.rows[row]));
-        }
-        for (std::size_t i = 0; i < table.headings.size(); ++i) {
-            joined.layout.columns.push_back(table.layout.columns[i]);
-            joined.layout.columns.back().file = file;
-            joined.headings.push_back(std::move(table.headings[i]));
-            joined.columns.push_back(std::move(table.columns[i]));
-            joined.columns.back().resize(areBeginnings ? shortest : countRows(table));
-            joined.roundings.push_back(table.roundings[i]);
-        }
-        table.lines.resize(areBeginnings ? shortest : countRows(table));
-    }
-    joined.files = std::move(tables);
-    return joined;
-}
-
 /// The columns that a name may mean: those with that heading, else with that heading but for the unit, else the one of
 /// that number.
 std::vector<std::size_t> columnsNamed(const std::string &name, std::span<const Heading> headings)
@@ -135,14 +76,15 @@ std::vector<std::size_t> columnsNamed(const std::string &name, std::span<const H
 }
 
 /// All choices by number: what is said of a heading overrides what was said of its number.
-std::variant<std::vector<ColumnChoice>, ReadFault> resolveChoices(const ReadOptions &options,
-                                                                  std::span<const Heading> headings)
+std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTable &table)
 {
     std::vector<ColumnChoice> choices = options.columns;
     for (const NamedChoice &named : options.named) {
-        const std::vector<std::size_t> columns = columnsNamed(named.heading, headings);
+        const std::vector<std::size_t> columns = columnsNamed(named.heading, table.headings);
         if (columns.size() != 1) {
-            return ReadFault{columns.empty() ? Fault::NoSuchColumn : Fault::SeveralColumns, {}, named.heading};
+            const std::size_t line = table.files.size() == 1 ? table.files[0].headerLine : 0;
+            throw ReadError{
+                line, 0, {}, {columns.empty() ? Fault::NoSuchColumn : Fault::SeveralColumns, {}, named.heading}};
         }
         std::erase_if(choices, [&](const ColumnChoice &choice) { return choice.column == columns.front(); });
         choices.push_back({columns.front(), named.role, named.channel, named.unit});
@@ -155,35 +97,32 @@ bool isUsed(const FileColumn &column)
     return column.role != ColumnRole::Ignored;
 }
 
-/// Why the row cannot be used: the first cell at fault among those that are used; none where it can.
-std::optional<SkippedRow> findFault(const JoinedTable &table, std::size_t row)
+/// Why the row cannot be used: the first cell at fault among those that are used.
+SkippedRow findFault(const RawTable &table, std::size_t row)
 {
     for (std::size_t file = 0; file < table.files.size(); ++file) {
-        const RawTable &own = table.files[file];
+        const TableFile &own = table.files[file];
         for (const BadCell &bad : std::ranges::equal_range(own.badCells, row, {}, &BadCell::row)) {
-            if (bad.spoilsRow || isUsed(table.layout.columns[table.firstColumns[file] + bad.column])) {
-                return SkippedRow{own.lines[row], bad.column + 1, bad.text, bad.fault, 1, file};
+            if (bad.spoilsRow || isUsed(table.layout.columns[own.firstColumn + bad.column])) {
+                return {own.lines[row], bad.column + 1, bad.text, bad.fault, 1, file};
             }
         }
     }
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const std::size_t file = table.layout.columns[i].file;
+    const auto isAtFault = [&](std::size_t i) {
         const double value = table.columns[i][row];
-        const bool isMissing = i == table.abscissa && std::isnan(value);
-        if (isMissing || (isUsed(table.layout.columns[i]) && std::isinf(value))) {
-            return SkippedRow{table.files[file].lines[row],
-                              i - table.firstColumns[file] + 1,
-                              {},
-                              isMissing ? RowFault::NoTime : RowFault::TooLarge,
-                              1,
-                              file};
-        }
+        return i == table.abscissa ? !std::isfinite(value) : isUsed(table.layout.columns[i]) && std::isinf(value);
+    };
+    std::size_t i = 0;
+    while (!isAtFault(i)) {
+        ++i;
     }
-    return std::nullopt;
+    const RowFault fault = std::isnan(table.columns[i][row]) ? RowFault::NoTime : RowFault::TooLarge;
+    const TableFile &own = table.fileOf(i);
+    return {own.lines[row], i - own.firstColumn + 1, {}, fault, 1, table.layout.columns[i].file};
 }
 
 /// The rows of all columns that are used, without those that cannot be.
-ReferenceData collect(JoinedTable &table)
+ReferenceData collect(RawTable &table)
 {
     ReferenceData data;
     std::vector<bool> marks(table.files.front().lines.size(), true);
@@ -194,8 +133,8 @@ ReferenceData collect(JoinedTable &table)
         }
     }
     for (std::size_t row = 0; row < marks.size(); ++row) {
-        if (std::optional<SkippedRow> fault = marks[row] ? std::nullopt : findFault(table, row)) {
-            leaveOut(*std::move(fault), data.skipped);
+        if (!marks[row]) {
+            leaveOut(findFault(table, row), data.skipped);
         }
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -217,60 +156,56 @@ ReferenceData collect(JoinedTable &table)
 }
 
 /// Makes time stamps of the crank angles that were read in their place.
-std::optional<ReadError> countByAngle(ReferenceData &data, const JoinedTable &table)
+void countByAngle(ReferenceData &data, const RawTable &table)
 {
     data.crank.emplace();
     data.crank->degrees = goingOn(data.time);
     data.crank->rounding = data.timeRounding;
     if (const std::optional<std::size_t> row = turnsBackAt(data.crank->degrees)) {
-        return table.faultIn(*table.abscissa, {Fault::AngleTurnsBack, {}, printedNumber(data.time[*row - 1]) + "°"});
+        throw faultIn(table, *table.abscissa, {Fault::AngleTurnsBack, {}, printedNumber(data.time[*row - 1]) + "°"});
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {
-        ReadError error = table.faultIn(*table.abscissa, {.kind = Fault::NoRow, .row = RowFault::TooLarge});
-        error.line = data.lines.front();
-        return error;
+        throw faultIn(table, *table.abscissa, {.kind = Fault::NoRow, .row = RowFault::TooLarge});
     }
     data = *std::move(timed);
-    return std::nullopt;
 }
 
 /// Refuses a time that decreases. Of rows with the same time the last one is kept, as it holds the state after an
 /// event; where most rows repeat the time, it is refused as well.
-std::optional<ReadError> settleTime(ReferenceData &data, const JoinedTable &table)
+void settleTime(ReferenceData &data, const RawTable &table)
 {
-    const std::size_t file = data.layout.columns[*table.abscissa].file;
+    const std::size_t abscissa = *table.abscissa;
     const auto describe = [&](std::size_t row) {
-        return SkippedRow{data.lines[row], *table.abscissa - table.firstColumns[file] + 1,
-                          printedNumber(data.time[row] / table.factors[*table.abscissa]), RowFault::RepeatedTime};
+        return SkippedRow{data.lines[row], abscissa - table.fileOf(abscissa).firstColumn + 1,
+                          printedNumber(data.time[row] / table.factors[abscissa]), RowFault::RepeatedTime};
     };
     std::vector<bool> marks(data.time.size(), true);
     std::vector<std::size_t> repeated;
-    std::optional<std::size_t> wrong;
-    for (std::size_t row = 1; row < data.time.size() && !wrong; ++row) {
-        wrong = data.time[row] < data.time[row - 1] ? std::optional(row) : std::nullopt;
+    std::size_t wrong = 0; // row
+    for (std::size_t row = 1; row < data.time.size() && wrong == 0; ++row) {
+        wrong = data.time[row] < data.time[row - 1] ? row : 0;
         if (data.time[row] == data.time[row - 1]) {
             marks[row - 1] = false;
             repeated.push_back(row - 1);
         }
     }
-    if (!wrong && 2 * repeated.size() > data.time.size()) {
+    if (wrong == 0 && 2 * repeated.size() > data.time.size()) {
         wrong = repeated.front() + 1;
     }
-    if (wrong) {
-        const SkippedRow row = describe(*wrong);
-        return ReadError{row.line, row.column, row.text, {Fault::TimeNotRising}};
+    if (wrong > 0) {
+        const SkippedRow row = describe(wrong);
+        throw ReadError{row.line, row.column, row.text, {Fault::TimeNotRising}};
+    }
+    if (repeated.empty()) {
+        return;
     }
     for (const std::size_t row : repeated) {
         leaveOut(describe(row), data.skipped);
     }
-    if (!repeated.empty()) {
-        std::ranges::stable_sort(data.skipped, {}, [](const SkippedRow &row) {
-            return std::pair(row.fault == RowFault::NotListed, row.line);
-        });
-        keepRows(data, marks);
-    }
-    return std::nullopt;
+    std::ranges::stable_sort(
+        data.skipped, {}, [](const SkippedRow &row) { return std::pair(row.fault == RowFault::NotListed, row.line); });
+    keepRows(data, marks);
 }
 
 /// Learns the step of encoders and converters, which is no power of ten, from the first rows.
@@ -307,34 +242,31 @@ void dropEmptySeries(ReferenceData &data)
     });
 }
 
-/// Why there are no data at all.
-std::optional<ReadError> findWhyUseless(const ReferenceData &data, std::size_t firstDataLine)
+/// Throws where there are no data at all.
+void requireData(const ReferenceData &data, std::size_t firstDataLine)
 {
-    if (!data.time.empty()) {
-        return data.series.empty() ? std::optional(ReadError{firstDataLine, 0, {}, {Fault::NoValues}}) : std::nullopt;
+    if (data.time.empty() && data.skipped.empty()) {
+        throw ReadError{firstDataLine - 1, 0, {}, {Fault::NoNumbers}};
     }
-    if (data.skipped.empty()) {
-        return ReadError{firstDataLine - 1, 0, {}, {Fault::NoNumbers}};
+    if (data.time.empty()) {
+        const SkippedRow &first = data.skipped.front();
+        throw ReadError{first.line, first.column, first.text, {.kind = Fault::NoRow, .row = first.fault}};
     }
-    const SkippedRow &first = data.skipped.front();
-    return ReadError{first.line, first.column, first.text, {.kind = Fault::NoRow, .row = first.fault}};
+    if (data.series.empty()) {
+        throw ReadError{firstDataLine, 0, {}, {Fault::NoValues}};
+    }
 }
 
-/// The data of files whose columns are settled; an error has no layout.
-std::variant<ReferenceData, ReadError> assemble(JoinedTable &table)
+/// The data of a table whose columns are settled.
+ReferenceData assemble(RawTable &table)
 {
     ReferenceData data = collect(table);
-    const std::size_t firstDataLine = table.files.front().firstDataLine;
-    std::optional<ReadError> error;
     if (!data.time.empty()) {
         const bool isByAngle = table.layout.columns[*table.abscissa].role == ColumnRole::CrankAngle;
-        error = isByAngle ? countByAngle(data, table) : settleTime(data, table);
+        isByAngle ? countByAngle(data, table) : settleTime(data, table);
     }
     dropEmptySeries(data);
-    error = error ? error : findWhyUseless(data, firstDataLine);
-    if (error) {
-        return *std::move(error);
-    }
+    requireData(data, table.files.front().firstDataLine);
     for (ReferenceSeries &series : data.series) {
         learnQuantum(series, data.time);
     }
@@ -344,70 +276,43 @@ std::variant<ReferenceData, ReadError> assemble(JoinedTable &table)
     return data;
 }
 
-/// Text and table of one file.
-std::variant<RawTable, ReadError> readRaw(std::string_view bytes, const std::stop_token &stop,
-                                          const std::function<void(std::size_t)> &progress)
-{
-    const std::variant<FileText, ReadError> text = decodeText(bytes);
-    if (const ReadError *const error = std::get_if<ReadError>(&text)) {
-        return *error;
-    }
-    const FileText &found = std::get<FileText>(text);
-    std::variant<RawTable, ReadError> outcome = readTable(found.in(bytes), stop, progress);
-    if (RawTable *const table = std::get_if<RawTable>(&outcome)) {
-        table->layout.encoding = found.encoding;
-        table->layout.byteOrderMark = found.byteOrderMark;
-    }
-    return outcome;
-}
-
-std::variant<ReferenceData, ReadError> readAll(std::span<const FileBytes> files, const std::stop_token &stop,
-                                               const ReadOptions &options)
+/// Text and table of all files, side by side. Files of which only the beginning is known are cut to the shortest.
+void readTables(std::span<const FileBytes> files, const std::stop_token &stop, const ReadOptions &options,
+                RawTable &table)
 {
     const auto addSize = [](std::size_t sum, const FileBytes &file) { return sum + file.bytes.size(); };
     const std::size_t all = std::accumulate(files.begin(), files.end(), std::size_t{0}, addSize);
-    std::vector<RawTable> tables(files.size());
-    std::optional<ReadError> error;
     std::size_t before = 0;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const std::size_t size = files[i].bytes.size();
+    std::size_t shortest = std::numeric_limits<std::size_t>::max();
+    for (const FileBytes &file : files) {
+        const std::size_t size = file.bytes.size();
         const auto progress = [&](std::size_t done) {
             if (options.progress) {
                 options.progress(before + std::min(done, size), all);
             }
         };
-        std::variant<RawTable, ReadError> outcome = readRaw(files[i].bytes, stop, progress);
+        try {
+            const FileText text = decodeText(file.bytes);
+            readTable(text.in(file.bytes), file, stop, progress, table);
+            if (&file == &files[0]) {
+                table.layout.encoding = text.encoding;
+                table.layout.byteOrderMark = text.byteOrderMark;
+            }
+        } catch (ReadError &error) {
+            error.file = static_cast<std::size_t>(&file - files.data());
+            throw;
+        }
         before += size;
-        if (stop.stop_requested()) {
-            return ReadError{0, 0, {}, {Fault::Stopped}};
+        shortest = std::min(shortest, table.files.back().lines.size());
+    }
+    if (std::ranges::any_of(files, &FileBytes::isBeginning)) {
+        for (TableFile &file : table.files) {
+            file.lines.resize(shortest);
         }
-        if (RawTable *const table = std::get_if<RawTable>(&outcome)) {
-            tables[i] = std::move(*table);
-        } else if (!error) {
-            error = std::get<ReadError>(std::move(outcome));
-            error->file = i;
+        for (std::vector<double> &column : table.columns) {
+            column.resize(shortest);
         }
     }
-    JoinedTable table = join(std::move(tables), files);
-    if (!error) {
-        const auto choices = resolveChoices(options, table.headings);
-        const ReadFault *const fault = std::get_if<ReadFault>(&choices);
-        error = fault ? ReadError{files.size() == 1 ? table.layout.headerLine : 0, 0, {}, *fault}
-                      : assignColumns(table, std::get<std::vector<ColumnChoice>>(choices));
-    }
-    if (files.size() == 1) {
-        table.layout.files.clear();
-    }
-    if (!error) {
-        std::variant<ReferenceData, ReadError> outcome = assemble(table);
-        if (!std::holds_alternative<ReadError>(outcome)) {
-            return outcome;
-        }
-        error = std::get<ReadError>(std::move(outcome));
-    }
-    error->file = files.size() == 1 ? std::nullopt : error->file;
-    error->layout = std::move(table.layout);
-    return *std::move(error);
 }
 
 } // namespace
@@ -449,10 +354,23 @@ ChannelSet channelsOf(const ReferenceData &data)
 std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, std::stop_token stop,
                                                  const ReadOptions &options)
 {
+    RawTable table;
     try {
-        return readAll(files, stop, options);
+        readTables(files, stop, options, table);
+        assignColumns(table, resolveChoices(options, table));
+        if (files.size() == 1) {
+            table.layout.files.clear();
+        }
+        return assemble(table);
     } catch (const std::bad_alloc &) {
-        return ReadError{0, 0, {}, {Fault::NoMemory}};
+        return ReadError{.fault = {Fault::NoMemory}};
+    } catch (ReadError &error) {
+        if (files.size() == 1) {
+            table.layout.files.clear();
+            error.file.reset();
+        }
+        error.layout = std::move(table.layout);
+        return std::move(error);
     }
 }
 

@@ -229,53 +229,45 @@ std::optional<Cells> readAnnotations(const Cells &cells)
     return isData ? std::nullopt : std::optional(std::move(units));
 }
 
-/// Gives the columns these units, which stand in that line; an error where a heading says otherwise.
-std::optional<ReadError> takeUnits(TableForm &form, const Cells &units, std::size_t line)
+/// Gives the columns these units, which stand in that line. Throws where a heading says otherwise.
+void takeUnits(TableForm &form, const Cells &units, std::size_t line)
 {
     for (std::size_t i = 0; i < std::min(units.size(), form.headings.size()); ++i) {
         Heading &heading = form.headings[i];
-        if (units[i].empty()) {
-            continue;
+        const bool isNew = !units[i].empty();
+        if (isNew && !heading.unit.empty() && parseUnit(heading.unit) != parseUnit(units[i])) {
+            const ReadFault fault{ReadFault::Kind::UnitsContradict, {}, excerpt(heading.printed)};
+            throw ReadError{line, i + 1, excerpt(units[i]), fault};
         }
-        if (!heading.unit.empty() && parseUnit(heading.unit) != parseUnit(units[i])) {
-            return ReadError{
-                line, i + 1, excerpt(units[i]), {ReadFault::Kind::UnitsContradict, {}, excerpt(heading.printed)}};
-        }
-        heading.unit = units[i];
+        heading.unit = isNew ? units[i] : heading.unit;
     }
-    return std::nullopt;
 }
 
 /// Takes the lines of units and of other annotations below the names.
-std::optional<ReadError> takeAnnotations(TableForm &form, std::string_view delimiters,
-                                         const std::optional<FirstRow> &row)
+void takeAnnotations(TableForm &form, std::string_view delimiters, const std::optional<FirstRow> &row)
 {
     const std::vector<Line> lines = firstLines(form.data, form.firstDataLine);
     const auto cellsIn = [&](const Line &line) {
         return row && row->isBySpaces() ? readNames(line.text, delimiters, row).cells
                                         : splitCells(line.text, form.layout.delimiter);
     };
-    for (std::size_t below = 0; below < lines.size(); ++below) {
-        const Cells cells = cellsIn(lines[below]);
+    for (const Line &line : lines) {
+        const Cells cells = cellsIn(line);
         const std::optional<Cells> units = readAnnotations(cells);
-        const bool areOtherNames = !units && below == 0 && cells.size() == form.headings.size() &&
-                                   std::ranges::none_of(cells, looksNumeric) && lines.size() > 1 &&
-                                   readAnnotations(cellsIn(lines[1]));
-        if (areOtherNames) {
+        const bool areOtherNames = &line == &lines[0] && lines.size() > 1 && cells.size() == form.headings.size() &&
+                                   std::ranges::none_of(cells, looksNumeric) && readAnnotations(cellsIn(lines[1]));
+        if (!units && areOtherNames) {
             continue; // short ones, above the units
         }
         if (!units) {
             break;
         }
-        const bool isEmpty = std::ranges::all_of(*units, [](std::string_view unit) { return unit.empty(); });
-        form.layout.unitsLine = isEmpty ? form.layout.unitsLine : lines[below].number;
-        form.data = lines[below].below;
-        form.firstDataLine = lines[below].number + 1;
-        if (std::optional<ReadError> error = takeUnits(form, *units, lines[below].number)) {
-            return error;
-        }
+        const bool hasUnit = std::ranges::any_of(*units, [](std::string_view unit) { return !unit.empty(); });
+        form.layout.unitsLine = hasUnit ? line.number : form.layout.unitsLine;
+        form.data = line.below;
+        form.firstDataLine = line.number + 1;
+        takeUnits(form, *units, line.number);
     }
-    return std::nullopt;
 }
 
 /// Settles what the headings mean. The lines above them may give units: "inDegrees=no", "Units are S.I. units (second,
@@ -349,19 +341,6 @@ std::string_view takeAnnouncedDelimiter(std::vector<Line> &lines, FileLayout &la
     return kDelimiters.substr(announced, 1);
 }
 
-/// The parts of the layout that show a person what the file looks like.
-void describe(TableForm &form)
-{
-    for (const Heading &heading : form.headings) {
-        form.layout.columns.push_back({heading.printed, heading.unit});
-    }
-    const std::vector<Line> lines = firstLines(form.data);
-    for (const Line &line : std::span(lines).first(std::min(lines.size(), kPreviewRows))) {
-        std::vector<std::string> &row = form.layout.rows.emplace_back();
-        std::ranges::transform(splitCells(line.text, form.layout.delimiter), std::back_inserter(row), excerpt);
-    }
-}
-
 } // namespace
 
 bool isBlankLine(std::string_view line)
@@ -369,17 +348,17 @@ bool isBlankLine(std::string_view line)
     return line.find_first_not_of(" \t;,") == line.npos;
 }
 
-std::variant<TableForm, ReadError> findTable(std::string_view text)
+TableForm findTable(std::string_view text)
 {
     std::vector<Line> lines = firstLines(text);
     const auto tooLong = std::ranges::find_if(lines, [](const Line &line) { return line.text.size() > kLongestLine; });
     if (tooLong != lines.end()) {
-        return ReadError{tooLong->number, 0, {}, {ReadFault::Kind::LineTooLong}};
+        throw ReadError{.line = tooLong->number, .fault = {ReadFault::Kind::LineTooLong}};
     }
     TableForm form;
     const std::string_view delimiters = lines.empty() ? kDelimiters : takeAnnouncedDelimiter(lines, form.layout);
     if (lines.empty()) {
-        return ReadError{0, 0, {}, {ReadFault::Kind::Empty}};
+        throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
     const std::optional<FirstRow> row = findFirstRow(lines, delimiters);
     const HeaderFound header = findHeader(lines, delimiters, row);
@@ -391,32 +370,30 @@ std::variant<TableForm, ReadError> findTable(std::string_view text)
     form.layout.delimiter = row ? row->delimiter : header.names->delimiter;
     form.data = header.names ? line.below : text.substr(static_cast<std::size_t>(line.text.data() - text.data()));
     form.firstDataLine = line.number + (header.names ? 1 : 0);
-    std::optional<ReadError> error;
     if (header.names) {
         form.layout.headerLine = line.number;
         std::ranges::transform(header.names->cells, std::back_inserter(form.headings), parseHeading);
         if (row && lines[row->line].text.starts_with('"') && row->cells.size() == form.headings.size() + 1) {
             form.headings.insert(form.headings.begin(), Heading()); // so R writes the numbers of rows
         }
-        error = takeAnnotations(form, delimiters, row);
+        takeAnnotations(form, delimiters, row);
     } else {
         form.headings.resize(row->cells.size());
     }
+    if (row) {
+        std::ranges::transform(row->cells, std::back_inserter(form.cellUnits),
+                               [](std::string_view cell) { return splitUnit(cell).unit; });
+        takeUnits(form, form.cellUnits, lines[row->line].number);
+    }
     form.cellUnits.resize(form.headings.size());
-    if (row && !error) {
-        Cells units;
-        std::ranges::transform(row->cells, std::back_inserter(units), [](auto cell) { return splitUnit(cell).unit; });
-        std::ranges::copy(std::span(units).first(std::min(units.size(), form.cellUnits.size())),
-                          form.cellUnits.begin());
-        error = takeUnits(form, units, lines[row->line].number);
-    }
-    if (error) {
-        return *std::move(error);
-    }
     form.fewestCells = countNeededCells(form);
     interpretHeadings(form, std::span(lines).first(header.line));
     form.layout.decimalSign = findDecimalSign(form);
-    describe(form);
+    lines = firstLines(form.data);
+    for (const Line &shown : std::span(lines).first(std::min(lines.size(), kPreviewRows))) {
+        std::vector<std::string> &cells = form.layout.rows.emplace_back();
+        std::ranges::transform(splitCells(shown.text, form.layout.delimiter), std::back_inserter(cells), excerpt);
+    }
     return form;
 }
 

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace slidercrank
@@ -26,8 +25,8 @@ struct TableForm {
     std::size_t firstDataLine = 0;
 };
 
-/// `text`: in UTF-8, without byte order mark; the form refers to it.
-std::variant<TableForm, ReadError> findTable(std::string_view text);
+/// `text`: in UTF-8, without byte order mark; the form refers to it. Throws ReadError.
+TableForm findTable(std::string_view text);
 
 bool isBlankLine(std::string_view line);
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The judge: the exact motion of the slider-crank, straight from the textbook's formulas, in as many digits as are
-// asked for. The formulas cancel near a toggle; here digits make up for it (50 are enough away from a toggle, 100
-// everywhere). It shares no formula with the closed form of the core, and none with the constraints.
-//
-// Source: Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15, for θ³ = θ_3 - 180°:
-//     h = c - a sin θ2,   sin θ3 = h/b,   cos θ3 = ±√((b - h)(b + h))/b
+// The judge: the textbook's motion in as many digits as are asked for. Its formulas cancel near a toggle; here digits
+// make up for it (50 are enough away from a toggle, 100 everywhere).
 // Lengths in mm, angles in rad, time in s.
 
+#include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 
@@ -62,60 +59,21 @@ struct ExactState {
 template <class Real>
 ExactState<Real> exactState(const ExactInput<Real> &in)
 {
-    using std::abs, std::asin, std::cos, std::sin, std::sqrt;
+    using std::abs;
     ExactState<Real> out;
     out.values.fill(Real(0));
-    const auto value = [&out](Coordinate coordinate, Order order) -> Real & {
-        return out.values[indexOf({coordinate, order})];
-    };
-
-    const Real theta2 = in.omega2 * in.t + in.theta20;
-    const Real sin2 = sin(theta2);
-    const Real cos2 = cos(theta2);
-    const Real h = in.c - in.a * sin2;
-    out.clearance = (in.b - abs(h)) / in.b;
-    if (out.clearance < 0) {
-        out.status = Status::NotAssemblable;
+    TextbookMotion<Real> motion;
+    const bool isSolved = motion.compute({in.a, in.b, in.c, in.omega2, 0}, in.omega2 * in.t + in.theta20,
+                                         in.branch == Branch::Open ? 1.0 : -1.0, boost::math::constants::pi<Real>());
+    out.clearance = (in.b - abs(Real(in.c - motion.pinY[0]))) / in.b;
+    out.status = isSolved ? Status::Solved : out.clearance < 0 ? Status::NotAssemblable : Status::Singular;
+    if (out.status == Status::NotAssemblable) {
         return out;
     }
-    const bool open = in.branch == Branch::Open;
-    const Real sin3 = h / in.b;
-    const Real root = sqrt((in.b - h) * (in.b + h)) / in.b;
-    const Real cos3 = open ? root : Real(-root);
-    out.cosTheta3 = cos3;
-
-    const Real half = Real(1) / 2;
-    const Real steepness = asin(sin3);
-    value(R2x, Order::Position) = half * in.a * cos2;
-    value(R2y, Order::Position) = half * in.a * sin2;
-    value(Theta2, Order::Position) = theta2;
-    value(R3x, Order::Position) = in.a * cos2 + half * in.b * cos3;
-    value(R3y, Order::Position) = in.a * sin2 + half * in.b * sin3;
-    value(Theta3, Order::Position) = open ? steepness : Real(boost::math::constants::pi<Real>() - steepness);
-    value(R4x, Order::Position) = in.a * cos2 + in.b * cos3;
-    value(R4y, Order::Position) = in.c;
-    if (cos3 == 0) {
-        out.status = Status::Singular;
-        return out;
+    out.cosTheta3 = (motion.sliderX[0] - motion.pinX[0]) / in.b;
+    for (std::size_t index = 0; index < (isSolved ? kChannelCount : kCoordinateCount); ++index) {
+        out.values[index] = motion.valueAt(channelAt(index));
     }
-
-    const Real w = in.omega2;
-    const Real w3 = -in.a * w * cos2 / (in.b * cos3);
-    value(R2x, Order::Velocity) = -half * in.a * w * sin2;
-    value(R2y, Order::Velocity) = half * in.a * w * cos2;
-    value(Theta2, Order::Velocity) = w;
-    value(R3x, Order::Velocity) = -in.a * w * sin2 - half * in.b * sin3 * w3;
-    value(R3y, Order::Velocity) = in.a * w * cos2 + half * in.b * cos3 * w3;
-    value(Theta3, Order::Velocity) = w3;
-    value(R4x, Order::Velocity) = -in.a * w * sin2 - in.b * sin3 * w3;
-
-    const Real alpha3 = (in.a * w * w * sin2 + in.b * sin3 * w3 * w3) / (in.b * cos3);
-    value(R2x, Order::Acceleration) = -half * in.a * w * w * cos2;
-    value(R2y, Order::Acceleration) = -half * in.a * w * w * sin2;
-    value(R3x, Order::Acceleration) = -in.a * w * w * cos2 - half * in.b * (cos3 * w3 * w3 + sin3 * alpha3);
-    value(R3y, Order::Acceleration) = -in.a * w * w * sin2 - half * in.b * (sin3 * w3 * w3 - cos3 * alpha3);
-    value(Theta3, Order::Acceleration) = alpha3;
-    value(R4x, Order::Acceleration) = -in.a * w * w * cos2 - in.b * cos3 * w3 * w3 - in.b * sin3 * alpha3;
     return out;
 }
 

@@ -9,14 +9,20 @@
 //
 // Source: M. Abramowitz, I. Stegun, "Handbook of Mathematical Functions", 25.3.21 and 25.3.23.
 
-#include <span>
-
 namespace slidercrank
 {
 
-/// The derivatives of samples that lie `step` (s) apart, at all but the first and the last of them: `first` and
-/// `second` are two shorter than `samples`. NaN beside a sample that is NaN.
-void centralDifferences(std::span<const double> samples, double step, std::span<double> first,
-                        std::span<double> second);
+struct Derivatives {
+    double first = 0.0;
+    double second = 0.0;
+};
+
+/// The derivatives at the second of three samples that lie `step` (s) apart. NaN where one of them is NaN.
+constexpr Derivatives centralDifferences(double before, double here, double after, double step)
+{
+    const double rise = after - here;
+    const double riseBefore = here - before;
+    return {(rise + riseBefore) / (2.0 * step), (rise - riseBefore) / (step * step)};
+}
 
 } // namespace slidercrank

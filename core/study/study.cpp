@@ -104,12 +104,12 @@ double relative(double error, double size)
 /// A method at work on a case.
 struct Contender {
     const StudyMethod *method = nullptr;
-    StudyRun run;
-    std::vector<std::size_t> instants; ///< which of the case's are judged
-    std::size_t stride = 1;            ///< every so many of the answers is judged
-    StudyAnswers answers;
+    StudyRun run{};
+    std::vector<std::size_t> instants{}; ///< which of the case's are judged
+    std::size_t stride = 1;              ///< every so many of the answers is judged
+    StudyAnswers answers{};
     long long repeats = 1;
-    std::vector<double> nanoseconds; ///< per state, a value a round
+    std::vector<double> nanoseconds{}; ///< per state, a value a round
 };
 
 /// |got - exact|; infinite if there is no value.
@@ -124,14 +124,8 @@ double deviation(double got, TwoPart exact)
 /// How much worse one status is than another: what cannot be assembled is the mechanism's, the others are the method's.
 int severity(Status status)
 {
-    switch (status) {
-    case Status::Solved: return 0;
-    case Status::NotAssemblable: return 1;
-    case Status::Singular: return 2;
-    case Status::IterationLimit: return 3;
-    case Status::NotFinite: return 4;
-    }
-    return 0;
+    constexpr std::array<int, kStatusCount> kByStatus{0, 2, 3, 1, 4};
+    return kByStatus[static_cast<std::size_t>(status)];
 }
 
 /// Errors and statuses of the answers.
@@ -157,7 +151,8 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         }
         bool isWrong = false;
         for (std::size_t k = 0; k < kChannels; ++k) {
-            const double error = relative(deviation(contender.answers.values[k][answer], judged.values[k]), judgement.sizes[k]);
+            const double error =
+                relative(deviation(contender.answers.values[k][answer], judged.values[k]), judgement.sizes[k]);
             const double limit = relative(judged.kappa[k] * kUnitRoundoff, judgement.sizes[k]);
             worst = std::max(worst, error);
             bound = std::max(bound, limit);
@@ -181,41 +176,31 @@ double quantile(const std::vector<double> &sorted, double part)
     return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
 }
 
-/// A method that is to be run at `times`, judged at those with the indices `judged`, every stride-th of the times. None
-/// where the method does not apply to the mechanism.
-std::optional<Contender> makeContender(const StudyMethod &method, const Case &which, const std::vector<double> &times,
-                                       std::vector<std::size_t> judged, std::size_t stride = 1)
+/// Adds a method that is to be run at `times`, judged at those with the indices `judged`, every stride-th of the times;
+/// unless it does not apply to the mechanism.
+void addContender(const StudyMethod &method, const Case &which, const std::vector<double> &times,
+                  const std::vector<std::size_t> &judged, std::size_t stride, std::vector<Contender> &contenders)
 {
-    Contender contender;
-    contender.method = &method;
-    contender.run = method.prepare(which, times);
-    contender.instants = std::move(judged);
-    if (!contender.run) {
-        return std::nullopt;
+    if (StudyRun run = method.prepare(which, times)) {
+        Contender &contender = contenders.emplace_back(Contender{&method, std::move(run), judged, stride});
+        contender.answers.values.fill(std::vector<double>(times.size()));
+        contender.answers.status.resize(times.size());
     }
-    contender.stride = stride;
-    for (std::vector<double> &values : contender.answers.values) {
-        values.resize(times.size());
-    }
-    contender.answers.status.resize(times.size());
-    return contender;
 }
 
-std::vector<Contender> contendersOf(const Case &which, const std::vector<double> &all, const std::vector<double> &steps)
+std::vector<Contender> makeContenders(const Case &which, const std::vector<double> &all,
+                                      const std::vector<double> &steps)
 {
     std::vector<std::size_t> everyIndex(all.size());
     std::iota(everyIndex.begin(), everyIndex.end(), std::size_t{0});
     std::vector<std::size_t> stepIndices;
     for (const double t : steps) {
-        stepIndices.push_back(static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), t) - all.begin()));
+        stepIndices.push_back(static_cast<std::size_t>(std::ranges::lower_bound(all, t) - all.begin()));
     }
     std::vector<Contender> contenders;
     for (const StudyMethod &method : studyMethods()) {
-        const bool everywhere = method.instants == StudyMethod::Instants::All;
-        if (std::optional<Contender> contender =
-                makeContender(method, which, everywhere ? all : steps, everywhere ? everyIndex : stepIndices)) {
-            contenders.push_back(std::move(*contender));
-        }
+        const bool isEverywhere = method.instants == StudyMethod::Instants::All;
+        addContender(method, which, isEverywhere ? all : steps, isEverywhere ? everyIndex : stepIndices, 1, contenders);
     }
     return contenders;
 }
@@ -317,9 +302,7 @@ std::vector<WorkPrecision> measureWorkPrecision(const Case &which, const StudyRe
     for (const StudyMethod &method : studyMethods()) {
         for (std::size_t i = 0; i < (method.dependsOnStep ? kMultiples.size() : 1); ++i) {
             const auto stride = static_cast<std::size_t>(kMultiples[i]);
-            if (std::optional<Contender> contender = makeContender(method, cases[i], times[i], outputs, stride)) {
-                contenders.push_back(std::move(*contender));
-            }
+            addContender(method, cases[i], times[i], outputs, stride, contenders);
         }
     }
     std::vector<WorkPrecision> rows;
@@ -329,17 +312,10 @@ std::vector<WorkPrecision> measureWorkPrecision(const Case &which, const StudyRe
     for (Contender &contender : contenders) {
         const auto states = static_cast<double>(contender.answers.status.size());
         const MethodResult result = resultOf(contender, *judgement);
-        WorkPrecision row;
-        row.method = result.method;
-        row.tolerance = result.tolerance;
-        row.steps = static_cast<int>(states) - 1;
-        row.microseconds = 1e-3 * states * result.nsPerState;
-        row.spread = 1e-3 * states * result.spread;
-        if (result.linearSolvesPerState) {
-            row.linearSolves = states * *result.linearSolvesPerState;
-        }
-        row.maxError = result.maxError;
-        rows.push_back(row);
+        const auto solves = result.linearSolvesPerState;
+        rows.push_back({result.method, result.tolerance, static_cast<int>(states) - 1,
+                        1e-3 * states * result.nsPerState, 1e-3 * states * result.spread,
+                        solves ? std::optional(states * *solves) : std::nullopt, result.maxError});
     }
     return rows;
 }
@@ -384,17 +360,14 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
         const std::vector<double> steps = which.sampling.instants();
         const std::optional<Judgement> judgement =
             judgeAll(which, all, stop, [&](double part) { reach(kJudgeShare * part); });
-        std::vector<Contender> contenders = contendersOf(which, all, steps);
+        std::vector<Contender> contenders = makeContenders(which, all, steps);
         const bool timed = judgement && timeAll(contenders, request, stop,
                                                 [&](double part) { reach(kJudgeShare + (1.0 - kJudgeShare) * part); });
         if (!timed) {
             result.complete = false;
             break;
         }
-        CaseResult of;
-        of.name = which.name;
-        of.parameters = which.parameters;
-        of.instants = all.size();
+        CaseResult of{which.name, which.parameters, all.size(), {}, {}};
         for (Contender &contender : contenders) {
             of.methods.push_back(resultOf(contender, *judgement));
         }

@@ -17,26 +17,26 @@ namespace
 {
 
 /// By kPlottedChannels.
-enum Value : std::size_t { Theta3Value, R4xValue, Theta3Rate, R4xRate, Theta3Acceleration, R4xAcceleration };
+using Values = std::array<double, kPlottedChannels.size()>;
+
+void put(StudyAnswers &answers, std::size_t i, const Values &values, Status status)
+{
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        answers.values[k][i] = values[k];
+    }
+    answers.status[i] = status;
+}
 
 void put(StudyAnswers &answers, std::size_t i, const State &state)
 {
-    answers.values[Theta3Value][i] = state.q[Theta3];
-    answers.values[R4xValue][i] = state.q[R4x];
-    answers.values[Theta3Rate][i] = state.qDot[Theta3];
-    answers.values[R4xRate][i] = state.qDot[R4x];
-    answers.values[Theta3Acceleration][i] = state.qDDot[Theta3];
-    answers.values[R4xAcceleration][i] = state.qDDot[R4x];
-    answers.status[i] = state.status;
+    put(answers, i,
+        {state.q[Theta3], state.q[R4x], state.qDot[Theta3], state.qDot[R4x], state.qDDot[Theta3], state.qDDot[R4x]},
+        state.status);
 }
 
-StudyMethod newton(MethodName::Kind kind, NewtonOptions options)
+StudyMethod newton(MethodName::Kind kind, const NewtonOptions &options)
 {
-    StudyMethod method;
-    method.name = {kind};
-    method.tolerance = options.tolerance;
-    method.toleranceKind = options.toleranceKind;
-    method.channels = static_cast<int>(kChannelCount);
+    StudyMethod method{.name = {kind}, .tolerance = options.tolerance, .channels = static_cast<int>(kChannelCount)};
     method.prepare = [options](const Case &which, std::span<const double> instants) -> StudyRun {
         return [options, mechanism = Mechanism(which.parameters), instants](StudyAnswers &answers) {
             NewtonInstant last;
@@ -53,10 +53,8 @@ StudyMethod newton(MethodName::Kind kind, NewtonOptions options)
 
 StudyMethod closedForm()
 {
-    StudyMethod method;
-    method.name = {MethodName::Kind::ClosedForm};
+    StudyMethod method{.name = {MethodName::Kind::ClosedForm}, .channels = static_cast<int>(kChannelCount)};
     method.dependsOnStep = false;
-    method.channels = static_cast<int>(kChannelCount);
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         return [closedForm = ClosedForm(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
             for (std::size_t i = 0; i < instants.size(); ++i) {
@@ -69,15 +67,14 @@ StudyMethod closedForm()
 
 StudyMethod closedFormBatch()
 {
-    StudyMethod method;
-    method.name = {MethodName::Kind::ClosedFormBatch};
-    method.dependsOnStep = false;
+    StudyMethod method{.name = {MethodName::Kind::ClosedFormBatch}, .dependsOnStep = false};
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         return [batch = ClosedForm(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
-            const auto column = [&answers](Value value) { return answers.values[value].data(); };
-            const PlottedColumns columns{column(Theta3Value), column(R4xValue),           column(Theta3Rate),
-                                         column(R4xRate),     column(Theta3Acceleration), column(R4xAcceleration)};
-            batch.evaluate(instants, columns, answers.status);
+            auto &values = answers.values;
+            batch.evaluate(instants,
+                           {values[0].data(), values[1].data(), values[2].data(), values[3].data(), values[4].data(),
+                            values[5].data()},
+                           answers.status);
         };
     };
     return method;
@@ -86,32 +83,27 @@ StudyMethod closedFormBatch()
 /// Positions in closed form at the steps of the sampling and one beyond either end, derivatives from their differences.
 StudyMethod finiteDifference()
 {
-    StudyMethod method;
-    method.name = {MethodName::Kind::FiniteDifference};
-    method.instants = StudyMethod::Instants::Sampling;
+    StudyMethod method{.name = {MethodName::Kind::FiniteDifference}, .instants = StudyMethod::Instants::Sampling};
     method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
         const double step = which.sampling.duration / which.sampling.steps;
         std::vector<double> sampled{which.sampling.instant(-1)};
         sampled.insert(sampled.end(), instants.begin(), instants.end());
         sampled.push_back(which.sampling.instant(which.sampling.steps + 1));
-        std::vector<double> theta3(sampled.size());
-        std::vector<double> slider(sampled.size());
-        return [closedForm = ClosedForm(Mechanism(which.parameters)), step, sampled = std::move(sampled),
-                theta3 = std::move(theta3), slider = std::move(slider)](StudyAnswers &answers) mutable {
+        std::vector<Motion> motions(sampled.size());
+        return [closedForm = ClosedForm(Mechanism(which.parameters)), step, sampled,
+                motions](StudyAnswers &answers) mutable {
             for (std::size_t i = 0; i < sampled.size(); ++i) {
-                const Motion motion = closedForm.motionAt(sampled[i]);
-                theta3[i] = motion.theta3;
-                slider[i] = motion.R4x;
+                motions[i] = closedForm.motionAt(sampled[i]);
             }
-            centralDifferences(theta3, step, answers.values[Theta3Rate], answers.values[Theta3Acceleration]);
-            centralDifferences(slider, step, answers.values[R4xRate], answers.values[R4xAcceleration]);
             for (std::size_t i = 0; i < answers.status.size(); ++i) {
-                answers.values[Theta3Value][i] = theta3[i + 1];
-                answers.values[R4xValue][i] = slider[i + 1];
-                const bool hasDerivatives = !std::isnan(answers.values[R4xAcceleration][i]);
-                answers.status[i] = hasDerivatives               ? Status::Solved
-                                    : !std::isnan(slider[i + 1]) ? Status::Singular
-                                                                 : Status::NotAssemblable;
+                const std::span<const Motion, 3> three(&motions[i], 3);
+                const Derivatives theta3 = centralDifferences(three[0].theta3, three[1].theta3, three[2].theta3, step);
+                const Derivatives slider = centralDifferences(three[0].R4x, three[1].R4x, three[2].R4x, step);
+                const Status status = !std::isnan(slider.second)  ? Status::Solved
+                                      : !std::isnan(three[1].R4x) ? Status::Singular
+                                                                  : Status::NotAssemblable;
+                put(answers, i,
+                    {three[1].theta3, three[1].R4x, theta3.first, slider.first, theta3.second, slider.second}, status);
             }
         };
     };
@@ -120,9 +112,7 @@ StudyMethod finiteDifference()
 
 StudyMethod harmonics(int count)
 {
-    StudyMethod method;
-    method.name = {MethodName::Kind::Harmonics, count};
-    method.dependsOnStep = false;
+    StudyMethod method{.name = {MethodName::Kind::Harmonics, count}, .dependsOnStep = false};
     method.prepare = [count](const Case &which, std::span<const double> instants) -> StudyRun {
         const Mechanism mechanism(which.parameters);
         if (!HarmonicSeries::existsFor(mechanism)) {
@@ -130,14 +120,9 @@ StudyMethod harmonics(int count)
         }
         return [series = HarmonicSeries(mechanism, count), instants](StudyAnswers &answers) {
             for (std::size_t i = 0; i < instants.size(); ++i) {
-                const HarmonicSeries::Sums sums = series.at(instants[i]);
-                answers.values[Theta3Value][i] = sums.theta3.value;
-                answers.values[R4xValue][i] = sums.R4x.value;
-                answers.values[Theta3Rate][i] = sums.theta3.first;
-                answers.values[R4xRate][i] = sums.R4x.first;
-                answers.values[Theta3Acceleration][i] = sums.theta3.second;
-                answers.values[R4xAcceleration][i] = sums.R4x.second;
-                answers.status[i] = Status::Solved;
+                const auto [theta3, slider] = series.at(instants[i]);
+                put(answers, i, {theta3.value, slider.value, theta3.first, slider.first, theta3.second, slider.second},
+                    Status::Solved);
             }
         };
     };

@@ -32,16 +32,15 @@ struct StudyMethod {
         Sampling ///< the equal steps of its sampling alone
     };
 
-    MethodName name;
-    std::optional<double> tolerance; ///< of Newton-Raphson
-    ToleranceKind toleranceKind = ToleranceKind::Absolute;
+    MethodName name{};
+    std::optional<double> tolerance{}; ///< of Newton-Raphson
     int channels = 6;
     bool dependsOnStep = true; ///< its error or its cost for the same outputs
     Instants instants = Instants::All;
 
     /// What is to be worked out once per mechanism is done here; the run is timed. Null where the method does not
     /// apply.
-    std::function<StudyRun(const Case &, std::span<const double> instants)> prepare;
+    std::function<StudyRun(const Case &, std::span<const double> instants)> prepare{};
 };
 
 /// In the order of the ladder, slowest way first.

@@ -243,7 +243,7 @@ const std::vector<Refusal> kRefused{
      1,
      0,
      "time,Value [mm]",
-     {Kind::NoChannel},
+     {Kind::NoCertainChannel, {}, "Value [mm]", ColumnReason::UnknownUnit},
      "slider_velocity.csv"},
 };
 

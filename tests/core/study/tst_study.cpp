@@ -169,11 +169,11 @@ void tst_study::differencesAreSecondOrderInTheStep()
 void tst_study::differencesOfAParabolaAreExact()
 {
     const std::vector<double> samples{9.0, 4.0, 1.0, 0.0, 1.0, 4.0}; // (2x - 3)² at x = 0, ½, 1, …
-    std::vector<double> first(4);
-    std::vector<double> second(4);
-    centralDifferences(samples, 0.5, first, second);
-    QCOMPARE(first, (std::vector<double>{-8.0, -4.0, 0.0, 4.0}));
-    QCOMPARE(second, (std::vector<double>{8.0, 8.0, 8.0, 8.0}));
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Derivatives derivatives = centralDifferences(samples[i], samples[i + 1], samples[i + 2], 0.5);
+        QCOMPARE(derivatives.first, -8.0 + 4.0 * static_cast<double>(i));
+        QCOMPARE(derivatives.second, 8.0);
+    }
 }
 
 void tst_study::harmonicsFallWithTheirNumber()

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The textbook's motion of an offset slider-crank (R. L. Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15) on any
+// number type: double, one that carries derivatives by the parameters, or one of many digits, which judges the closed
+// form. It shares no formula with the closed form, and cancels near a toggle.
+
+#include "core/mechanism/channel.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+template <class T>
+struct TextbookMotion {
+    T theta2, omega2, c;
+    std::array<T, 3> pinX, pinY, theta3, sliderX; ///< by order; A is the crank pin
+
+    /// parameters: a, b, c (mm) and ω2 (rad/s); θ2 in rad; side: 1 open, -1 crossed. False if it cannot be assembled,
+    /// or if it can, but is singular: then the positions are valid.
+    bool compute(const std::array<T, 5> &parameters, const T &crankAngle, double side,
+                 const T &pi = T(std::numbers::pi))
+    {
+        using std::atan2, std::cos, std::sin, std::sqrt;
+        const T &a = parameters[0];
+        const T &b = parameters[1];
+        c = parameters[2];
+        omega2 = parameters[3];
+        theta2 = crankAngle;
+        pinX[0] = a * cos(theta2);
+        pinY[0] = a * sin(theta2);
+        for (std::size_t k = 1; k < 3; ++k) {
+            pinX[k] = -(omega2 * pinY[k - 1]);
+            pinY[k] = omega2 * pinX[k - 1];
+        }
+        const T height = c - pinY[0];
+        const T square = (b - height) * (b + height);
+        if (!(square >= 0.0)) {
+            return false;
+        }
+        const T reach = side * sqrt(square);                  // b cos θ3
+        theta3[0] = atan2(T(side * height), T(side * reach)); // continuous within a turn of either assembly
+        if (side < 0.0) {
+            theta3[0] += pi;
+        }
+        sliderX[0] = pinX[0] + reach;
+        if (!(square > 0.0)) {
+            return false;
+        }
+        theta3[1] = -pinY[1] / reach;
+        theta3[2] = (height * theta3[1] * theta3[1] - pinY[2]) / reach;
+        sliderX[1] = pinX[1] - height * theta3[1];
+        sliderX[2] = pinX[2] + pinY[1] * theta3[1] - height * theta3[2];
+        return true;
+    }
+
+    T valueAt(Channel channel) const
+    {
+        const auto k = static_cast<std::size_t>(channel.order);
+        switch (channel.coordinate) {
+        case Theta2: return k == 0 ? theta2 : k == 1 ? omega2 : T(0.0);
+        case Theta3: return theta3[k];
+        case R4x: return sliderX[k];
+        case R4y: return k == 0 ? c : T(0.0);
+        case R3x: return T(0.5 * (pinX[k] + sliderX[k]));
+        case R3y: return k == 0 ? T(0.5 * (pinY[k] + c)) : T(0.5 * pinY[k]);
+        case R2x: return T(0.5 * pinX[k]);
+        case R2y: return T(0.5 * pinY[k]);
+        case R1x:
+        case R1y:
+        case Theta1:
+        case Theta4: break;
+        }
+        return T(0.0);
+    }
+};
+
+} // namespace slidercrank
