@@ -5,7 +5,6 @@
 #include "app/command_line.h"
 #include "app/console.h"
 #include "ui/text/language.h"
-#include "ui/window/application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 
@@ -112,7 +111,7 @@ int main(int argc, char *argv[])
         qInstallMessageHandler(nullptr);
         leaveConsole();
     }
-    const Application application(argc, argv);
+    const QApplication application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion")); // its palette can be chosen on every platform
     setApplicationNames();
     setLanguage(draws ? Language::System : chosenLanguage());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/folding_tabs.h"
 
-#include <QSignalBlocker>
 #include <QTabBar>
+#include <QVBoxLayout>
 
 namespace slidercrank
 {
@@ -11,54 +11,52 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     : QTabWidget(parent)
 {
     setDocumentMode(true);
-    setFocusPolicy(Qt::NoFocus); // only the bar is a stop of the Tab key; this would pass on to it
+    setFocusPolicy(Qt::NoFocus); // else the Tab key would stop here and at the bar
     tabBar()->setFocusPolicy(Qt::TabFocus);
     tabBar()->setObjectName(QStringLiteral("tabBar"));
     tabBar()->setDrawBase(false);
     tabBar()->setAccessibleName(tr("Panels"));
     tabBar()->setToolTip(tr("F9 hides and shows the panels"));
     connect(this, &QTabWidget::tabBarClicked, this, [this](int index) {
-        if (index >= 0) {
-            setFolded(false);
+        if (index >= 0 && isFolded()) {
+            choose(false);
         }
     });
-    connect(this, &QTabWidget::currentChanged, this, &FoldingTabs::makePage);
+    connect(this, &QTabWidget::currentChanged, this, &FoldingTabs::makeContent);
 }
 
-void FoldingTabs::addPage(const std::function<QWidget *()> &make, const QString &title)
+void FoldingTabs::addPage(const QString &title, const std::function<QWidget *()> &make)
 {
     m_unmade[count()] = make;
-    addPage(new QWidget(this), title);
+    addTab(new QWidget, title);
 }
 
-void FoldingTabs::makePage(int index)
+void FoldingTabs::makeContent(int index)
 {
-    const auto unmade = m_unmade.find(index);
-    if (unmade == m_unmade.end()) {
-        return;
-    }
-    const std::function<QWidget *()> make = unmade->second;
-    m_unmade.erase(unmade);
-    const QSignalBlocker quiet(this);
-    const QString title = tabText(index);
-    QWidget *placeholder = widget(index);
-    insertTab(index, make(), title);
-    setCurrentIndex(index);
-    delete placeholder;
-}
-
-void FoldingTabs::setTitle(QWidget *page, const QString &title)
-{
-    const int index = indexOf(page);
-    if (tabText(index) != title) { // the bar would lay out the whole window again
-        setTabText(index, title);
+    if (const auto make = m_unmade.take(index)) {
+        auto *layout = new QVBoxLayout(widget(index));
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->addWidget(make());
     }
 }
 
 void FoldingTabs::showPage(QWidget *page)
 {
     setCurrentWidget(page);
-    setFolded(false);
+    if (isFolded()) {
+        choose(false);
+    }
+}
+
+void FoldingTabs::choose(bool folded)
+{
+    m_chosen = folded;
+    setFolded(folded);
+}
+
+void FoldingTabs::suggest(bool folded)
+{
+    setFolded(m_chosen.value_or(folded));
 }
 
 void FoldingTabs::setFolded(bool folded)

@@ -3,10 +3,11 @@
 
 // Tabs that can be folded up to their bar, so that the plots of a small window get the space.
 
+#include <QHash>
 #include <QTabWidget>
 
 #include <functional>
-#include <map>
+#include <optional>
 
 namespace slidercrank
 {
@@ -18,28 +19,30 @@ class FoldingTabs : public QTabWidget
 public:
     explicit FoldingTabs(QWidget *parent = nullptr);
 
-    void addPage(QWidget *page, const QString &title) { addTab(page, title); }
+    /// A page whose content is made when it is shown for the first time: the program starts faster.
+    void addPage(const QString &title, const std::function<QWidget *()> &make);
 
-    /// A page that is made when it is shown for the first time: the program starts faster.
-    void addPage(const std::function<QWidget *()> &make, const QString &title);
-    void setTitle(QWidget *page, const QString &title);
-
-    /// Unfolds and shows it.
+    /// Unfolds the tabs, and shows that page.
     void showPage(QWidget *page);
 
-    int current() const { return currentIndex(); }
-    void setCurrent(int index) { setCurrentIndex(index); } ///< folded or not
-
     bool isFolded() const { return m_isFolded; }
-    void setFolded(bool folded);
+
+    /// What the person chose; nullopt: nothing yet.
+    const std::optional<bool> &chosen() const { return m_chosen; }
+    void choose(bool folded);
+
+    /// Folds or unfolds them unless the person has chosen.
+    void suggest(bool folded);
 
 signals:
     void foldedChanged(bool folded);
 
 private:
-    void makePage(int index);
+    void setFolded(bool folded);
+    void makeContent(int index);
 
-    std::map<int, std::function<QWidget *()>> m_unmade; ///< by index
+    QHash<int, std::function<QWidget *()>> m_unmade; ///< by index
+    std::optional<bool> m_chosen;
     bool m_isFolded = false;
 };
 

@@ -1,89 +1,159 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/message_bar.h"
 
-#include "ui/text/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 
 #include <QEvent>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <chrono>
 
 namespace slidercrank
 {
 
+namespace
+{
+
+constexpr std::chrono::seconds kHintStays{8};
+
+/// Spoken with its message: there may be several such buttons.
+QPushButton *makeButton(const char *name, const QString &text, const QString &message)
+{
+    auto *button = named(name, new QPushButton(text), text + QStringLiteral(": ") + message);
+    button->setFocusPolicy(Qt::TabFocus); // it vanishes when clicked, and must not take the focus with it
+    return button;
+}
+
+} // namespace
+
 MessageBar::MessageBar(QWidget *parent)
-    : QFrame(parent)
-    , m_symbol(new QLabel(this))
-    , m_text(named("messageText", new Paragraph({}, this)))
-    , m_remedyButton(named("messageRemedy", new QPushButton(this)))
-    , m_dismiss(named("messageDismiss", new QPushButton(this)))
+    : QWidget(parent)
+    , m_rows(new QVBoxLayout(this))
 {
     setObjectName(QStringLiteral("messageBar"));
-    setAutoFillBackground(true);
-    setFrameShape(QFrame::StyledPanel);
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-
-    for (QPushButton *button : {m_remedyButton, m_dismiss}) {
-        button->setFocusPolicy(Qt::TabFocus); // they vanish when pressed: a click must not leave the focus to chance
-    }
-
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(10, 4, 6, 4);
-    row->addWidget(m_symbol);
-    row->addWidget(m_text, 1);
-    row->addWidget(m_remedyButton);
-    row->addWidget(m_dismiss);
-
-    connect(m_dismiss, &QPushButton::clicked, this, [this] {
-        hide();
-        emit dismissed();
-    });
-    connect(m_remedyButton, &QPushButton::clicked, this, [this] {
-        hide();
-        const std::function<void()> remedy = m_remedy; // the remedy may show another message
-        remedy();
-    });
-    recolour();
+    m_rows->setContentsMargins(0, 0, 0, 0);
+    m_rows->setSpacing(2);
+    parent->installEventFilter(this);
     hide();
 }
 
-void MessageBar::showMessage(Kind kind, const QString &sentence, const QString &remedyText,
-                             const std::function<void()> &remedy, const QString &dismissText)
+void MessageBar::showMessage(const Message &message)
 {
-    m_kind = kind;
-    m_remedy = remedy;
-    m_text->setText(sentence);
-    setAccessibleName(sentence);
-    m_remedyButton->setText(remedyText);
-    m_dismiss->setText(dismissText.isEmpty() ? tr("Dismiss")
-                                             : dismissText); // now: the bar outlives a change of the language
-    m_remedyButton->setVisible(static_cast<bool>(remedy));
-    recolour();
-    show();
+    removeMessage(message.id);
+    auto *row = named(message.id, new QFrame);
+    row->setFrameShape(QFrame::Box);
+    row->setAutoFillBackground(true);
+    row->setBackgroundRole(QPalette::ToolTipBase);
+    row->setForegroundRole(QPalette::ToolTipText);
+    auto *symbol = new QLabel;
+    const bool isProblem = message.kind == Message::Kind::Problem;
+    symbol->setPixmap(style()
+                          ->standardIcon(isProblem ? QStyle::SP_MessageBoxWarning : QStyle::SP_MessageBoxInformation)
+                          .pixmap(fontMetrics().height() + 2));
+    auto *text = named("messageText", plainText(message.text));
+    text->setForegroundRole(QPalette::ToolTipText);
+    auto *line = new QHBoxLayout(row);
+    line->setContentsMargins(8, 3, 4, 3);
+    line->addWidget(symbol);
+    line->addWidget(text, 1);
+    if (message.action) {
+        auto *button = makeButton("messageRemedy", message.actionText, message.text);
+        connect(button, &QPushButton::clicked, this, [this, row, action = message.action] {
+            remove(row);
+            action();
+        });
+        line->addWidget(button);
+    }
+    auto *dismiss =
+        makeButton("messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText, message.text);
+    connect(dismiss, &QPushButton::clicked, this, [this, row, dismissed = message.dismissed] {
+        remove(row);
+        if (dismissed) {
+            dismissed();
+        }
+    });
+    line->addWidget(dismiss);
+    m_rows->insertWidget(0, row);
+    if (message.kind == Message::Kind::Hint) {
+        auto *fade = new QTimer(row);
+        connect(fade, &QTimer::timeout, this, [this, row] { remove(row); });
+        fade->start(kHintStays);
+    }
+    place();
+}
+
+QFrame *MessageBar::row(int index) const
+{
+    return static_cast<QFrame *>(m_rows->itemAt(index)->widget());
+}
+
+void MessageBar::removeMessage(const QString &id)
+{
+    for (int i = 0; i < m_rows->count(); ++i) {
+        if (row(i)->objectName() == id) {
+            remove(row(i));
+            return;
+        }
+    }
+}
+
+void MessageBar::clear()
+{
+    while (m_rows->count() > 0) {
+        remove(row(0));
+    }
+}
+
+/// Now or, for a button in it was clicked, soon.
+void MessageBar::remove(QFrame *row)
+{
+    m_rows->removeWidget(row);
+    row->hide();
+    row->setObjectName(QString());
+    row->deleteLater();
+    place();
 }
 
 QString MessageBar::text() const
 {
-    return m_text->text();
-}
-
-void MessageBar::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange) {
-        recolour();
+    QStringList texts;
+    for (int i = 0; i < m_rows->count(); ++i) {
+        texts << row(i)->findChild<QLabel *>(QStringLiteral("messageText"))->text();
     }
-    QFrame::changeEvent(event);
+    return texts.join(u'\n');
 }
 
-void MessageBar::recolour()
+void MessageBar::setMuted(bool muted)
 {
-    const SeriesColours colours = seriesColours(palette());
-    const QColor accent = m_kind == Kind::Problem ? colours.warning : colours.model;
-    m_symbol->setText(m_kind == Kind::Problem ? QStringLiteral("⚠") : QStringLiteral("ℹ"));
-    setInk(*m_symbol, accent);
+    m_isMuted = muted;
+    place();
+}
+
+bool MessageBar::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize) {
+        place();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void MessageBar::place()
+{
+    constexpr int kMargin = 6;   // px
+    constexpr int kWidest = 100; // letters
+    const int space = parentWidget()->width() - 2 * kMargin;
+    const int width = std::min(space, kWidest * fontMetrics().averageCharWidth());
+    setGeometry(kMargin + (space - width) / 2, kMargin, width, std::max(0, m_rows->heightForWidth(width)));
+    setVisible(m_rows->count() > 0 && !m_isMuted);
+    raise();
 }
 
 } // namespace slidercrank

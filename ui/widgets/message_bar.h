@@ -1,50 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One sentence across the top of the window that can be dismissed, with at most one thing to do about it. Never a box
-// in the way.
+// Messages over the upper edge of a widget, whose layout they do not move. Hints fade; questions and problems wait for
+// a click.
 
-#include <QFrame>
+#include <QString>
+#include <QWidget>
 
 #include <functional>
 
-class QLabel;
-class QPushButton;
+class QFrame;
+class QVBoxLayout;
 
 namespace slidercrank
 {
 
-class MessageBar : public QFrame
+struct Message {
+    enum class Kind { Hint, Question, Problem };
+    QString id; ///< what the message is about: a newer one with the same id replaces it
+    Kind kind = Kind::Hint;
+    QString text;
+    QString actionText = {};           ///< of the button that calls `action`
+    std::function<void()> action = {}; ///< empty: there is only the button that dismisses the message
+    QString dismissText = {};          ///< empty: "Dismiss"
+    std::function<void()> dismissed = {};
+};
+
+class MessageBar : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit MessageBar(QWidget *parent = nullptr);
+    explicit MessageBar(QWidget *parent);
 
-    enum class Kind { Hint, Problem };
+    void showMessage(const Message &message);
+    void removeMessage(const QString &id);
+    void clear();
 
-    /// Replaces the sentence before. Without `remedy` there is only the button that dismisses, which says so, or
-    /// `dismissText`.
-    void showMessage(Kind kind, const QString &sentence, const QString &remedyText = {},
-                     const std::function<void()> &remedy = {}, const QString &dismissText = {});
+    QString text() const; ///< of all messages, a line each, the newest first
 
-    QString text() const;
-
-signals:
-    void dismissed(); ///< by hand
+    /// Shows no message until it is unmuted.
+    void setMuted(bool muted);
 
 protected:
-    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void recolour();
+    QFrame *row(int index) const;
+    void remove(QFrame *row);
+    void place();
 
-    QLabel *m_symbol;
-    QLabel *m_text;
-    QPushButton *m_remedyButton;
-    QPushButton *m_dismiss;
-    std::function<void()> m_remedy;
-    Kind m_kind = Kind::Hint;
+    QVBoxLayout *m_rows;
+    bool m_isMuted = false;
 };
 
 } // namespace slidercrank

@@ -4,14 +4,11 @@
 #include "ui/text/remember.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLineEdit>
-#include <QMessageBox>
-#include <QMimeDatabase>
-#include <QPushButton>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace slidercrank
 {
@@ -25,74 +22,10 @@ struct SaveDialogText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::SaveDialogText)
 };
 
-/// "svg" of "SVG drawings (*.svg)".
+/// "svg" for "SVG drawings (*.svg)"; empty for "(*)".
 QString suffixOf(const QString &filter)
 {
-    return filter.section(QStringLiteral("*."), -1).chopped(1);
-}
-
-QStringList suffixesOf(const QStringList &filters)
-{
-    QStringList suffixes;
-    for (const QString &filter : filters) {
-        suffixes += suffixOf(filter);
-    }
-    suffixes.removeDuplicates();
-    return suffixes;
-}
-
-/// What was typed, also with quotation marks in it: of those Qt's own dialog would take what stands between two.
-QString typedPath(const QFileDialog &dialog)
-{
-    const auto *edit = dialog.findChild<QLineEdit *>(QStringLiteral("fileNameEdit")); // null: the system's dialog
-    const QString typed = edit ? edit->text().trimmed() : QString();
-    const bool isQuoted = typed.startsWith(u'"') && typed.endsWith(u'"') && typed.count(u'"') == 2;
-    return typed.contains(u'"') && !isQuoted ? dialog.directory().absoluteFilePath(typed)
-                                             : dialog.selectedFiles().value(0);
-}
-
-/// The same again, with what the person has chosen so far.
-SaveRequest again(SaveRequest request, const QString &path, const QString &filter)
-{
-    request.folder = QFileInfo(path).absolutePath();
-    request.name = QFileInfo(path).fileName();
-    request.filter = filter;
-    return request;
-}
-
-void take(QWidget *parent, const SaveRequest &request, const QString &path, const QString &filter)
-{
-    const auto accept = [filter, save = request.save](const QString &name) {
-        remember({{kLastFolder, QFileInfo(name).absolutePath()}});
-        save(name, filter);
-    };
-    const std::optional<QString> name = completedName(path, filter, request.filters);
-    if (name && !(request.replaces ? request.replaces(*name) : QFileInfo::exists(*name))) {
-        accept(*name);
-        return;
-    }
-    auto *box = new QMessageBox(parent);
-    box->setWindowTitle(request.title);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    if (name) {
-        box->setObjectName(QStringLiteral("replaceQuestion"));
-        box->setIcon(QMessageBox::Question);
-        box->setText(SaveDialogText::tr("%1 is there already. Replace it?").arg(QDir::toNativeSeparators(*name)));
-        box->addButton(SaveDialogText::tr("Replace"), QMessageBox::AcceptRole);
-        box->setDefaultButton(box->addButton(QMessageBox::Cancel));
-        QObject::connect(box, &QDialog::accepted, parent, [accept, path = *name] { accept(path); });
-    } else {
-        box->setObjectName(QStringLiteral("suffixRefusal"));
-        box->setIcon(QMessageBox::Warning);
-        box->setText(SaveDialogText::tr("This cannot be written as .%1: choose a name that ends in .%2.")
-                         .arg(QFileInfo(path).suffix(),
-                              suffixesOf(request.filters)
-                                  .join(SaveDialogText::tr(" or .", "between the endings of file names"))));
-        box->addButton(QMessageBox::Close);
-    }
-    QObject::connect(box, &QDialog::rejected, parent,
-                     [parent, next = again(request, path, filter)] { chooseFileToSave(parent, next); });
-    box->open();
+    return filter.section(u'*', -1).chopped(1).mid(1);
 }
 
 } // namespace
@@ -100,43 +33,48 @@ void take(QWidget *parent, const SaveRequest &request, const QString &path, cons
 void chooseFileToSave(QWidget *parent, const SaveRequest &request)
 {
     auto *dialog = new QFileDialog(parent, request.title, request.folder);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setOption(QFileDialog::DontConfirmOverwrite); // of the name as it is completed
-    dialog->setNameFilters(request.filters);
-    if (!request.filter.isEmpty()) {
-        dialog->selectNameFilter(request.filter);
-    }
-    dialog->selectFile(request.name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-#ifdef Q_OS_WIN // its own dialog lets the name follow the kind, and of Qt's names would show the whole path with "/"
-    dialog->setDefaultSuffix(suffixOf(request.filter.isEmpty() ? request.filters.value(0) : request.filter));
-#else
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, request](const QString &filter) {
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(request.filters);
+    dialog->selectFile(request.name);
+    const auto followFilter = [dialog, request](const QString &filter) {
+        const QString suffix = suffixOf(filter);
+        dialog->setDefaultSuffix(suffix);
         const QFileInfo file(dialog->selectedFiles().value(0));
-        if (suffixesOf(request.filters).contains(file.suffix(), Qt::CaseInsensitive)) {
-            dialog->selectFile(file.completeBaseName() + u'.' + suffixOf(filter));
+        const auto isSuffix = [&file](const QString &other) { return suffixOf(other) == file.suffix(); };
+        if (!file.suffix().isEmpty() && std::ranges::any_of(request.filters, isSuffix)) {
+            dialog->selectFile(file.completeBaseName() + (suffix.isEmpty() ? QString() : u'.' + suffix));
         }
-    });
-#endif
-    QObject::connect(dialog, &QDialog::accepted, parent, [parent, request, dialog] {
-        take(parent, request, typedPath(*dialog), dialog->selectedNameFilter());
+    };
+    followFilter(request.filters.first());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, request, dialog](const QString &path) {
+        const QString filter = dialog->selectedNameFilter();
+        const QString completed = completedName(path, filter, request.filters);
+        remember({{kLastFolder, QFileInfo(completed).absolutePath()}});
+        if (completed == path || !QFileInfo::exists(completed)) {
+            request.save(completed, filter);
+            return;
+        }
+        SaveRequest again = request; // the dialog asked about another name
+        again.filters.move(again.filters.indexOf(filter), 0);
+        again.folder = QFileInfo(completed).absolutePath();
+        again.name = QFileInfo(completed).fileName();
+        chooseFileToSave(parent, again);
     });
     dialog->open();
 }
 
-std::optional<QString> completedName(const QString &path, const QString &filter, const QStringList &filters)
+QString completedName(const QString &path, const QString &filter, const QStringList &filters)
 {
-    const QString suffix = QFileInfo(path).suffix();
-    if (suffixesOf(filters).contains(suffix, Qt::CaseInsensitive)) {
+    const QString suffix = suffixOf(filter);
+    const auto fits = [&path](const QString &known) {
+        return path.endsWith(u'.' + suffixOf(known), Qt::CaseInsensitive);
+    };
+    if (suffix.isEmpty() || std::ranges::any_of(filters, fits)) {
         return path;
     }
-    bool isNumber = false; // "b = 67.5", which by its name is a page of a Unix manual
-    suffix.toUInt(&isNumber);
-    if (!suffix.isEmpty() && !isNumber &&
-        !QMimeDatabase().mimeTypesForFileName(QStringLiteral("a.") + suffix).isEmpty()) {
-        return std::nullopt;
-    }
-    return path + (path.endsWith(u'.') ? QString() : QStringLiteral(".")) + suffixOf(filter);
+    return path + (path.endsWith(u'.') ? QString() : QStringLiteral(".")) + suffix;
 }
 
 QStringList figureFilters()

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Asks for the name of a file to write, for all that is written: a suffix left out is that of the chosen filter, one
-// that would lie is refused, an older file is asked about, and the folder is remembered from one time to the next.
+// Asks for the name of a file to write. A missing suffix is that of the chosen filter; the folder is remembered.
 
 #include <QStandardPaths>
 #include <QString>
 #include <QStringList>
 
 #include <functional>
-#include <optional>
 
 class QWidget;
 
@@ -18,27 +16,22 @@ namespace slidercrank
 
 struct SaveRequest {
     QString title;
-    QStringList filters; ///< "SVG drawings (*.svg)", of one suffix each
+    QStringList filters; ///< "SVG drawings (*.svg)", with one suffix each, or "(*)": any name
     QString folder;
-    QString name; ///< that is proposed
+    QString name; ///< proposed
     std::function<void(const QString &path, const QString &filter)> save;
-
-    QString filter = {}; ///< that is chosen; empty: the first
-
-    /// Whether something older would be lost; empty: a file of that name.
-    std::function<bool(const QString &path)> replaces = {};
 };
 
-/// Does not wait: request.save is called when the person has chosen. `parent`: what it belongs to and goes with.
+/// Does not wait: request.save is called when the person has chosen. The dialog belongs to `parent`.
 void chooseFileToSave(QWidget *parent, const SaveRequest &request);
 
-/// As it is to be called, with the suffix of `filter` where it has none; none where it ends in what other files do.
-std::optional<QString> completedName(const QString &path, const QString &filter, const QStringList &filters);
+/// The path, with the suffix of `filter` if it has none of those of `filters`.
+QString completedName(const QString &path, const QString &filter, const QStringList &filters);
 
-/// Of what can be drawn.
+/// For what can be drawn.
 QStringList figureFilters();
 
-/// The one that was saved to last, as long as it is there.
+/// Where a file was saved last, if that folder still exists.
 QString lastFolder(QStandardPaths::StandardLocation otherwise);
 
 } // namespace slidercrank

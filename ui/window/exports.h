@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is on show, to files and to the clipboard; what takes long is written aside.
+// What the window shows, to files and to the clipboard.
 
 #include "core/mechanism/channel.h"
 #include "ui/document/work_aside.h"
 #include "ui/export/figure_export.h"
-#include "ui/window/rooms.h"
+#include "ui/window/views.h"
 
 #include <QObject>
 #include <QString>
-#include <QStringList>
 
 #include <functional>
 #include <optional>
@@ -26,24 +25,17 @@ class Exports : public QObject
     Q_OBJECT
 
 public:
-    /// `window`: whose rooms these are, and in front of which is asked.
-    Exports(Session *session, const Rooms &rooms, QWidget *window);
+    /// `window`: the parent of dialogs.
+    Exports(Session *session, const Views &views, QWidget *window);
 
-    /// What is being written; false where nothing is.
-    bool cancel();
-
-    bool isWriting() const;
-
-    /// Goes on at once where nothing is being written; otherwise says so, and goes on when it is written, or once the
-    /// person stops it, but not where it fails or the person wants neither.
-    void finishThen(const std::function<void()> &goOn);
+    bool isWriting() const { return m_task->isRunning(); }
+    bool cancel(); ///< false if nothing is being written
 
     /// What can be drawn.
     struct Picture {
-        QString name; ///< of the file that is proposed
+        QString name; ///< proposed for the file
         QSize size;
         FigureDrawing draw;
-        QString inClipboard; ///< what is said then
     };
     Picture figure() const;
     Picture plot(const QString &name) const;
@@ -52,47 +44,44 @@ public:
     void choose(const Picture &picture);
     void copy(const Picture &picture);
 
-    /// To a file, PNG, SVG or PDF by its suffix.
+    /// To a PNG, SVG or PDF file by its suffix.
     void write(const Picture &picture, const QString &path);
 
-    /// The run on show as CSV, off the GUI thread.
+    /// The motion as CSV, off the GUI thread.
     void chooseData();
     void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0); ///< °; 0: the time steps
 
-    /// On A4, as PDF; whose motion the reference is, is worked out off the GUI thread first where it is not known yet.
+    /// On A4, as PDF. If the mechanism in the reference is not known yet, it is identified off the GUI thread first.
     void chooseReport();
     void writeReport(const QString &path);
 
-    /// The mechanism in motion: asks for frame rate, size and length, then for a folder for frames or the file of a
-    /// video. A modal dialog shows the progress.
+    /// The mechanism in motion, as frames in a folder or a video. A modal dialog shows the progress.
     void chooseAnimation();
     void writeAnimation(const QString &path, const Animation &animation);
 
     /// Of the time range at the playback speed.
-    Animation animationOnShow() const;
+    Animation animationShown() const;
 
 signals:
-    void done(const QString &sentence); ///< what was written or copied
+    void exported(const QString &sentence);
     void problemFound(const QString &sentence);
-    void busyChanged(bool busy); ///< with each of what is written aside
+    void busyChanged(bool busy);
     void progressed(double part);
 
 private:
-    void chooseCrankStep(const QString &path);
-    void chooseAnimationFile(const Animation &animation);
-    bool refusesAnother(); ///< and says so: one file, or all of an animation, at a time
+    FigureDrawing drawMechanism() const;
+    FigureDrawing drawFigure() const;
 
-    /// Runs work() in another thread, then, unless it failed or was cancelled, finish() in this one; either returns a
-    /// sentence where nothing was written.
-    using Work = std::function<std::optional<QString>(const std::stop_token &, const WorkAside::Progress &)>;
-    using Finish = std::function<std::optional<QString>()>;
-    void writeAside(const QString &path, const Work &work, const Finish &finish = {});
-    void tellWritten(const QString &path, const std::optional<QString> &problem);
+    /// Runs work() in another thread, then finish() in this one; each returns a sentence if it fails.
+    using Problem = std::optional<QString>;
+    using Work = std::function<Problem(const std::stop_token &, const WorkAside::Progress &)>;
+    void writeInBackground(const QString &path, const Work &work, const std::function<Problem()> &finish = {});
+    void tellOutcome(const QString &path, const Problem &problem);
 
     Session *m_session;
-    const Rooms &m_rooms;
+    const Views &m_views;
     QWidget *m_window;
-    WorkAside *m_aside;
+    WorkAside *m_task;
 };
 
 } // namespace slidercrank

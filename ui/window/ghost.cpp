@@ -9,49 +9,45 @@
 namespace slidercrank
 {
 
-Ghost::Ghost(Session *session, MechanismView *view, bool wanted)
+Ghost::Ghost(Session *session, MechanismView *view)
     : QObject(view)
     , m_session(session)
     , m_view(view)
-    , m_isWanted(wanted)
 {
-    connect(session, &Session::resultChanged, this, &Ghost::find);
-    connect(session, &Session::diagnosisChanged, this, &Ghost::find);
-    connect(session, &Session::timeChanged, this, &Ghost::show);
-    find();
+    connect(session, &Session::resultChanged, this, &Ghost::update);
+    connect(session, &Session::diagnosisChanged, this, &Ghost::update);
+    connect(session, &Session::timeChanged, this, &Ghost::showPose);
+    update();
 }
 
 void Ghost::setWanted(bool wanted)
 {
     m_isWanted = wanted;
-    find();
+    update();
 }
 
-/// Its lengths, which the file does not tell, are those of the mechanism found for it.
-void Ghost::find()
+void Ghost::update()
 {
     const Result &result = *m_session->result();
-    const bool differs = std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0;
-    if (differs && m_isWanted) {
-        const std::shared_ptr<const ReferenceDiagnosis> &diagnosis = m_session->diagnosis();
-        const bool found = diagnosis && diagnosis->found.identification.stands();
-        const Mechanism lengths(found ? diagnosis->found.identification.parameters : m_session->parameters());
-        m_motion = [lengths, reference = result.reference](double time) {
+    const auto &diagnosis = m_session->diagnosis();
+    std::optional<Mechanism> lengths; // the file does not state them: those of the mechanism found in it
+    if (m_isWanted && std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0) {
+        const bool isFound = diagnosis && diagnosis->found.identification.stands();
+        lengths.emplace(isFound ? diagnosis->found.identification.parameters : m_session->parameters());
+        m_motion = [lengths = *lengths, reference = result.reference](double time) {
             return referencePoseAt(reference->data, lengths, time);
         };
-        m_view->setGhostBounds(motionBounds(lengths, motionLimits(lengths)));
-    } else if (result.difference && m_isWanted && result.kept.back() != result.mechanism.parameters()) {
-        const Mechanism kept(result.kept.back());
-        m_motion = [kept](double time) { return referencePoseAt(kept, time); };
-        m_view->setGhostBounds(motionBounds(kept, motionLimits(kept)));
+    } else if (m_isWanted && result.difference && result.kept.back() != result.mechanism.parameters()) {
+        lengths.emplace(result.kept.back());
+        m_motion = [pinned = *lengths](double time) { return referencePoseAt(pinned, time); };
     } else {
         m_motion = nullptr;
-        m_view->setGhostBounds(QRectF());
     }
-    show();
+    m_view->setGhostBounds(lengths ? motionBounds(*lengths, motionLimits(*lengths)) : QRectF());
+    showPose();
 }
 
-void Ghost::show()
+void Ghost::showPose()
 {
     m_view->setGhost(m_motion ? m_motion(m_session->time()) : ReferencePose());
 }

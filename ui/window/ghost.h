@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The linkage as the reference file has it, or without a file the one kept last, drawn behind the mechanism where the
+// The linkage as the reference file has it, or without a file the one pinned last, drawn behind the mechanism where the
 // two differ.
 
 #include "core/comparison/reference_pose.h"
@@ -21,25 +21,25 @@ class Ghost : public QObject
     Q_OBJECT
 
 public:
-    /// In that view; follows the session.
-    Ghost(Session *session, MechanismView *view, bool wanted);
+    /// Shows it in `view` and follows the session.
+    Ghost(Session *session, MechanismView *view);
 
     bool isWanted() const { return m_isWanted; }
 
-    /// Where it is at any instant (s); empty: not shown.
+    /// Its pose at any time (s); empty: it is not shown.
     const std::function<ReferencePose(double)> &motion() const { return m_motion; }
 
 public slots:
     void setWanted(bool wanted);
 
 private:
-    void find();
-    void show();
+    void update();
+    void showPose();
 
     Session *m_session;
     MechanismView *m_view;
     std::function<ReferencePose(double)> m_motion;
-    bool m_isWanted;
+    bool m_isWanted = true;
 };
 
 } // namespace slidercrank

@@ -15,21 +15,20 @@
 #include "ui/panels/table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/text/remember.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/message_bar.h"
-#include "ui/window/application.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
-#include "ui/window/key_owner.h"
+#include "ui/window/key_filter.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
 #include "ui/window/presentation.h"
 #include "ui/window/recovery.h"
-#include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
 #include "ui/window/status_bar.h"
+#include "ui/window/window_settings.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
@@ -37,7 +36,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetrics>
-#include <QLocale>
 #include <QMimeData>
 #include <QScreen>
 #include <QSplitter>
@@ -51,9 +49,9 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kFoldBelowHeight = 800; // px: under this the nine plots need all the room there is
+const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
 
-/// The table of six channels with its sentence, and with large letters as many lines.
+/// Enough for the table of six channels and its sentence, also with large letters.
 int panelHeight()
 {
     constexpr int kUsual = 230; // px
@@ -61,50 +59,50 @@ int panelHeight()
     return std::max(kUsual, kLines * QFontMetrics(QApplication::font()).height());
 }
 
-const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
-
 QStringList droppedFiles(const QDropEvent &event)
 {
     QStringList paths;
     for (const QUrl &url : event.mimeData()->urls()) {
         paths += url.toLocalFile();
     }
-    paths.removeAll(QString()); // what is not on this machine
+    paths.removeAll(QString()); // not on this machine
     return paths;
 }
 
-/// To the left the mechanism and the hands on it, to the right the plots above the tabs.
-QSplitter *columnsOf(const Rooms &rooms)
+QSplitter *makeSplitter(const QString &name, Qt::Orientation orientation, QWidget *first, QWidget *second)
+{
+    auto *splitter = new QSplitter(orientation);
+    splitter->setObjectName(name);
+    splitter->addWidget(first);
+    splitter->addWidget(second);
+    splitter->setChildrenCollapsible(false);
+    return splitter;
+}
+
+/// On the left the mechanism and its controls, on the right the plots above the tabs.
+QSplitter *layOut(const Views &views)
 {
     auto *left = new QWidget;
     auto *leftColumn = new QVBoxLayout(left);
     leftColumn->setContentsMargins(6, 6, 3, 6);
-    leftColumn->addWidget(rooms.mechanism, 1);
-    leftColumn->addWidget(rooms.timeline);
-    leftColumn->addWidget(rooms.parameters);
+    leftColumn->addWidget(views.mechanism, 1);
+    leftColumn->addWidget(views.timeline);
+    leftColumn->addWidget(views.parameters);
     left->setMinimumWidth(340);
 
-    auto *right = new QSplitter(Qt::Vertical);
-    right->setObjectName(QStringLiteral("plotsAndTabs"));
-    right->addWidget(rooms.plots);
-    right->addWidget(rooms.tabs);
+    QSplitter *right = makeSplitter(QStringLiteral("plotsAndTabs"), Qt::Vertical, views.plots, views.tabs);
     right->setStretchFactor(0, 1);
     right->setStretchFactor(1, 0);
-    right->setChildrenCollapsible(false);
     right->setSizes({600, panelHeight()});
-    QObject::connect(rooms.tabs, &FoldingTabs::foldedChanged, right, [right](bool folded) {
-        const int all = right->sizes().value(0) + right->sizes().value(1);
-        right->setSizes(folded ? QList<int>{all, 0} : QList<int>{all - panelHeight(), panelHeight()});
+    QObject::connect(views.tabs, &FoldingTabs::foldedChanged, right, [right](bool folded) {
+        const int height = right->sizes().value(0) + right->sizes().value(1);
+        right->setSizes(folded ? QList<int>{height, 0} : QList<int>{height - panelHeight(), panelHeight()});
     });
 
-    auto *columns = new QSplitter(Qt::Horizontal);
-    columns->setObjectName(QStringLiteral("columns"));
-    columns->addWidget(left);
-    columns->addWidget(right);
-    columns->setStretchFactor(0, 0);
-    columns->setStretchFactor(1, 1);
-    columns->setChildrenCollapsible(false);
-    columns->setSizes({430, 970});
+    QSplitter *columns = makeSplitter(QStringLiteral("columns"), Qt::Horizontal, left, right);
+    columns->setStretchFactor(0, 2);
+    columns->setStretchFactor(1, 3);
+    columns->setSizes({560, 840});
     return columns;
 }
 
@@ -113,9 +111,8 @@ QSplitter *columnsOf(const Rooms &rooms)
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
     , m_session(new Session(this))
-    , m_scene(new SceneFile(m_session, m_rooms, this))
-    , m_exports(new Exports(m_session, m_rooms, this))
-    , m_presentation(new Presentation(m_rooms, this))
+    , m_scene(new SceneFile(m_session, m_views, this))
+    , m_exports(new Exports(m_session, m_views, this))
     , m_status(new StatusBar(this))
 {
     setWindowIcon(QIcon(QStringLiteral(":/slidercrank.svg")));
@@ -124,25 +121,27 @@ MainWindow::MainWindow(QWidget *parent)
     if (chosenTheme() != Theme::System) {
         QApplication::setPalette(paletteFor(chosenTheme()));
     }
-    m_rooms.messageBar = new MessageBar(this);
-    m_messages = new Messages(m_session, m_scene, m_rooms.messageBar);
-    auto *page = new QWidget(this);
+    auto *page = new QWidget; // messages lie over it
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_rooms.messageBar);
     setCentralWidget(page);
+    auto *messageBar = new MessageBar(page);
+    m_messages = new Messages(m_session, m_scene, messageBar);
+    makeViews();
+    column->addWidget(m_views.columns);
     setStatusBar(m_status);
+    m_presentation = new Presentation(m_views, messageBar, this);
+    setMenuBar(new Menus(*this, m_views));
+    m_views.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>()); // for their keys
     connectDocument();
-    makeRooms(true);
+    showTitle();
+    showResult(m_session->result());
     arrange(*this, rememberedLayout());
-    new KeyOwner(this);
+    new KeyFilter(this);
     m_session->setTime(m_session->sampling().start);
     m_messages->greetOnce();
-    m_recovery = new Recovery(m_session, m_scene, column, this);
-    if (auto *play = m_rooms.timeline->findChild<QAbstractButton *>(QStringLiteral("playButton"))) {
-        play->setFocus();
-    }
+    new Recovery(m_session, m_scene, messageBar, this);
+    m_views.mechanism->setFocus();
 }
 
 /// A number box that still has the focus passes on what was typed while everything that follows it exists.
@@ -153,189 +152,124 @@ MainWindow::~MainWindow()
     }
 }
 
-/// What does not change with the language.
 void MainWindow::connectDocument()
 {
     connect(m_session, &Session::resultChanged, this, &MainWindow::showResult);
-    connect(m_session, &Session::referenceLoaded, this, [this](const std::shared_ptr<const Reference> &reference) {
-        showTitle();
-        if (reference && reference->paths != QStringList(kSamplePath)) {
-            rememberReference(sourceOf(*reference).paths);
-        }
-        if (reference) {
-            if (reference->paths == m_asked) {
-                m_rooms.tabs->setCurrentWidget(m_rooms.errors);
-            }
-            askWhereNothingTells(reference->paths, reference->data.layout);
-        }
-    });
-    connect(m_session, &Session::referenceRefused, this,
-            [this](const QStringList &paths) { askWhereNothingTells(paths, layoutOf(paths)); });
+    connect(m_session, &Session::referenceLoaded, this, &MainWindow::followReference);
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
-
-    connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
-    connect(m_session, &Session::readingProgressed, m_status, &StatusBar::setProgress);
-    connect(m_session, &Session::referenceLoaded, m_status, &StatusBar::setProgressUnknown); // now it is compared
-    connect(m_exports, &Exports::busyChanged, m_status, &StatusBar::setBusy);
-    connect(m_exports, &Exports::progressed, m_status, &StatusBar::setProgress);
-    connect(m_status, &StatusBar::cancelled, this, [this] {
-        const bool isFromBefore = m_session->cancel();
-        if (m_exports->cancel()) {
-            m_messages->tell(tr("Cancelled: nothing was written."));
-        } else if (isFromBefore) {
-            m_messages->tellForNow(tr("Cancelled: what is on show is from before."));
-        }
-    });
-
-    if (auto *application = qobject_cast<Application *>(qApp)) { // in most tests it is another
-        connect(application, &Application::memoryEnded, m_messages, [this] {
-            m_messages->tellProblem(tr("There is not enough memory for that: try fewer steps, or a smaller file."));
-        });
-    }
-    connect(m_exports, &Exports::done, m_messages, &Messages::tell);
-    connect(m_exports, &Exports::problemFound, m_messages, &Messages::tellProblem);
+    connect(m_exports, &Exports::exported, m_messages, &Messages::confirm);
+    connect(m_exports, &Exports::problemFound, m_messages, &Messages::showProblem);
     connect(m_messages, &Messages::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(m_messages, &Messages::openSampleRequested, this, &MainWindow::openSample);
     connect(m_messages, &Messages::columnsRequested, this, &MainWindow::chooseColumns);
+    connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
+    connect(m_session, &Session::readingProgressed, m_status, &StatusBar::setProgress);
+    connect(m_session, &Session::referenceLoaded, m_status, [this] { m_status->setProgress(-1.0); });
+    connect(m_exports, &Exports::busyChanged, m_status, &StatusBar::setBusy);
+    connect(m_exports, &Exports::progressed, m_status, &StatusBar::setProgress);
+    connect(m_status, &StatusBar::cancelled, this, [this] {
+        const bool showsOlderResult = m_session->cancel();
+        if (m_exports->cancel()) {
+            m_messages->confirm(tr("Cancelled: nothing was written."));
+        } else if (showsOlderResult) {
+            m_messages->showAboutResult(Message::Kind::Hint, tr("Cancelled: the previous result is still shown."));
+        }
+    });
 }
 
-/// All that speaks, but for what says it anew by itself.
-void MainWindow::makeRooms(bool withGhost)
+void MainWindow::makeViews()
 {
-    m_rooms.mechanism = new MechanismView(this);
-    m_rooms.timeline = new Timeline(this);
-    m_rooms.parameters = new ParameterPanel(this);
-    m_rooms.plots = new PlotGrid(this);
-    m_rooms.tabs = new FoldingTabs(this);
-    m_rooms.tabs->addPage(makeLimitsPanel(), tr("Motion limits"));
-    m_rooms.errors = makePanel(QStringLiteral("errorPanel"), tr("Errors against the reference"),
+    m_views.mechanism = new MechanismView;
+    m_views.timeline = new Timeline;
+    m_views.parameters = new ParameterPanel;
+    m_views.plots = new PlotGrid;
+    m_views.tabs = new FoldingTabs;
+    makeTabs();
+    m_views.columns = layOut(m_views);
+    connectViews();
+    m_views.ghost = new Ghost(m_session, m_views.mechanism);
+}
+
+void MainWindow::makeTabs()
+{
+    m_views.errors = makePanel(QStringLiteral("errorPanel"), tr("Errors against the reference"),
                                [this] { return errorPage(*m_session->result(), m_session->diagnosis().get()); });
-    m_rooms.tabs->addPage(m_rooms.errors, errorTitle(*m_session->result()));
-    m_rooms.tabs->addPage(
+    m_views.tabs->addTab(makeLimitsPanel(), tr("Motion limits"));
+    m_views.tabs->addTab(m_views.errors, QString());
+    m_views.tabs->addTab(
         makePanel(QStringLiteral("referencePanel"), tr("Reference: what was read, and how"),
                   [this] { return referencePage(*m_session->result(), m_session->diagnosis().get()); }),
         tr("Reference"));
-    m_rooms.tabs->addPage([this] { return makeNewtonPanel(); }, tr("Newton-Raphson"));
-    m_rooms.tabs->addPage([this] { return makeStudyPanel(); }, tr("Speed and accuracy"));
-    m_rooms.columns = columnsOf(m_rooms);
-    static_cast<QVBoxLayout *>(centralWidget()->layout())->addWidget(m_rooms.columns, 1);
-    connectRooms();
-    m_rooms.ghost = new Ghost(m_session, m_rooms.mechanism, withGhost); // behind a mechanism that is up to date
-    setMenuBar(new Menus(*this, m_rooms));
-    m_rooms.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>()); // for their keys
-    m_status->retranslate();
-    showTitle();
-    showResult(m_session->result());
+    m_views.tabs->addPage(tr("Newton-Raphson"), [this] { return makeNewtonPanel(); });
+    m_views.tabs->addPage(tr("Speed and accuracy"), [this] { return makeStudyPanel(); });
 }
 
-/// In the language now in use: of the same session, and arranged as they were.
-void MainWindow::remakeRooms()
+template <typename Changed, typename View, typename Slot, typename... Now>
+void MainWindow::follow(Changed changed, View *view, Slot slot, const Now &...now)
 {
-    m_presentation->setOn(false);
-    WindowLayout layout = windowLayoutOf(*this, m_foldedByHand);
-    layout.window.clear(); // it stays where it is
-    const PlotSettings plots = m_rooms.plots->settings();
-    const PlotZoom zoom = m_rooms.plots->zoom();
-    const QString maximized = m_rooms.plots->maximized();
-    const auto measured = m_rooms.plots->measured();
-    const MechanismSettings drawing = m_rooms.mechanism->settings();
-    const MechanismFrame frame = m_rooms.mechanism->frame();
-    const bool hasGhost = m_rooms.ghost->isWanted();
-    const bool isPlaying = m_rooms.timeline->isPlaying();
-    auto *study = m_rooms.tabs->findChild<StudyPanel *>(); // made anew only where it has been opened
-    const int studyTab = m_rooms.tabs->indexOf(study);
-    if (study) {
-        study->hide();
-        study->setParent(this);
-    }
-
-    setUpdatesEnabled(false); // nobody sees the window without them
-    delete m_rooms.columns;
-    delete menuBar();
-    setLocale(QLocale());
-    m_session->endDrag(); // what was held is gone
-    m_session->retranslateEdits();
-    makeRooms(hasGhost);
-
-    m_rooms.plots->setSettings(plots);
-    m_rooms.plots->setZoom(zoom);
-    m_rooms.plots->maximize(maximized);
-    m_rooms.plots->setMeasured(measured);
-    m_rooms.mechanism->setSettings(drawing);
-    m_rooms.mechanism->setFrame(frame);
-    if (study) {
-        m_rooms.tabs->setCurrent(studyTab);
-        m_rooms.tabs->findChild<StudyPanel *>()->takeOver(*study);
-        delete study;
-    }
-    arrange(*this, layout);
-    foldWhereLow();
-    m_session->setTime(m_session->time());
-    if (isPlaying) {
-        m_rooms.timeline->play();
-    }
-    m_messages->sayAgain();
-    m_recovery->sayAgain();
-    setUpdatesEnabled(true);
+    (view->*slot)(now...);
+    connect(m_session, changed, view, slot);
 }
 
-template <typename Changed, typename Room, typename Slot, typename... Now>
-void MainWindow::follow(Changed changed, Room *room, Slot slot, const Now &...now)
+void MainWindow::connectViews()
 {
-    (room->*slot)(now...);
-    connect(m_session, changed, room, slot);
+    ParameterPanel *panel = m_views.parameters;
+    follow(&Session::parametersChanged, panel, &ParameterPanel::setParameters, m_session->parameters());
+    connect(panel, &ParameterPanel::edited, m_session, &Session::setParameters);
+    connect(panel, &ParameterPanel::dragBegan, m_session, &Session::beginDrag);
+    connect(panel, &ParameterPanel::dragEnded, m_session, &Session::endDrag);
+
+    Timeline *timeline = m_views.timeline;
+    follow(&Session::parametersChanged, timeline, &Timeline::setParameters, m_session->parameters());
+    follow(&Session::settingsChanged, timeline, &Timeline::setSampling, m_session->sampling());
+    connect(m_session, &Session::timeChanged, timeline, &Timeline::setPose);
+    connect(timeline, &Timeline::timeRequested, m_session, &Session::setTime);
+    connect(timeline, &Timeline::samplingEdited, m_session, &Session::setSampling);
+    connectMechanism();
+    connectPlots();
 }
 
-/// With the session, of which they show what there is.
-void MainWindow::connectRooms()
+void MainWindow::connectMechanism()
 {
-    follow(&Session::parametersChanged, m_rooms.parameters, &ParameterPanel::setParameters, m_session->parameters());
-    connect(m_rooms.parameters, &ParameterPanel::edited, m_session, &Session::setParameters);
-    connect(m_rooms.parameters, &ParameterPanel::dragBegan, m_session, &Session::beginDrag);
-    connect(m_rooms.parameters, &ParameterPanel::dragEnded, m_session, &Session::endDrag);
-
-    follow(&Session::parametersChanged, m_rooms.timeline, &Timeline::setParameters, m_session->parameters());
-    follow(&Session::settingsChanged, m_rooms.timeline, &Timeline::setSampling, m_session->sampling());
-    connect(m_session, &Session::timeChanged, m_rooms.timeline, &Timeline::setPose);
-    connect(m_rooms.timeline, &Timeline::timeRequested, m_session, &Session::setTime);
-    connect(m_rooms.timeline, &Timeline::samplingEdited, m_session, &Session::setSampling);
-
-    follow(&Session::resultChanged, m_rooms.mechanism, &MechanismView::setResult, m_session->result());
-    connect(m_session, &Session::timeChanged, m_rooms.mechanism, &MechanismView::setPose);
-    connect(m_rooms.mechanism, &MechanismView::timeRequested, m_session, &Session::setTime);
-    connect(m_rooms.mechanism, &MechanismView::lengthRequested, m_session, &Session::setParameter);
-    connect(m_rooms.mechanism, &MechanismView::branchRequested, m_session, [this](Branch branch) {
+    MechanismView *view = m_views.mechanism;
+    follow(&Session::resultChanged, view, &MechanismView::setResult, m_session->result());
+    connect(m_session, &Session::timeChanged, view, &MechanismView::setPose);
+    connect(view, &MechanismView::timeRequested, m_session, &Session::setTime);
+    connect(view, &MechanismView::lengthRequested, m_session, &Session::setParameter);
+    connect(view, &MechanismView::branchRequested, m_session, [this](Branch branch) {
         m_session->setParameters(with(m_session->parameters(), &Parameters::branch, branch));
     });
-    connect(m_rooms.mechanism, &MechanismView::dragBegan, m_session, &Session::beginDrag);
-    connect(m_rooms.mechanism, &MechanismView::dragEnded, m_session, &Session::endDrag);
-    connect(m_rooms.mechanism, &MechanismView::enlarged, m_presentation,
-            [this] { m_presentation->setAlone(m_rooms.plots->isVisible()); });
+    connect(view, &MechanismView::dragBegan, m_session, &Session::beginDrag);
+    connect(view, &MechanismView::dragEnded, m_session, &Session::endDrag);
+    connect(view, &MechanismView::enlarged, m_presentation,
+            [this] { m_presentation->setMechanismAlone(m_views.plots->isVisible()); });
+}
 
-    follow(&Session::resultChanged, m_rooms.plots, &PlotGrid::setResult, m_session->result());
-    connect(m_session, &Session::timeChanged, m_rooms.plots, &PlotGrid::setPose);
-    connect(m_rooms.plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
-    connect(m_rooms.plots, &PlotGrid::keepRequested, m_session, &Session::keep);
-    connect(m_rooms.plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
-    connect(m_rooms.plots, &PlotGrid::exportPlotRequested, m_exports,
+void MainWindow::connectPlots()
+{
+    PlotGrid *plots = m_views.plots;
+    follow(&Session::resultChanged, plots, &PlotGrid::setResult, m_session->result());
+    connect(m_session, &Session::timeChanged, plots, &PlotGrid::setPose);
+    connect(plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
+    connect(plots, &PlotGrid::keepRequested, m_session, &Session::keep);
+    connect(plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
+    connect(plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
-    connect(m_rooms.plots, &PlotGrid::copyPlotRequested, m_exports,
+    connect(plots, &PlotGrid::copyPlotRequested, m_exports,
             [this](const QString &name) { m_exports->copy(m_exports->plot(name)); });
-
-    connect(m_rooms.tabs, &FoldingTabs::foldedChanged, this, [this] { m_foldedByHand = true; });
 }
 
 /// A panel whose page follows the session.
 TablePanel *MainWindow::makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage)
 {
-    auto *panel = new TablePanel(name, title, makePage, this);
+    auto *panel = new TablePanel(name, title, makePage);
     connect(m_session, &Session::resultChanged, panel, &TablePanel::refresh);
     connect(m_session, &Session::diagnosisChanged, panel, &TablePanel::refresh);
     connect(panel, &TablePanel::timeRequested, m_session, &Session::setTime);
-    connect(panel, &TablePanel::timeRequested, m_rooms.plots, &PlotGrid::showTime);
-    connect(panel, &TablePanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
-    connect(panel, &TablePanel::remedyRequested, m_messages, &Messages::remedy);
-    connect(panel, &TablePanel::problemFound, m_messages, &Messages::tellProblem);
+    connect(panel, &TablePanel::timeRequested, m_views.plots, &PlotGrid::showTime);
+    connect(panel, &TablePanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
+    connect(panel, &TablePanel::remedyRequested, this, &MainWindow::applyRemedy);
+    connect(panel, &TablePanel::problemFound, m_messages, &Messages::showProblem);
     return panel;
 }
 
@@ -348,44 +282,43 @@ QWidget *MainWindow::makeLimitsPanel()
     connect(panel, &LimitsPanel::parameterRequested, m_session, &Session::setParameter);
     connect(panel, &LimitsPanel::dragBegan, m_session, &Session::beginDrag);
     connect(panel, &LimitsPanel::dragEnded, m_session, &Session::endDrag);
-    connect(panel, &LimitsPanel::responseShown, m_rooms.tabs, [this, panel] { m_rooms.tabs->showPage(panel); });
-    connect(panel, &LimitsPanel::copied, m_messages, &Messages::tell);
-    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::tellProblem);
-    connect(m_rooms.parameters, &ParameterPanel::responseRequested, panel, &LimitsPanel::showResponse);
+    connect(panel, &LimitsPanel::responseShown, m_views.tabs, [this, panel] { m_views.tabs->showPage(panel); });
+    connect(panel, &LimitsPanel::copied, m_messages, &Messages::confirm);
+    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::showProblem);
+    connect(m_views.parameters, &ParameterPanel::responseRequested, panel, &LimitsPanel::showResponse);
     return panel;
 }
 
 QWidget *MainWindow::makeNewtonPanel()
 {
-    auto *panel = new NewtonPanel(this);
-    connect(panel, &NewtonPanel::edited, m_session, &Session::setSolver);
+    auto *panel = new NewtonPanel;
     panel->setSolver(m_session->solver());
+    connect(panel, &NewtonPanel::edited, m_session, &Session::setSolver);
     connect(m_session, &Session::settingsChanged, panel,
             [panel](const Sampling &, const SolverSettings &solver) { panel->setSolver(solver); });
     follow(&Session::resultChanged, panel, &NewtonPanel::setResult, m_session->result());
     follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
-
-    connect(panel, &NewtonPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
-    connect(panel, &NewtonPanel::problemFound, m_messages, &Messages::tellProblem);
-    connect(panel, &NewtonPanel::partHovered, m_rooms.mechanism, &MechanismView::highlight);
+    connect(panel, &NewtonPanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
+    connect(panel, &NewtonPanel::problemFound, m_messages, &Messages::showProblem);
+    connect(panel, &NewtonPanel::partHovered, m_views.mechanism, &MechanismView::highlight);
     return panel;
 }
 
 QWidget *MainWindow::makeStudyPanel()
 {
-    auto *panel = new StudyPanel(this);
+    auto *panel = new StudyPanel;
     follow(&Session::parametersChanged, panel, &StudyPanel::setParameters, m_session->parameters());
-    connect(panel, &StudyPanel::problemFound, m_messages, &Messages::tellProblem);
-    connect(panel, &StudyPanel::rowsCopied, m_messages, &Messages::tellRowsCopied);
+    connect(panel, &StudyPanel::problemFound, m_messages, &Messages::showProblem);
+    connect(panel, &StudyPanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
     return panel;
 }
 
 void MainWindow::showWithinScreen()
 {
-    constexpr QSize kFrame(20, 60); // px, at most; how large it is is known only when it is there
-    const QSize room = screen()->availableSize() - kFrame;
-    if (!isMaximized() && size().boundedTo(room) != size()) {
-        resize(size().boundedTo(room)); // not every screen has a window manager that maximizes
+    constexpr QSize kFrame(20, 60); // px, at most; its size is known only when it is there
+    const QSize available = screen()->availableSize() - kFrame;
+    if (!isMaximized() && size().boundedTo(available) != size()) {
+        resize(size().boundedTo(available)); // there may be no window manager that maximizes
         setWindowState(Qt::WindowMaximized);
     }
     show();
@@ -399,30 +332,24 @@ void MainWindow::openFiles(const QStringList &paths)
     } else if (paths.size() == 1) {
         m_scene->open(*scene);
     } else {
-        m_messages->tellProblem(tr("%1 is a scene: open it by itself, and files of one motion together.")
+        m_messages->showProblem(tr("%1 is a scene: open it alone, and the files of one motion together.")
                                     .arg(QFileInfo(*scene).fileName()));
     }
 }
 
 void MainWindow::openReference(const QStringList &paths)
 {
-    m_asked = paths;
-    m_asked.sort(); // in whatever order they were picked
-    m_session->loadReference(m_asked);
+    QStringList sorted = paths;
+    sorted.sort(); // they are one reference in whatever order they were picked
+    m_session->loadReference(sorted);
+    m_views.tabs->setCurrentWidget(m_views.errors);
 }
 
-void MainWindow::openReference(const QString &path)
+void MainWindow::followReference(const std::shared_ptr<const Reference> &reference)
 {
-    openReference(QStringList(path));
-}
-
-/// Names that differ only in what they belong to: the person who opened the file knows.
-void MainWindow::askWhereNothingTells(const QStringList &paths, const FileLayout &layout)
-{
-    const bool isAsked = paths == m_asked && layout.isOpen();
-    m_asked.clear();
-    if (isAsked) {
-        chooseColumns(paths);
+    showTitle();
+    if (reference && reference->paths != QStringList(kSamplePath)) {
+        rememberReference(sourceOf(*reference).paths);
     }
 }
 
@@ -454,6 +381,19 @@ void MainWindow::chooseColumns(const QStringList &paths)
     dialog->show();
 }
 
+void MainWindow::applyRemedy(const Finding &finding)
+{
+    switch (finding.remedy) {
+    case Finding::Remedy::None: break;
+    case Finding::Remedy::TakeOver: m_session->takeOver(); break;
+    case Finding::Remedy::Apply: m_session->apply(finding.convention); break;
+    case Finding::Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
+    case Finding::Remedy::ReadByAngle: m_session->readAbscissaAs(ColumnRole::CrankAngle); break;
+    case Finding::Remedy::ReadByTime: m_session->readAbscissaAs(ColumnRole::Time); break;
+    case Finding::Remedy::ChooseColumns: chooseColumns(m_session->reference()->paths); break;
+    }
+}
+
 void MainWindow::showTitle()
 {
     const std::shared_ptr<const Reference> &reference = m_session->reference();
@@ -467,8 +407,11 @@ void MainWindow::showTitle()
 
 void MainWindow::showResult(const std::shared_ptr<const Result> &result)
 {
-    m_rooms.tabs->setTitle(m_rooms.errors, errorTitle(*result));
-    m_status->showRun(*result);
+    const int tab = m_views.tabs->indexOf(m_views.errors);
+    if (const QString title = errorTitle(*result); title != m_views.tabs->tabText(tab)) { // it lays out the window
+        m_views.tabs->setTabText(tab, title);
+    }
+    m_status->showResult(*result);
 }
 
 void MainWindow::setTheme(Theme theme)
@@ -479,20 +422,24 @@ void MainWindow::setTheme(Theme theme)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    m_scene->takeWhatIsTyped();
-    if (!m_isLeaving && (m_scene->isModified() || m_exports->isWriting())) {
+    m_scene->enterTypedNumber();
+    if (m_exports->isWriting()) {
+        event->ignore();
+        m_messages->showProblem(tr("A file is still being written. Close the window when it is done, or cancel it "
+                                   "below."));
+        return;
+    }
+    if (!m_isClosing && m_scene->isModified()) {
         event->ignore();
         m_scene->askThen([this] {
-            m_exports->finishThen([this] {
-                m_isLeaving = true;
-                close();
-                m_isLeaving = false;
-            });
+            m_isClosing = true;
+            close();
+            m_isClosing = false;
         });
         return;
     }
     m_presentation->setOn(false);
-    rememberLayout(windowLayoutOf(*this, m_foldedByHand));
+    remember(layoutOf(*this));
     QMainWindow::closeEvent(event);
 }
 
@@ -514,26 +461,18 @@ void MainWindow::dropEvent(QDropEvent *event)
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
-    foldWhereLow();
+    foldIfLow();
 }
 
-void MainWindow::foldWhereLow()
+void MainWindow::foldIfLow()
 {
-    if (!m_foldedByHand && !m_presentation->isOn()) {
-        m_rooms.tabs->setFolded(height() < kFoldBelowHeight);
-        m_foldedByHand = false;
+    constexpr int kLow = 800; // px: below this the nine plots need all the space
+    if (!m_presentation->isOn()) {
+        m_views.tabs->suggest(height() < kLow);
     }
 }
 
-void MainWindow::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::LanguageChange) {
-        remakeRooms();
-    }
-    QMainWindow::changeEvent(event);
-}
-
-/// The status line is the session's; menus do not clear it.
+/// The status line is about the motion; menus do not clear it.
 bool MainWindow::event(QEvent *event)
 {
     return event->type() == QEvent::StatusTip || QMainWindow::event(event);

@@ -11,14 +11,14 @@
 #include "ui/window/ghost.h"
 #include "ui/window/help_page.h"
 #include "ui/window/main_window.h"
+#include "ui/window/messages.h"
 #include "ui/window/presentation.h"
-#include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
+#include "ui/window/window_settings.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QDir>
-#include <QKeyEvent>
 #include <QMessageBox>
 
 #include <functional>
@@ -31,99 +31,82 @@ namespace slidercrank
 namespace
 {
 
-QAction *addSwitch(QMenu *menu, const QString &text, bool on)
+QAction *addSwitch(QMenu *menu, const QString &text, bool on, const QKeySequence &key = {})
 {
     QAction *action = menu->addAction(text);
     action->setCheckable(true);
     action->setChecked(on);
+    action->setShortcut(key);
     return action;
 }
 
-/// One of them at a time.
+/// Exactly one of them is chosen.
 template <typename Choice>
 void addChoices(QMenu *menu, std::initializer_list<std::pair<Choice, QString>> choices, Choice chosen,
                 const std::function<void(Choice)> &choose)
 {
     auto *group = new QActionGroup(menu);
     for (const auto &[choice, text] : choices) {
-        QAction *action = addSwitch(menu, text, choice == chosen);
-        group->addAction(action);
+        QAction *action = group->addAction(addSwitch(menu, text, choice == chosen));
         QObject::connect(action, &QAction::triggered, menu, [choose, value = choice] { choose(value); });
     }
 }
 
-/// What one can do with each of the nine plots.
-void addPlots(QMenu *menu, const PlotGrid &plots, const std::function<void(const QString &plotName)> &act)
-{
-    for (const QString &name : PlotGrid::plotNames()) {
-        const auto *plot = plots.findChild<QWidget *>(name);
-        menu->addAction(plot ? plot->accessibleName() : name, menu, [act, name] { act(name); });
-    }
-}
-
-/// Enabled while there is a reference.
-void needsReference(QAction *action, const Session &session)
-{
-    action->setEnabled(session.reference() != nullptr);
-    QObject::connect(
-        &session, &Session::referenceLoaded, action,
-        [action](const std::shared_ptr<const Reference> &reference) { action->setEnabled(reference != nullptr); });
-}
-
-/// Enabled while that holds of what is on show.
+/// Enabled while the result has that property.
 void enableWhile(QAction *action, const Session &session, const std::function<bool(const Result &)> &holds)
 {
-    action->setEnabled(holds(*session.result()));
-    QObject::connect(
-        &session, &Session::resultChanged, action,
-        [action, holds](const std::shared_ptr<const Result> &result) { action->setEnabled(holds(*result)); });
+    const auto update = [action, holds](const std::shared_ptr<const Result> &result) {
+        action->setEnabled(holds(*result));
+    };
+    update(session.result());
+    QObject::connect(&session, &Session::resultChanged, action, update);
 }
 
 } // namespace
 
-Menus::Menus(MainWindow &window, const Rooms &rooms)
+Menus::Menus(MainWindow &window, const Views &views)
     : QMenuBar(&window)
     , m_window(window)
-    , m_rooms(rooms)
+    , m_views(views)
 {
     addFile();
     addEdit();
     addView();
-    addPlayback();
+    views.timeline->fillMenu(addMenu(tr("&Playback")));
     addHelp();
 }
 
 void Menus::addFile()
 {
+    Session *session = &m_window.session();
     SceneFile *scene = &m_window.scene();
-    Exports *exports = &m_window.exports();
-    QMenu *file = addMenu(tr("&File"));
-    file->addAction(tr("&Open reference…"), QKeySequence::Open, &m_window, &MainWindow::chooseReference);
-    file->addAction(tr("Open sc&ene…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), scene,
-                    &SceneFile::chooseAndOpen);
-    QMenu *recent = file->addMenu(tr("Open &recent"));
+    QMenu *menu = addMenu(tr("&File"));
+    menu->addAction(tr("&Open reference…"), QKeySequence::Open, &m_window, &MainWindow::chooseReference);
+    menu->addAction(tr("Open sc&ene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, scene, &SceneFile::chooseAndOpen);
+    QMenu *recent = menu->addMenu(tr("Open &recent"));
     recent->setObjectName(QStringLiteral("recentMenu"));
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
-    file->addAction(tr("Open the samp&le"), &m_window, &MainWindow::openSample);
-    QAction *closeReference = file->addAction(tr("&Close reference"), QKeySequence::Close, this,
-                                              [this] { m_window.session().setReference(nullptr); });
-    needsReference(closeReference, m_window.session());
-    file->addSeparator();
-    file->addAction(tr("&Save scene"), QKeySequence::Save, scene, [scene] { scene->save(); });
-    file->addAction(tr("Save scene &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), scene,
-                    [scene] { scene->saveAs(); });
-    file->addSeparator();
-    QMenu *exporting = file->addMenu(tr("E&xport"));
-    exporting->addAction(tr("&Figure…"), QKeySequence(Qt::CTRL | Qt::Key_E), exports,
-                         [exports] { exports->choose(exports->figure()); });
-    addPlots(exporting->addMenu(tr("&Plot")), *m_rooms.plots,
-             [exports](const QString &name) { exports->choose(exports->plot(name)); });
-    exporting->addAction(tr("&Mechanism…"), exports, [exports] { exports->choose(exports->mechanism()); });
-    exporting->addAction(tr("&Data…"), exports, &Exports::chooseData);
-    exporting->addAction(tr("&Report…"), exports, &Exports::chooseReport);
-    exporting->addAction(tr("&Animation…"), exports, &Exports::chooseAnimation);
-    file->addSeparator();
-    file->addAction(tr("&Quit"), QKeySequence::Quit, &m_window, &QWidget::close);
+    menu->addAction(tr("Open the samp&le"), &m_window, &MainWindow::openSample);
+    QAction *close = menu->addAction(tr("&Close reference"), QKeySequence::Close, session,
+                                     [session] { session->setReference(nullptr); });
+    enableWhile(close, *session, [](const Result &result) { return result.chosenReference() != nullptr; });
+    menu->addSeparator();
+    menu->addAction(tr("&Save scene"), QKeySequence::Save, scene, [scene] { scene->save(); });
+    menu->addAction(tr("Save scene &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, scene, [scene] { scene->saveAs(); });
+    menu->addSeparator();
+    addExport(menu->addMenu(tr("E&xport")));
+    menu->addSeparator();
+    menu->addAction(tr("&Quit"), QKeySequence::Quit, &m_window, &QWidget::close);
+}
+
+void Menus::addExport(QMenu *menu)
+{
+    Exports *exports = &m_window.exports();
+    menu->addAction(tr("&Figure…"), Qt::CTRL | Qt::Key_E, exports, [exports] { exports->choose(exports->figure()); });
+    menu->addAction(tr("&Mechanism…"), exports, [exports] { exports->choose(exports->mechanism()); });
+    menu->addAction(tr("&Data…"), exports, &Exports::chooseData);
+    menu->addAction(tr("&Report…"), exports, &Exports::chooseReport);
+    menu->addAction(tr("&Animation…"), exports, &Exports::chooseAnimation);
 }
 
 void Menus::fillRecent(QMenu *menu)
@@ -145,109 +128,79 @@ void Menus::fillRecent(QMenu *menu)
 
 void Menus::addEdit()
 {
-    Session &session = m_window.session();
+    Session *session = &m_window.session();
     Exports *exports = &m_window.exports();
-    QMenu *edit = addMenu(tr("&Edit"));
-    QAction *undo = session.undoStack().createUndoAction(edit, tr("&Undo"));
+    QMenu *menu = addMenu(tr("&Edit"));
+    QAction *undo = session->undoStack().createUndoAction(menu, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
-    undo->setIconText(tr("&Undo").remove(u'&')); // its text says what as well
-    edit->addAction(undo);
-    QAction *redo = session.undoStack().createRedoAction(edit, tr("&Redo"));
-    redo->setIconText(tr("&Redo").remove(u'&'));
-    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-    edit->addAction(redo);
-    edit->addSeparator();
-    edit->addAction(tr("&Copy figure"), QKeySequence::Copy, exports, [exports] { exports->copy(exports->figure()); });
-    addPlots(edit->addMenu(tr("Copy &plot")), *m_rooms.plots,
-             [exports](const QString &name) { exports->copy(exports->plot(name)); });
-    edit->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
-    edit->addSeparator();
-    edit->addAction(tr("P&in this motion"), QKeySequence(Qt::CTRL | Qt::Key_K), &session, &Session::keep);
-    QAction *forget = edit->addAction(tr("Remo&ve pinned motions"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
-                                      &session, &Session::forgetKept);
-    enableWhile(forget, session, [](const Result &result) { return !result.kept.empty(); });
-    edit->addAction(tr("Rese&t all parameters"), &session, [&session] { session.setParameters(Parameters()); });
+    QAction *redo = session->undoStack().createRedoAction(menu, tr("&Redo"));
+    redo->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
+    menu->addActions({undo, redo});
+    menu->addSeparator();
+    menu->addAction(tr("&Copy figure"), QKeySequence::Copy, exports, [exports] { exports->copy(exports->figure()); });
+    menu->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
+    menu->addSeparator();
+    menu->addAction(tr("P&in this motion"), Qt::CTRL | Qt::Key_K, session, &Session::keep);
+    QAction *unpin =
+        menu->addAction(tr("Remo&ve pinned motions"), Qt::CTRL | Qt::SHIFT | Qt::Key_K, session, &Session::forgetKept);
+    enableWhile(unpin, *session, [](const Result &result) { return !result.kept.empty(); });
+    menu->addAction(tr("Rese&t all parameters"), session, [session] { session->setParameters(Parameters()); });
 }
 
 void Menus::addView()
 {
-    FoldingTabs *tabs = m_rooms.tabs;
-    QMenu *view = addMenu(tr("&View"));
-    view->addAction(tr("&Reset plot zoom"), QKeySequence(Qt::CTRL | Qt::Key_0), m_rooms.plots, &PlotGrid::showAll);
-    view->addMenu(tr("M&echanism"))->addActions(m_rooms.mechanism->choices());
-    view->addMenu(tr("Pl&ots"))->addActions(m_rooms.plots->choices());
-    tabs->findChild<LimitsPanel *>()->fillMenu(view->addMenu(tr("Respo&nse to")));
+    FoldingTabs *tabs = m_views.tabs;
     Presentation *presentation = &m_window.presentation();
-    QAction *present = addSwitch(view, tr("Presentation &mode"), presentation->isOn());
-    present->setShortcut(QKeySequence(Qt::Key_F11));
+    QMenu *menu = addMenu(tr("&View"));
+    menu->addAction(tr("&Reset plot zoom"), Qt::CTRL | Qt::Key_0, m_views.plots, &PlotGrid::showAll);
+    menu->addMenu(tr("M&echanism"))->addActions(m_views.mechanism->choices());
+    menu->addMenu(tr("Pl&ots"))->addActions(m_views.plots->choices());
+    tabs->findChild<LimitsPanel *>()->fillMenu(menu->addMenu(tr("Respo&nse to")));
+    QAction *present = addSwitch(menu, tr("Presentation &mode"), presentation->isOn(), Qt::Key_F11);
     connect(present, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, present, &QAction::setChecked);
-    QAction *fold = addSwitch(view, tr("Show the &panels below"), true);
-    fold->setShortcut(QKeySequence(Qt::Key_F9));
-    connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
+    QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
+    connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->choose(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    QAction *ghost = addSwitch(view, tr("Show the mo&tion of the file or pinned"), m_rooms.ghost->isWanted());
-    connect(ghost, &QAction::triggered, m_rooms.ghost, &Ghost::setWanted);
+    QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or pinned"), m_views.ghost->isWanted());
+    connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
-    view->addSeparator();
+    menu->addSeparator();
     addChoices<Theme>(
-        view, {{Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}},
+        menu, {{Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}},
         chosenTheme(), [this](Theme theme) { m_window.setTheme(theme); });
-    addChoices<Language>( // each by its own name, for who does not read the other
-        view->addMenu(tr("Lan&guage")),
+    addChoices<Language>( // each by its own name, for those who do not read the other
+        menu->addMenu(tr("Lan&guage")),
         {{Language::System, tr("&System")},
          {Language::English, QStringLiteral("&English")},
          {Language::Spanish, QStringLiteral("Es&pañol")}},
-        chosenLanguage(), [](Language language) {
+        chosenLanguage(), [this](Language language) {
             rememberLanguage(language);
-            slidercrank::setLanguage(language);
+            m_window.messages().confirm(tr("The language changes when you start the program again."));
         });
-}
-
-void Menus::addPlayback()
-{
-    QMenu *playback = addMenu(tr("&Playback"));
-    m_rooms.timeline->fillMenu(playback);
 }
 
 void Menus::addHelp()
 {
-    QMenu *help = addMenu(tr("&Help"));
-    help->addAction(tr("&Theory and help"), QKeySequence::HelpContents, this,
-                    [this] { (new HelpPage(tr("Theory and help"), formulasText(), &m_window))->show(); });
-    help->addAction(tr("&Keyboard and mouse"), QKeySequence(Qt::CTRL | Qt::Key_F1), this,
-                    [this] { (new HelpPage(tr("Keyboard and mouse"), shortcutsText(*this), &m_window))->show(); });
-    help->addSeparator();
-    help->addAction(tr("&About"), this, &Menus::showAbout);
-}
-
-/// From a closed menu's title the Tab key leads on from where the focus was, as one Escape would.
-void Menus::keyPressEvent(QKeyEvent *event)
-{
-    if (event->key() != Qt::Key_Tab && event->key() != Qt::Key_Backtab) {
-        QMenuBar::keyPressEvent(event);
-        return;
-    }
-    QKeyEvent leave(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
-    QMenuBar::keyPressEvent(&leave);
-    if (QWidget *focus = m_window.focusWidget(); focus && focus != this) {
-        QCoreApplication::sendEvent(focus, event);
-    }
+    QMenu *menu = addMenu(tr("&Help"));
+    const auto showHelp = [this](const QString &title, const char *anchor) {
+        return [this, title, anchor] { (new HelpPage(title, QLatin1String(anchor), &m_window))->show(); };
+    };
+    menu->addAction(tr("&Theory and help"), QKeySequence::HelpContents, this,
+                    showHelp(tr("Theory and help"), "theory"));
+    menu->addAction(tr("&Keyboard and mouse"), Qt::CTRL | Qt::Key_F1, this, showHelp(tr("Keyboard and mouse"), "keys"));
+    menu->addSeparator();
+    menu->addAction(tr("&About"), this, &Menus::showAbout);
 }
 
 void Menus::showAbout()
 {
-    auto *about = new QMessageBox(
-        QMessageBox::NoIcon, tr("About"),
+    QMessageBox::about(
+        &m_window, tr("About"),
         tr("<h3>slidercrank %1</h3><p>The motion of an offset slider-crank: computed, shown, and compared "
            "with a simulation.</p><p>Formulation after A. A. Shabana, <i>Computational Dynamics</i>.</p>"
            "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-            .arg(QCoreApplication::applicationVersion()),
-        QMessageBox::Close, &m_window);
-    about->setObjectName(QStringLiteral("aboutBox"));
-    about->setAttribute(Qt::WA_DeleteOnClose);
-    about->setIconPixmap(m_window.windowIcon().pixmap(64));
-    about->open(); // does not wait: what plays goes on
+            .arg(QCoreApplication::applicationVersion()));
 }
 
 } // namespace slidercrank

@@ -9,30 +9,27 @@ namespace slidercrank
 {
 
 class MainWindow;
-struct Rooms;
+struct Views;
 
 class Menus : public QMenuBar
 {
     Q_OBJECT
 
 public:
-    Menus(MainWindow &window, const Rooms &rooms);
-
-protected:
-    void keyPressEvent(QKeyEvent *event) override;
+    Menus(MainWindow &window, const Views &views);
 
 private:
     void addFile();
+    void addExport(QMenu *menu);
     void addEdit();
     void addView();
-    void addPlayback();
     void addHelp();
 
     void fillRecent(QMenu *menu);
     void showAbout();
 
     MainWindow &m_window;
-    const Rooms &m_rooms;
+    const Views &m_views;
 };
 
 } // namespace slidercrank

@@ -4,7 +4,6 @@
 #include "ui/document/session.h"
 #include "ui/text/remember.h"
 #include "ui/text/written_number.h"
-#include "ui/widgets/message_bar.h"
 #include "ui/window/scene_file.h"
 
 #include <QDir>
@@ -15,34 +14,38 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+// What messages are about.
+const QString kGreeting = QStringLiteral("greeting");
+const QString kConfirmation = QStringLiteral("confirmation");
+const QString kProblem = QStringLiteral("problem");
+const QString kResult = QStringLiteral("result");
+const QString kReference = QStringLiteral("reference");
+const QString kColumns = QStringLiteral("columns");
+const QString kTimeRange = QStringLiteral("timeRange");
+
+} // namespace
+
 Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
     : QObject(bar)
-    , m_session(session)
     , m_bar(bar)
 {
-    connect(session, &Session::problemFound, this, &Messages::tellRefusal);
-    connect(session, &Session::runFollows, this,
-            [this](const std::shared_ptr<const Reference> &reference, const Sampling &run) {
-                m_runOf = reference;
-                m_run = run;
-            });
-    connect(session, &Session::settingsChanged, this, [this](const Sampling &run) {
-        if (m_runOf && (run.start != m_run.start || run.duration != m_run.duration)) {
-            if (m_bar->text().startsWith(runSentence())) {
-                m_bar->hide();
-            }
-            m_runOf = nullptr;
-        }
-    });
-    connect(session, &Session::referenceRefused, this, &Messages::tellRefused);
-    connect(session, &Session::referenceLoaded, this, &Messages::announceReading);
-    connect(session, &Session::resultChanged, this, &Messages::followResult);
-    connect(scene, &SceneFile::problemFound, this, &Messages::tellProblem);
+    connect(session, &Session::problemFound, this,
+            [this](const QString &sentence) { showAboutResult(Message::Kind::Problem, sentence); });
+    connect(session, &Session::resultChanged, this, [this] { m_bar->removeMessage(kResult); });
+    connect(session, &Session::runFollows, this, &Messages::showTimeRange);
+    connect(session, &Session::settingsChanged, this, &Messages::followSampling);
+    connect(session, &Session::referenceRefused, this, &Messages::showRefused);
+    connect(session, &Session::referenceLoaded, this, &Messages::showReading);
+    connect(scene, &SceneFile::problemFound, this, &Messages::showProblem);
     connect(scene, &SceneFile::saved, this,
-            [this](const QString &path) { tell(tr("Saved: %1").arg(QDir::toNativeSeparators(path))); });
+            [this](const QString &path) { confirm(tr("Saved: %1").arg(QDir::toNativeSeparators(path))); });
     connect(scene, &SceneFile::referenceMissing, this, [this](const QString &sentence) {
-        m_bar->showMessage(MessageBar::Kind::Problem, tr("The scene is open without its reference. %1").arg(sentence),
-                           tr("Open reference…"), [this] { emit openReferenceRequested(); });
+        m_bar->showMessage({kReference, Message::Kind::Problem,
+                            tr("The scene is open without its reference. %1").arg(sentence), tr("Open reference…"),
+                            [this] { emit openReferenceRequested(); }});
     });
 }
 
@@ -51,119 +54,78 @@ void Messages::greetOnce()
     const QString key = QStringLiteral("greeted");
     if (!QSettings().value(key).toBool()) {
         remember({{key, true}});
-        greet();
+        m_bar->showMessage({kGreeting, Message::Kind::Hint, tr("Drag a slider or a link. Press Space to play."),
+                            tr("Open the sample"), [this] { emit openSampleRequested(); }});
     }
 }
 
-void Messages::greet()
+void Messages::confirm(const QString &sentence)
 {
-    m_greeting = tr("Drag a slider or a link. Press Space to play.");
-    m_bar->showMessage(MessageBar::Kind::Hint, m_greeting, tr("Open the sample"),
-                       [this] { emit openSampleRequested(); });
+    m_bar->showMessage({kConfirmation, Message::Kind::Hint, sentence});
 }
 
-void Messages::sayAgain()
+void Messages::confirmCopiedRows(int count)
 {
-    if (m_bar->isHidden()) {
+    confirm(tr("Rows copied to the clipboard, as CSV with headings: %1.").arg(count));
+}
+
+void Messages::showProblem(const QString &sentence)
+{
+    m_bar->showMessage({kProblem, Message::Kind::Problem, sentence});
+}
+
+void Messages::showAboutResult(Message::Kind kind, const QString &sentence)
+{
+    m_bar->showMessage({kResult, kind, sentence});
+}
+
+void Messages::showRefused(const QStringList &paths, const QString &sentence)
+{
+    m_refused = paths;
+    Message message{kReference, Message::Kind::Problem, sentence};
+    if (!layoutOf(paths).columns.empty()) { // other meanings of the columns may help
+        message.actionText = tr("Choose columns…");
+        message.action = [this, paths] { emit columnsRequested(paths); };
+    }
+    m_bar->showMessage(message);
+}
+
+void Messages::showReading(const std::shared_ptr<const Reference> &reference)
+{
+    m_bar->removeMessage(kColumns);
+    if (!reference) {
         return;
     }
-    const bool greets = m_bar->text() == m_greeting;
-    announceReading();
-    if (greets) {
-        greet();
+    if (reference->paths == m_refused) {
+        m_bar->removeMessage(kReference);
     }
-}
-
-void Messages::tell(const QString &sentence)
-{
-    m_bar->showMessage(MessageBar::Kind::Hint, sentence);
-}
-
-void Messages::tellForNow(const QString &sentence)
-{
-    m_forNow = sentence;
-    tell(sentence);
-}
-
-void Messages::tellRowsCopied(int count)
-{
-    tell(count == 1 ? tr("The row is in the clipboard, as CSV with its headings.")
-                    : tr("%1 rows are in the clipboard, as CSV with their headings.").arg(count));
-}
-
-void Messages::tellProblem(const QString &sentence)
-{
-    m_bar->showMessage(MessageBar::Kind::Problem, sentence);
-}
-
-/// Of what the mechanism cannot be, until it is something else.
-void Messages::tellRefusal(const QString &sentence)
-{
-    m_forNow = sentence;
-    tellProblem(sentence);
-}
-
-void Messages::tellRefused(const QStringList &paths, const QString &sentence)
-{
-    if (layoutOf(paths).columns.empty()) {
-        tellProblem(sentence);
-    } else { // which of them is what may help
-        m_bar->showMessage(MessageBar::Kind::Problem, sentence, tr("Choose columns…"),
-                           [this, paths] { emit columnsRequested(paths); });
+    const std::vector<FileColumn> &columns = reference->data.layout.columns;
+    if (reference->asPrinted || !reference->data.layout.isGuessed()) {
+        return;
     }
+    const bool isAngleOnly = std::ranges::all_of(columns, [](const FileColumn &column) {
+        return !isGuess(column.reason) || column.reason == ColumnReason::AngleForTime;
+    });
+    const QString sentence = isAngleOnly
+                                 ? tr("%1 is a table by crank angle: ω₂ and θ₂₀ give its time.")
+                                 : tr("The names in %1 do not tell what all of its columns are: some are guessed.");
+    m_bar->showMessage({kColumns, Message::Kind::Question, sentence.arg(reference->name), tr("Choose columns…"),
+                        [this, paths = reference->paths] { emit columnsRequested(paths); }});
 }
 
-/// Empty where the run is not the file's.
-QString Messages::runSentence() const
+void Messages::showTimeRange(const std::shared_ptr<const Reference> &reference, const Sampling &sampling)
 {
-    return m_runOf ? tr("The run is now that of %1: %2 s to %3 s.")
-                         .arg(m_runOf->name, numberText(m_run.start), numberText(m_run.start + m_run.duration))
-                   : QString();
+    m_followed = sampling;
+    m_bar->showMessage(
+        {kTimeRange, Message::Kind::Hint,
+         tr("The time range is now that of %1: %2 s to %3 s.")
+             .arg(reference->name, numberText(sampling.start), numberText(sampling.start + sampling.duration))});
 }
 
-/// Of a file, another reading of it, or none.
-void Messages::announceReading()
+void Messages::followSampling(const Sampling &sampling)
 {
-    const std::shared_ptr<const Reference> &reference = m_session->reference();
-    const bool guessed = reference && !reference->asPrinted && reference->data.layout.isGuessed();
-    m_bar->hide();
-    if (m_runOf != reference) {
-        m_runOf = nullptr;
-    }
-    if (m_runOf) {
-        tell(runSentence());
-    }
-    if (guessed) {
-        const bool isAngleOnly = std::ranges::all_of(reference->data.layout.columns, [](const FileColumn &column) {
-            return !isGuess(column.reason) || column.reason == ColumnReason::AngleForTime;
-        });
-        const QString sentence =
-            (isAngleOnly ? tr("%1 is a table by crank angle: ω₂ and θ₂₀ give its time.")
-                         : tr("The names in %1 do not tell what all of its columns are: some are guessed."))
-                .arg(reference->name);
-        m_bar->showMessage(MessageBar::Kind::Hint, (runSentence() + u' ' + sentence).trimmed(), tr("Choose columns…"),
-                           [this] { emit columnsRequested(m_session->reference()->paths); });
-    }
-}
-
-void Messages::followResult()
-{
-    if (m_bar->text() == m_forNow) {
-        m_bar->hide();
-    }
-}
-
-void Messages::remedy(const Finding &finding)
-{
-    m_bar->hide();
-    switch (finding.remedy) {
-    case Finding::Remedy::None: break;
-    case Finding::Remedy::TakeOver: m_session->takeOver(); break;
-    case Finding::Remedy::Apply: m_session->apply(finding.convention); break;
-    case Finding::Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
-    case Finding::Remedy::ReadByAngle: m_session->readAbscissaAs(ColumnRole::CrankAngle); break;
-    case Finding::Remedy::ReadByTime: m_session->readAbscissaAs(ColumnRole::Time); break;
-    case Finding::Remedy::ChooseColumns: emit columnsRequested(m_session->reference()->paths); break;
+    if (sampling.start != m_followed.start || sampling.duration != m_followed.duration) {
+        m_bar->removeMessage(kTimeRange);
     }
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the window says in its message bar: what a file says about itself, with the remedy at hand, what went wrong, and
-// the first time ever what there is to do.
+// What the window says in its message bar. Each message is about something, by which it is replaced or removed.
 
 #include "ui/document/result.h"
-#include "ui/panels/page.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QObject>
 #include <QString>
@@ -15,7 +14,6 @@
 namespace slidercrank
 {
 
-class MessageBar;
 class SceneFile;
 class Session;
 
@@ -26,37 +24,30 @@ class Messages : public QObject
 public:
     Messages(Session *session, SceneFile *scene, MessageBar *bar);
 
-    void greetOnce();
+    void greetOnce(); ///< when the program is used for the first time
 
-    /// In the language now in use; what was not of a file or of the program itself is gone.
-    void sayAgain();
+    /// A message about the result shown; it goes when another result comes.
+    void showAboutResult(Message::Kind kind, const QString &sentence);
 
 public slots:
-    void tell(const QString &sentence);
-    void tellForNow(const QString &sentence); ///< until something else is on show
-    void tellProblem(const QString &sentence);
-    void tellRowsCopied(int count);
-    void remedy(const slidercrank::Finding &finding);
+    void confirm(const QString &sentence);
+    void confirmCopiedRows(int count);
+    void showProblem(const QString &sentence);
 
 signals:
     void openReferenceRequested();
     void openSampleRequested();
-    void columnsRequested(const QStringList &paths); ///< of that file
+    void columnsRequested(const QStringList &paths); ///< the meaning of the columns of these files
 
 private:
-    void greet();
-    void announceReading();
-    void followResult();
-    void tellRefusal(const QString &sentence);
-    void tellRefused(const QStringList &paths, const QString &sentence);
-    QString runSentence() const;
+    void showRefused(const QStringList &paths, const QString &sentence);
+    void showReading(const std::shared_ptr<const Reference> &reference);
+    void showTimeRange(const std::shared_ptr<const Reference> &reference, const Sampling &sampling);
+    void followSampling(const Sampling &sampling);
 
-    Session *m_session;
     MessageBar *m_bar;
-    QString m_greeting;                       ///< as it was said; empty: it was not
-    QString m_forNow;                         ///< likewise, of what is on show
-    std::shared_ptr<const Reference> m_runOf; ///< the file whose run the session's became; null: it is another
-    Sampling m_run;                           ///< that
+    QStringList m_refused; ///< files that could not be read
+    Sampling m_followed;   ///< the time range that was taken from a file
 };
 
 } // namespace slidercrank

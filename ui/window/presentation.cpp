@@ -6,7 +6,8 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/folding_tabs.h"
-#include "ui/window/rooms.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/window/views.h"
 
 #include <QFontInfo>
 #include <QKeyEvent>
@@ -24,7 +25,7 @@ namespace slidercrank
 namespace
 {
 
-/// As high as can be read from the last row; never smaller than usual.
+/// Large enough to be read from the last row; never smaller than usual.
 QFont largeFont(const QWidget &window)
 {
     constexpr int kLinesOnScreen = 45;
@@ -35,9 +36,10 @@ QFont largeFont(const QWidget &window)
 
 } // namespace
 
-Presentation::Presentation(const Rooms &rooms, QMainWindow *window)
+Presentation::Presentation(const Views &views, MessageBar *messages, QMainWindow *window)
     : QObject(window)
-    , m_rooms(rooms)
+    , m_views(views)
+    , m_messages(messages)
     , m_window(window)
 {
     window->installEventFilter(this);
@@ -45,47 +47,47 @@ Presentation::Presentation(const Rooms &rooms, QMainWindow *window)
 
 void Presentation::setOn(bool on)
 {
+    constexpr int kMechanismShare = 40; // % of the width
     if (on == m_isOn) {
         return;
     }
     m_isOn = on;
-    setAlone(false);
-    const MechanismSettings drawn = m_rooms.mechanism->settings();
+    setMechanismAlone(false);
+    const MechanismSettings drawn = m_views.mechanism->settings();
     if (on) {
-        m_widths = m_rooms.columns->sizes();
         m_hadAngles = drawn.angles;
+        m_widths = m_views.columns->sizes();
     }
-    m_rooms.mechanism->setSettings(with(drawn, &MechanismSettings::angles, on || (drawn.angles && m_hadAngles)));
-    m_rooms.tabs->setVisible(!on);
+    m_views.mechanism->setSettings(with(drawn, &MechanismSettings::angles, on || (drawn.angles && m_hadAngles)));
+    m_views.tabs->setVisible(!on);
+    m_views.parameters->setBrief(on);
+    m_views.plots->setPresentation(on);
+    m_messages->setMuted(on);
     m_window->statusBar()->setVisible(!on);
     m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // hidden, its keys would not work
-    m_rooms.parameters->setBrief(on);
-    m_rooms.plots->setPresentation(on);
     m_window->centralWidget()->setFont(on ? largeFont(*m_window) : QFont());
-    constexpr int kPartOfMechanism = 40; // of 100
-    m_rooms.columns->setStretchFactor(0, on ? kPartOfMechanism : 0);
-    m_rooms.columns->setStretchFactor(1, on ? 100 - kPartOfMechanism : 1);
-    const int width = m_rooms.columns->width();
-    m_rooms.columns->setSizes(on ? QList<int>{width * kPartOfMechanism / 100, width - width * kPartOfMechanism / 100}
-                                 : m_widths);
-    // Maximized stays as it is beneath: a Wayland compositor may end a program that changes both at once.
+    m_views.columns->setStretchFactor(0, on ? kMechanismShare : 0);
+    m_views.columns->setStretchFactor(1, on ? 100 - kMechanismShare : 1);
+    const int width = m_views.columns->width() * kMechanismShare / 100;
+    m_views.columns->setSizes(on ? QList<int>{width, m_views.columns->width() - width} : m_widths);
+    // Maximized stays set beneath: a Wayland compositor may end a program that changes both at once.
     m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));
     if (const QWidget *focus = m_window->focusWidget(); !focus || !focus->isVisible()) {
-        m_rooms.mechanism->setFocus();
+        m_views.mechanism->setFocus();
     }
     emit changed(on);
 }
 
-void Presentation::setAlone(bool alone)
+void Presentation::setMechanismAlone(bool alone)
 {
-    m_rooms.plots->parentWidget()->setVisible(!alone);
+    m_views.plots->parentWidget()->setVisible(!alone);
 }
 
 bool Presentation::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape) {
-        if (m_rooms.plots->parentWidget()->isHidden()) {
-            setAlone(false);
+        if (m_views.plots->parentWidget()->isHidden()) {
+            setMechanismAlone(false);
             return true;
         }
         if (m_isOn) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// In front of a class: mechanism and plots fill the screen, with letters and lines for the last row, and θ₂ and θ³ are
-// on the drawing; under the mechanism stays what moves it and one parameter at a time. Escape leaves.
+// Presentation mode: mechanism and plots fill the screen, with letters and lines to be read from the last row, θ₂ and
+// θ³ on the drawing, the playback and one parameter at a time below it. Escape leaves.
 
 #include <QList>
 #include <QObject>
@@ -12,20 +12,21 @@ class QMainWindow;
 namespace slidercrank
 {
 
-struct Rooms;
+class MessageBar;
+struct Views;
 
 class Presentation : public QObject
 {
     Q_OBJECT
 
 public:
-    Presentation(const Rooms &rooms, QMainWindow *window);
+    Presentation(const Views &views, MessageBar *messages, QMainWindow *window);
 
     bool isOn() const { return m_isOn; }
     void setOn(bool on);
 
-    /// The mechanism fills all the room there is, or shares it again.
-    void setAlone(bool alone);
+    /// The mechanism alone fills the window.
+    void setMechanismAlone(bool alone);
 
 signals:
     void changed(bool on);
@@ -34,7 +35,8 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    const Rooms &m_rooms;
+    const Views &m_views;
+    MessageBar *m_messages;
     QMainWindow *m_window;
     bool m_isOn = false;
     bool m_hadAngles = false;

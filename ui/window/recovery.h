@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Against a crash: while there are unsaved changes, the scene on show is kept in a file beside the settings, at most
-// two seconds old, which is gone after a proper end. What is left of a crash is offered at the next start. A file's
-// lock goes with the process that keeps it, so that two windows take nothing from each other.
+// Session recovery: while there are unsaved changes, a copy of the scene lies beside the settings, written when the
+// person rests for two seconds and removed at a regular end. A copy that a crash left is offered at the next start. Its
+// lock ends with the process that wrote it, so that two windows do not offer each other's copies.
 
 #include "ui/document/scene.h"
-#include "ui/document/work_aside.h"
 
 #include <QLockFile>
 #include <QObject>
@@ -14,9 +13,7 @@
 #include <QTimer>
 
 #include <memory>
-#include <vector>
-
-class QVBoxLayout;
+#include <optional>
 
 namespace slidercrank
 {
@@ -30,43 +27,33 @@ class Recovery : public QObject
     Q_OBJECT
 
 public:
-    /// `column`: on top of which there is a bar where there is something to offer.
-    Recovery(Session *session, SceneFile *scene, QVBoxLayout *column, QObject *parent);
-    ~Recovery() override; ///< a proper end
-
-    /// In the language now in use.
-    void sayAgain();
+    Recovery(Session *session, SceneFile *scene, MessageBar *messages, QObject *parent);
+    ~Recovery() override; ///< a regular end
 
 private:
     /// A file, and the lock that makes it this window's.
-    struct Kept {
+    struct Copy {
         QString path;
-        std::unique_ptr<QLockFile> lock; ///< null: another has it
+        std::unique_ptr<QLockFile> lock;
     };
     struct Offer {
-        Kept kept;
+        Copy copy;
         Scene scene;
-        QString file;    ///< that the scene was of; empty: of none
-        FileState state; ///< of that file then
     };
-    static Kept claim(const QString &path);
+    static std::optional<Copy> claim(const QString &path);
 
-    void follow();
-    void keep();
-    void forget();
-    void findOffers();
-    void dropWhatIsOnShow();
+    void followEdits();
+    void write();
+    void removeCopy();
+    void findOffer();
     void showOffer();
     void restore();
-    void discard();
 
     SceneFile *m_scene;
-    QVBoxLayout *m_column;
-    MessageBar *m_bar = nullptr; ///< once there was something to offer
-    QTimer m_soon{this};
-    WorkAside m_writing;               ///< a disk may be slow
-    std::shared_ptr<const Kept> m_own; ///< null: there is nothing to keep
-    std::vector<Offer> m_offers;       ///< the one on show first
+    MessageBar *m_messages;
+    QTimer m_rest{this};
+    std::optional<Copy> m_copy;
+    std::optional<Offer> m_offer;
 };
 
 } // namespace slidercrank

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/scene_file.h"
 
-#include "ui/document/byte_stream.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/save_dialog.h"
-#include "ui/window/remembered.h"
-#include "ui/window/rooms.h"
+#include "ui/window/views.h"
+#include "ui/window/window_settings.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 
 #include <utility>
 #include <variant>
@@ -25,26 +22,29 @@ namespace slidercrank
 namespace
 {
 
-/// Where scenes are: beside the last one.
-QString folderOf(const QString &path)
-{
-    const QString last = path.isEmpty() ? recentFiles(kRecentScenes).value(0) : path;
-    return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                          : QFileInfo(last).absolutePath();
-}
-
 FileState stateOf(const QString &path)
 {
     const QFileInfo file(path);
     return {file.size(), file.lastModified()};
 }
 
+QMessageBox *makeQuestion(const char *name, const QString &title, const QString &text, QWidget *window)
+{
+    if (auto *asked = window->findChild<QMessageBox *>(QLatin1String(name))) {
+        asked->reject();
+    }
+    auto *question = new QMessageBox(QMessageBox::Question, title, text, QMessageBox::Cancel, window);
+    question->setObjectName(QLatin1String(name));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    return question;
+}
+
 } // namespace
 
-SceneFile::SceneFile(Session *session, const Rooms &rooms, QWidget *window)
+SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
     : QObject(window)
     , m_session(session)
-    , m_rooms(rooms)
+    , m_views(views)
     , m_window(window)
 {
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &SceneFile::changed);
@@ -58,7 +58,7 @@ bool SceneFile::isModified() const
     return !m_session->undoStack().isClean();
 }
 
-void SceneFile::takeWhatIsTyped()
+void SceneFile::enterTypedNumber()
 {
     if (auto *box = qobject_cast<NumberBox *>(m_window->focusWidget())) {
         box->interpretText();
@@ -73,37 +73,32 @@ Scene SceneFile::scene() const
             .reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing,
             .kept = m_session->kept(),
             .time = m_session->time(),
-            .plots = m_rooms.plots->settings(),
-            .zoom = m_rooms.plots->zoom(),
-            .mechanism = m_rooms.mechanism->settings(),
-            .mechanismFrame = m_rooms.mechanism->zoom(),
+            .plots = m_views.plots->settings(),
+            .zoom = m_views.plots->zoom(),
+            .mechanism = m_views.mechanism->settings(),
+            .mechanismFrame = m_views.mechanism->zoom(),
             .asRead = m_asRead};
 }
 
-void SceneFile::askThen(const std::function<void()> &goOn)
+void SceneFile::askThen(const std::function<void()> &proceed)
 {
-    takeWhatIsTyped();
+    enterTypedNumber();
     if (!isModified()) {
-        goOn();
+        proceed();
         return;
     }
-    if (auto *asked = m_window->findChild<QMessageBox *>(QStringLiteral("unsavedQuestion"))) {
-        asked->reject();
-    }
-    auto *question =
-        new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                        m_path.isEmpty() ? tr("Save what you changed as a scene, to go on from there another time?")
-                                         : tr("Save the changes to %1?").arg(QFileInfo(m_path).fileName()),
-                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
-    question->setObjectName(QStringLiteral("unsavedQuestion"));
-    question->setInformativeText(tr("Otherwise they are lost."));
+    const QString name = QFileInfo(m_path).fileName();
+    QMessageBox *question = makeQuestion(
+        "unsavedQuestion", tr("Unsaved changes"),
+        name.isEmpty() ? tr("Save your changes as a scene?") : tr("Save your changes to %1?").arg(name), m_window);
+    question->setInformativeText(tr("They will be lost if you don't."));
+    question->setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     question->setDefaultButton(QMessageBox::Save);
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    connect(question, &QMessageBox::finished, this, [this, goOn](int answer) {
+    connect(question, &QMessageBox::finished, this, [this, proceed](int answer) {
         if (answer == QMessageBox::Save) {
-            save(goOn);
+            save(proceed);
         } else if (answer == QMessageBox::Discard) {
-            goOn();
+            proceed();
         }
     });
     question->open();
@@ -112,18 +107,13 @@ void SceneFile::askThen(const std::function<void()> &goOn)
 void SceneFile::open(const QString &path, const QStringList &reference)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    if (isPipeOrDevice(QFileInfo(absolute))) {
-        emit problemFound(tr("%1 is a pipe or a device: save the scene in a file, and open that.")
-                              .arg(QDir::toNativeSeparators(absolute)));
-        return;
-    }
     const FileState state = stateOf(absolute);
-    std::variant<Scene, QString> outcome = readScene(absolute);
+    const std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit problemFound(*sentence);
         return;
     }
-    askThen([this, reference, opening = Opening{absolute, state, std::get<Scene>(std::move(outcome)), {}}] {
+    askThen([this, reference, opening = Opening{absolute, state, std::get<Scene>(outcome), {}}] {
         show(opening, reference.isEmpty() ? opening.scene.reference : std::nullopt);
         if (!reference.isEmpty()) {
             m_session->loadReference(reference);
@@ -131,10 +121,9 @@ void SceneFile::open(const QString &path, const QStringList &reference)
     });
 }
 
-void SceneFile::restore(const Scene &scene, const QString &path, const FileState &state,
-                        const std::function<void()> &goOn)
+void SceneFile::restore(const Scene &scene, const std::function<void()> &proceed)
 {
-    askThen([this, opening = Opening{path, state, scene, goOn}] { show(opening, opening.scene.reference); });
+    askThen([this, opening = Opening{{}, {}, scene, proceed}] { show(opening, opening.scene.reference); });
 }
 
 void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource> &reference)
@@ -154,14 +143,13 @@ void SceneFile::finishOpening(const QString &problem)
     m_state = opening.state;
     m_asRead = opening.scene.asRead;
     m_missing = problem.isEmpty() ? std::nullopt : opening.scene.reference;
-    m_rooms.plots->setSettings(opening.scene.plots);
-    m_rooms.plots->setZoom(opening.scene.zoom);
-    m_rooms.mechanism->setSettings(opening.scene.mechanism);
-    m_rooms.mechanism->setZoom(opening.scene.mechanismFrame);
-    if (m_session->result()->sampling != m_session->sampling()) { // a long run, whose result will undo the zoom
-        connect(
-            m_session, &Session::resultChanged, this,
-            [this, zoom = opening.scene.zoom] { m_rooms.plots->setZoom(zoom); }, Qt::SingleShotConnection);
+    m_views.plots->setSettings(opening.scene.plots);
+    m_views.plots->setZoom(opening.scene.zoom);
+    m_views.mechanism->setSettings(opening.scene.mechanism);
+    m_views.mechanism->setZoom(opening.scene.mechanismFrame);
+    if (m_session->result()->sampling != m_session->sampling()) { // a long computation, whose result resets the zoom
+        const auto zoom = [this, zoom = opening.scene.zoom] { m_views.plots->setZoom(zoom); };
+        connect(m_session, &Session::resultChanged, this, zoom, Qt::SingleShotConnection);
     }
     if (opening.restored) {
         m_session->undoStack().resetClean();
@@ -177,56 +165,56 @@ void SceneFile::finishOpening(const QString &problem)
 
 void SceneFile::chooseAndOpen()
 {
-    auto *dialog = new QFileDialog(m_window, tr("Open scene"), folderOf(m_path),
-                                   tr("Scenes (*.slidercrank *.json);;All files (*)"));
+    const QString last = m_path.isEmpty() ? recentFiles(kRecentScenes).value(0) : m_path;
+    const QString folder = last.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : QFileInfo(last).path();
+    auto *dialog =
+        new QFileDialog(m_window, tr("Open scene"), folder, tr("Scenes (*.slidercrank *.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
     dialog->open();
 }
 
-void SceneFile::save(const std::function<void()> &goOn)
+void SceneFile::save(const std::function<void()> &proceed)
 {
-    takeWhatIsTyped();
+    enterTypedNumber();
     if (m_path.isEmpty()) {
-        saveAs(goOn);
+        saveAs(proceed);
     } else if (QFileInfo::exists(m_path) && stateOf(m_path) != m_state) {
-        askToReplace(goOn);
-    } else if (saveTo(m_path) && goOn) {
-        goOn();
+        askToReplace(proceed);
+    } else if (saveTo(m_path) && proceed) {
+        proceed();
     }
 }
 
-void SceneFile::askToReplace(const std::function<void()> &goOn)
+void SceneFile::askToReplace(const std::function<void()> &proceed)
 {
-    auto *question = new QMessageBox(
-        QMessageBox::Question, tr("Changed elsewhere"),
-        tr("%1 was changed elsewhere since it was opened here. Replace it?").arg(QFileInfo(m_path).fileName()),
-        QMessageBox::NoButton, m_window);
-    question->setObjectName(QStringLiteral("changedQuestion"));
+    QMessageBox *question = makeQuestion(
+        "changedQuestion", tr("Changed elsewhere"),
+        tr("%1 has been changed by another program since you opened it. Replace it?").arg(QFileInfo(m_path).fileName()),
+        m_window);
     question->addButton(tr("Replace"), QMessageBox::AcceptRole);
-    QPushButton *other = question->addButton(tr("Save as…"), QMessageBox::ActionRole);
-    question->setDefaultButton(question->addButton(QMessageBox::Cancel));
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    connect(question, &QMessageBox::accepted, this, [this, goOn] {
-        if (saveTo(m_path) && goOn) {
-            goOn();
+    const QPushButton *other = question->addButton(tr("Save as…"), QMessageBox::ActionRole);
+    question->setDefaultButton(QMessageBox::Cancel);
+    connect(question, &QMessageBox::accepted, this, [this, proceed] {
+        if (saveTo(m_path) && proceed) {
+            proceed();
         }
     });
-    connect(other, &QPushButton::clicked, this, [this, goOn] { saveAs(goOn); });
+    connect(other, &QPushButton::clicked, this, [this, proceed] { saveAs(proceed); });
     question->open();
 }
 
-void SceneFile::saveAs(const std::function<void()> &goOn)
+void SceneFile::saveAs(const std::function<void()> &proceed)
 {
     const QFileInfo file(m_path);
     chooseFileToSave(m_window, {tr("Save scene"),
                                 {tr("Scenes (*.slidercrank)"), tr("Scenes (*.json)")},
                                 m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
-                                m_path.isEmpty() ? QStringLiteral("scene.slidercrank") : file.fileName(),
-                                [this, goOn](const QString &path, const QString &) {
-                                    if (saveTo(path) && goOn) {
-                                        goOn();
+                                m_path.isEmpty() ? tr("scene.slidercrank") : file.fileName(),
+                                [this, proceed](const QString &path, const QString &) {
+                                    if (saveTo(path) && proceed) {
+                                        proceed();
                                     }
                                 }});
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The scene of the window as a document: opened, saved, asked about before it is lost. It is modified while there is an
-// edit that could be undone since; neither the instant on show nor the plots' view counts as one.
+// The scene of the window as a document: it is opened, saved, and the person is asked before changes are lost. It is
+// modified while there is an edit that could be undone since; neither the time nor the view of the plots counts.
 
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
@@ -16,44 +16,41 @@
 namespace slidercrank
 {
 
-struct Rooms;
+struct Views;
 
 class SceneFile : public QObject
 {
     Q_OBJECT
 
 public:
-    /// `window`: whose session and rooms these are, and in front of which is asked.
-    SceneFile(Session *session, const Rooms &rooms, QWidget *window);
+    /// `window`: the parent of dialogs.
+    SceneFile(Session *session, const Views &views, QWidget *window);
 
-    const QString &path() const { return m_path; }     ///< empty: never saved
-    const FileState &state() const { return m_state; } ///< of the file there, as it was opened or saved last
+    const QString &path() const { return m_path; } ///< empty: never saved
     bool isModified() const;
 
-    /// Before saving and asking: a number that is typed and not entered yet belongs to what is on show.
-    void takeWhatIsTyped();
+    /// Enters a number that is typed and not entered yet: it belongs to the scene.
+    void enterTypedNumber();
 
-    /// What is on show, as it would be saved now.
-    Scene scene() const;
+    Scene scene() const; ///< as it would be saved now
 
-    /// Goes on at once where nothing would be lost; otherwise asks first, and goes on unless the person cancels.
-    void askThen(const std::function<void()> &goOn);
+    /// Calls proceed(); if changes would be lost, only when the person has saved or discarded them.
+    void askThen(const std::function<void()> &proceed);
 
-    /// Puts on show, unsaved, what was left of the file at `path`, which was in that state; empty: of none. Asks about
-    /// unsaved changes first, then goes on once it is there.
-    void restore(const Scene &scene, const QString &path, const FileState &state, const std::function<void()> &goOn);
+    /// Shows a scene that was never saved. Asks about unsaved changes first, and calls proceed() when it is shown.
+    void restore(const Scene &scene, const std::function<void()> &proceed);
 
 public slots:
     /// Asks about unsaved changes first. With a reference, that instead of the scene's own.
     void open(const QString &path, const QStringList &reference = {});
     void chooseAndOpen();
 
-    /// Asks for a name where there is none yet, and where somebody else has written to the file since; then goes on
-    /// once it is saved.
-    void save(const std::function<void()> &goOn = {});
-    void saveAs(const std::function<void()> &goOn = {});
+    /// Asks for a name if there is none yet, and before it replaces a file that somebody else has changed; calls
+    /// proceed() when the scene is saved.
+    void save(const std::function<void()> &proceed = {});
+    void saveAs(const std::function<void()> &proceed = {});
 
-    /// False where it cannot be written: then problemFound says why.
+    /// False if the scene cannot be written: then problemFound says why.
     bool saveTo(const QString &path);
 
 signals:
@@ -65,22 +62,23 @@ signals:
 private:
     struct Opening {
         QString path;
-        FileState state; ///< of the file there
+        FileState state;
         Scene scene;
-        std::function<void()> restored; ///< empty: it is as in the file
+        std::function<void()> restored; ///< empty: the scene is as in the file
     };
     void show(const Opening &opening, const std::optional<ReferenceSource> &reference);
     void finishOpening(const QString &problem);
-    void askToReplace(const std::function<void()> &goOn);
+    void askToReplace(const std::function<void()> &proceed);
 
     Session *m_session;
-    const Rooms &m_rooms;
+    const Views &m_views;
     QWidget *m_window;
     QString m_path;
-    FileState m_state;
-    QJsonObject m_asRead;                     ///< of the file at m_path
-    std::optional<ReferenceSource> m_missing; ///< of the scene, which is open without it: saved again all the same
-    std::optional<Opening> m_opening;         ///< while its reference is read
+    FileState m_state;    ///< of that file when it was opened or saved last
+    QJsonObject m_asRead; ///< the file at m_path
+    std::optional<ReferenceSource>
+        m_missing;                    ///< of the scene, which is open without it: it is saved again all the same
+    std::optional<Opening> m_opening; ///< while its reference is read
 };
 
 } // namespace slidercrank

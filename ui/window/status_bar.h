@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Along the bottom of the window: the run on show in one line; and while something takes longer than a moment, how far
-// it has come, with a button that cancels it.
+// One line about the motion shown; and while something takes longer than a moment, its progress and a button that
+// cancels it.
 
 #include <QStatusBar>
 #include <QTimer>
@@ -20,26 +20,24 @@ class StatusBar : public QStatusBar
     Q_OBJECT
 
 public:
-    explicit StatusBar(QWidget *parent = nullptr);
+    explicit StatusBar(QWidget *parent);
 
-    void retranslate(); ///< into the language now in use
-    void showRun(const Result &result);
+    void showResult(const Result &result);
 
 public slots:
-    void setBusy(bool busy);       ///< counts what is under way
-    void setProgress(double part); ///< 0 … 1
-    void setProgressUnknown();
+    void setBusy(bool busy);       ///< counts the tasks that run
+    void setProgress(double part); ///< 0 … 1; negative: unknown
 
 signals:
     void cancelled();
 
 private:
-    void setBusyShown(bool shown);
+    void showProgress(bool shown);
 
     QProgressBar *m_progress;
     QToolButton *m_cancel;
     QTimer m_moment{this};
-    int m_underWay = 0;
+    int m_tasks = 0;
 };
 
 } // namespace slidercrank

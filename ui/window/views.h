@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What there is in a window now. All of it but the message bar is made anew when the language changes: who
-// outlives that asks here each time.
+// The views of a window.
 
 class QSplitter;
 
@@ -12,17 +11,15 @@ namespace slidercrank
 class FoldingTabs;
 class Ghost;
 class MechanismView;
-class MessageBar;
 class ParameterPanel;
 class PlotGrid;
 class TablePanel;
 class Timeline;
 
-struct Rooms {
-    MessageBar *messageBar = nullptr;
-    QSplitter *columns = nullptr; ///< all that follows is in them
+struct Views {
+    QSplitter *columns = nullptr; ///< contains all of the following
     MechanismView *mechanism = nullptr;
-    Ghost *ghost = nullptr; ///< in the mechanism's view
+    Ghost *ghost = nullptr; ///< in the mechanism view
     Timeline *timeline = nullptr;
     ParameterPanel *parameters = nullptr;
     PlotGrid *plots = nullptr;
